@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace quadrat::base {
+
+// The whole file. Throws InputError naming the file when it cannot be read or is larger than limit_bytes.
+std::string read_file(const std::filesystem::path& path, std::size_t limit_bytes = 64U << 20U);
+
+// Replaces path by bytes, whole or not at all: written beside it, flushed to the disk, then renamed.
+// Throws InputError naming the file.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+// The same for a writer that needs a path of its own (a picture library, say). The temporary path keeps the extension;
+// when write throws, nothing is left behind.
+void write_file_by(const std::filesystem::path& path,
+                   const std::function<void(const std::filesystem::path& temporary)>& write);
+
+}  // namespace quadrat::base

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <utility>
+
+namespace quadrat::base {
+
+// A handle that is closed exactly once: move-only, with a named deleter and a value that means "nothing".
+//     struct CloseDescriptor { void operator()(int fd) const; };
+//     using OwnedDescriptor = Owned<int, CloseDescriptor, -1>;
+template <typename Handle, typename Deleter, Handle Nothing = Handle{}>
+class Owned {
+  public:
+    Owned() = default;
+    explicit Owned(Handle handle) : handle_(handle) {}
+    Owned(Owned&& other) noexcept : handle_(std::exchange(other.handle_, Nothing)) {}
+    Owned& operator=(Owned&& other) noexcept {
+        if (this != &other) {
+            reset();
+            handle_ = std::exchange(other.handle_, Nothing);
+        }
+        return *this;
+    }
+    Owned(const Owned&) = delete;
+    Owned& operator=(const Owned&) = delete;
+    ~Owned() { reset(); }
+
+    Handle get() const { return handle_; }
+    explicit operator bool() const { return handle_ != Nothing; }
+    Handle release() { return std::exchange(handle_, Nothing); }
+    void reset(Handle handle = Nothing) {
+        if (handle_ != Nothing) Deleter{}(handle_);
+        handle_ = handle;
+    }
+
+  private:
+    Handle handle_ = Nothing;
+};
+
+struct CloseDescriptor {
+    void operator()(int fd) const noexcept;
+};
+using OwnedDescriptor = Owned<int, CloseDescriptor, -1>;
+
+}  // namespace quadrat::base
