@@ -23,11 +23,11 @@ class RandomStream {
     explicit RandomStream(Seed seed);
 
     std::uint64_t bits();
-    double unit();                              // in [0, 1), 53 bits
-    float unit_f();                             // in [0, 1), 24 bits
-    float between(float low, float high);       // in [low, high)
-    std::uint32_t below(std::uint32_t count);   // in [0, count), unbiased; count 0 gives 0
-    float normal();                             // mean 0, deviation 1; sum of twelve uniforms, so exact and within ±6
+    double unit();                             // in [0, 1), 53 bits
+    float unit_f();                            // in [0, 1), 24 bits
+    float between(float low, float high);      // in [low, high)
+    std::uint32_t below(std::uint32_t count);  // in [0, count), unbiased; count 0 gives 0
+    float normal();                            // mean 0, deviation 1; sum of twelve uniforms, so exact and within ±6
 
   private:
     std::array<std::uint64_t, 4> state_;

@@ -11,7 +11,7 @@ namespace quadrat::genome {
 enum class Aspect { Trees, Land, Sky };
 inline constexpr std::array kAspects{Aspect::Trees, Aspect::Land, Aspect::Sky};
 
-std::string_view name_of(Aspect aspect);                         // "trees", "land", "sky"
+std::string_view name_of(Aspect aspect);  // "trees", "land", "sky"
 std::optional<Aspect> aspect_named(std::string_view name);
 
 // One value for each aspect.

@@ -16,14 +16,14 @@ inline constexpr std::size_t kCandidates = 4;
 // One of the four landscapes of a round. The seeds name the chance that growing may use, an aspect at a time, so that
 // an aspect that is inherited whole looks the same again.
 struct Candidate {
-    BitGenome bits;             // empty in genomes that are not bred as bits
+    BitGenome bits;  // empty in genomes that are not bred as bits
     ParameterValues values;
     PerAspect<base::Seed> seeds;
     friend bool operator==(const Candidate&, const Candidate&) = default;
 };
 
 struct Offer {
-    int round = 1;              // 1, 2, …
+    int round = 1;  // 1, 2, …
     std::array<Candidate, kCandidates> candidates;
     friend bool operator==(const Offer&, const Offer&) = default;
 };

@@ -13,9 +13,9 @@ namespace quadrat::genome {
 // One enumerator a row, in table order: trees, then land, then sky.
 enum class ParameterId : std::size_t {
 #define PARAMETER(id, ...) id,
-#include "genome/parameters_trees.inc"
 #include "genome/parameters_land.inc"
 #include "genome/parameters_sky.inc"
+#include "genome/parameters_trees.inc"
 #undef PARAMETER
     count
 };
@@ -27,28 +27,28 @@ enum class Genome { Classic, Full };
 // The one place where a parameter has its name, aspect, unit, range, default and bits.
 struct Parameter {
     ParameterId id;
-    std::string_view name;      // "tree.branch_angle_deg"
+    std::string_view name;  // "tree.branch_angle_deg"
     Aspect aspect;
-    std::string_view unit;      // "deg", "m", "ratio", or "" for a choice or a count
+    std::string_view unit;  // "deg", "m", "ratio", or "" for a choice or a count
     float min;
     float max;
     float default_value;
-    int bits;                   // 1 to 8
+    int bits;  // 1 to 8
     Genome genome;
     std::string_view meaning;
 };
 
-std::span<const Parameter> parameter_table();                               // all, in the order of ParameterId
+std::span<const Parameter> parameter_table();  // all, in the order of ParameterId
 const Parameter& parameter(ParameterId id);
 std::optional<ParameterId> parameter_named(std::string_view name);
-std::vector<ParameterId> parameters_of(Aspect aspect, Genome genome);       // in table order
+std::vector<ParameterId> parameters_of(Aspect aspect, Genome genome);  // in table order
 
 // A value for every parameter, each inside its range.
 class ParameterValues {
   public:
-    ParameterValues();                                                      // the defaults
+    ParameterValues();  // the defaults
     float operator[](ParameterId id) const { return values_[static_cast<std::size_t>(id)]; }
-    void set(ParameterId id, float value);                                  // clamped to the range; NaN gives the default
+    void set(ParameterId id, float value);  // clamped to the range; NaN gives the default
     friend bool operator==(const ParameterValues&, const ParameterValues&) = default;
 
   private:

@@ -16,7 +16,7 @@ namespace quadrat::genome {
 struct Recipe {
     ParameterValues values;
     PerAspect<base::Seed> seeds;
-    base::Seed flight;          // names the camera's path, the same for the four scenes of a round
+    base::Seed flight;  // names the camera's path, the same for the four scenes of a round
     friend bool operator==(const Recipe&, const Recipe&) = default;
 };
 

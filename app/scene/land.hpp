@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "mesh/field.hpp"
+#include "mesh/image.hpp"
+
+namespace quadrat::scene {
+
+// World: x east, y up, z south, in metres; the land's middle is x = z = 0, the sea's surface y = 0.
+// A point (x, z) lies at column x / cell_m + (columns - 1) / 2, row z / cell_m + (rows - 1) / 2.
+struct Land {
+    mesh::Field height_m;  // square, 2^k + 1 samples a side
+    float cell_m = 2;
+    mesh::Field surround_m;      // the country around it to the horizon, coarse, about the same middle; within the
+    float surround_cell_m = 64;  // land's own square it lies below the land's surface and is not drawn
+    mesh::Image albedo;          // RGBA, colour: what the ground is made of, over the land's square; alpha: wetness
+    mesh::Image detail;          // one channel, tileable, mean 128: the ground's grain
+    float detail_tile_m = 7;     // one tile of it on the ground
+    glm::vec3 shallow_colour{0.2F, 0.45F, 0.42F};  // of water, linear
+    glm::vec3 deep_colour{0.02F, 0.10F, 0.14F};
+    glm::vec3 far_colour{0.3F, 0.35F, 0.25F};  // of the surround, linear
+
+    float side_m() const { return cell_m * static_cast<float>(height_m.columns - 1); }
+};
+
+// Height of the ground above the sea's surface. Outside the land: of the surround, then of its nearest edge.
+float ground_height_m(const Land& land, glm::vec2 at_m);
+
+// Unit normal by central differences over one cell.
+glm::vec3 ground_normal(const Land& land, glm::vec2 at_m);
+
+}  // namespace quadrat::scene

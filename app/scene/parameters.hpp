@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "genome/parameter_table.hpp"
+
+namespace quadrat::scene {
+
+// What the growers need, in metres and degrees. Below this no one knows of genes. Ranges: the parameter table.
+
+struct TreeParameters {
+    int type = 4;  // ABOP fig. 2.6 a to d, then the same made less flat
+    float branch_angle_deg = 40;
+    float trunk_contraction = 0.88F;
+    float branch_contraction = 0.74F;
+    float leaf_length_m = 0.3F;
+    float spacing_m = 9;
+};
+
+struct LandParameters {
+    float relief_m = 110;
+    float gain = 0.44F;
+    float feature_size_m = 420;
+    float sea_level = 0.22F;  // share of the relief under water
+};
+
+struct SkyParameters {
+    float cloud_scale_m = 1400;
+    float cloud_sharpness = 0.5F;
+    float sun_elevation_deg = 28;
+    float sun_azimuth_deg = 60;  // clockwise from north
+    float sun_strength = 1;
+    float sun_warmth = 0.35F;
+    float ambient_strength = 0.95F;
+    float ambient_warmth = -0.2F;
+    float haze_distance_m = 1700;
+    float haze_warmth = 0.2F;
+    float sky_depth = 0.6F;
+};
+
+struct SceneParameters {
+    TreeParameters trees;
+    LandParameters land;
+    SkyParameters sky;
+};
+
+SceneParameters realise(const genome::ParameterValues& values);
+
+}  // namespace quadrat::scene

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "mesh/image.hpp"
+#include "scene/camera.hpp"
+#include "scene/flora.hpp"
+#include "scene/land.hpp"
+#include "scene/sky.hpp"
+
+namespace quadrat::scene {
+
+// How finely to grow. The picture's size does not enter: a scene is the same on every screen.
+struct Fineness {
+    int land_samples = 513;  // a side, 2^k + 1
+    int light_px = 512;      // baked light a side
+    int albedo_px = 1024;
+};
+
+// Light that stands still, baked while growing, over the land's square.
+// Channels 0 to 2: what light reaches the ground (sun and sky, times the cosine), linear, halved: 255 is 2.
+// Channel 3: depth of water over the ground, 255 is 24 m.
+struct BakedLight {
+    mesh::Image ground;
+};
+
+// One landscape, whole and immutable once composed. The three aspects are shared with others that inherited them.
+struct Scene {
+    std::shared_ptr<const Flora> flora;
+    std::shared_ptr<const Land> land;
+    std::shared_ptr<const Sky> sky;
+    std::vector<Plant> plants;  // sorted by species
+    BakedLight light;
+    Track track;
+};
+
+}  // namespace quadrat::scene
