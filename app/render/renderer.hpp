@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/image.hpp"
+#include "scene/scene.hpp"
+
+// Draws on the context that is current on the calling thread. Everything here belongs to that thread.
+namespace quadrat::render {
+
+// Pixels, origin at the bottom left as GL has it.
+struct Rect {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+// How finely to draw. alpha is the one knob of speed against quality (D = alpha E^beta, "Genetic selection of
+// parametric scenes" 2003, section 6.2): 1 is the standard, 0.25 coarse, 4 as fine as there is.
+struct Detail {
+    float alpha = 1;
+};
+
+class GpuScene;  // a scene's buffers and textures; freed on the context's thread
+
+// An upload that is cut into slices, so that frames keep their deadline.
+class Upload {
+  public:
+    virtual ~Upload() = default;
+    // Does about this much work; true when finished. The first slices hold what is seen first.
+    virtual bool advance(std::size_t budget_bytes) = 0;
+    virtual std::shared_ptr<const GpuScene> take() = 0;  // once, when finished
+};
+
+struct View {
+    std::shared_ptr<const GpuScene> scene;
+    scene::Camera camera;
+    Rect viewport;
+    float growth = 1;  // 0: bare land with seedlings, 1: grown; the arrival of a new generation
+    float dim = 0;     // 0 to 1: faded toward the dark, for candidates that were not chosen
+};
+
+// Flat things over the views: letters, frames, prompts. Drawn in order, blended.
+struct Texture;
+struct Sign {
+    Rect place;
+    std::shared_ptr<const Texture> texture;  // none: a plain rectangle of colour
+    glm::vec4 colour{1};                     // multiplies the texture; not premultiplied
+    float corner_radius_px = 0;              // of a plain rectangle
+    float border_px = 0;                     // more than 0: only this border of it
+};
+
+struct Frame {
+    glm::ivec2 size{0};  // of the target, pixels
+    std::uint32_t framebuffer = 0;
+    float seconds = 0;        // of the scenes' own time: wind, water, clouds
+    std::vector<View> views;  // 1 (full screen) to 4, drawn in one pass on one framebuffer
+    std::vector<Sign> signs;
+    Detail detail;
+};
+
+struct Drawn {
+    std::size_t triangles = 0;
+    std::size_t draw_calls = 0;
+};
+
+class Renderer {
+  public:
+    // Compiles every shader. Throws InputError naming the GPU and what it lacks when it is not OpenGL ES 3.1.
+    Renderer();
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    std::unique_ptr<Upload> begin_upload(std::shared_ptr<const scene::Scene> scene);
+    std::shared_ptr<const Texture> texture(const mesh::Image& premultiplied_rgba);  // with mipmaps
+    Drawn draw(const Frame& frame);
+    mesh::Image read_pixels(const Frame& frame);  // RGBA, rows from the top
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace quadrat::render
