@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "genome/aspect.hpp"
@@ -23,6 +25,7 @@ ParameterValues decode(const BitGenome& bits, Genome genome);
 // The nearest genome to the values: decode(encode(v)) is v when v came from decode.
 BitGenome encode(const ParameterValues& values, Genome genome);
 
-std::string text_of(const Bits& bits);  // "0101…"
+std::string text_of(const Bits& bits);               // "0101…"
+std::optional<Bits> bits_of(std::string_view text);  // nothing when there is another character than 0 and 1
 
 }  // namespace quadrat::genome

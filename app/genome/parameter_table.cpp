@@ -27,6 +27,13 @@ constexpr std::array<Parameter, kParameterCount> kTable{{
 #undef PARAMETER
 }};
 
+constexpr bool rows_stand_at_their_id() {
+    for (std::size_t i = 0; i < kTable.size(); ++i)
+        if (kTable[i].id != static_cast<ParameterId>(i)) return false;
+    return true;
+}
+static_assert(rows_stand_at_their_id());
+
 }  // namespace
 
 std::span<const Parameter> parameter_table() { return kTable; }

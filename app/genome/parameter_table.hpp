@@ -13,9 +13,12 @@ namespace quadrat::genome {
 // One enumerator a row, in table order: trees, then land, then sky.
 enum class ParameterId : std::size_t {
 #define PARAMETER(id, ...) id,
+// The order is the table's, not the alphabet's.
+// clang-format off
+#include "genome/parameters_trees.inc"
 #include "genome/parameters_land.inc"
 #include "genome/parameters_sky.inc"
-#include "genome/parameters_trees.inc"
+// clang-format on
 #undef PARAMETER
     count
 };
