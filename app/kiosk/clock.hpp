@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <chrono>
+
+namespace quadrat::kiosk {
+
+// A moment since the program started.
+using Instant = std::chrono::nanoseconds;
+
+// The only place where the program learns what time it is; everything else is told.
+class Clock {
+  public:
+    virtual ~Clock() = default;
+    virtual Instant now() = 0;
+    // Simulated clocks go there at once; a real one ignores it.
+    virtual void skip_to(Instant) {}
+    virtual bool is_simulated() const { return false; }
+};
+
+class SteadyClock : public Clock {
+  public:
+    Instant now() override { return std::chrono::steady_clock::now() - start_; }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+class SimulatedClock : public Clock {
+  public:
+    Instant now() override { return now_; }
+    void skip_to(Instant at) override {
+        if (at > now_) now_ = at;
+    }
+    bool is_simulated() const override { return true; }
+
+  private:
+    Instant now_{0};
+};
+
+}  // namespace quadrat::kiosk

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "kiosk/commands/commands.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+constexpr int kBadUsage = 2;
+
+int refuse(const char* what) {
+    std::fprintf(stderr, "quadrat: %s\n", what);
+    return kBadUsage;
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+    CLI::App app{"Quadrat: an unattended exhibit that breeds landscapes from button presses", "quadrat"};
+    app.require_subcommand(1);
+    app.set_version_flag("--version", "quadrat " QUADRAT_VERSION);
+    bool is_quiet = false;
+    bool is_verbose = false;
+    app.add_flag("-q,--quiet", is_quiet, "Log warnings and errors only");
+    app.add_flag("-v,--verbose", is_verbose, "Log everything");
+    commands::Action chosen;
+    commands::add_run(app, chosen);
+    commands::add_breed(app, chosen);
+    commands::add_render(app, chosen);
+    commands::add_export(app, chosen);
+    commands::add_bench(app, chosen);
+    commands::add_doctor(app, chosen);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        return refuse((std::string(error.what()) + " (see quadrat --help)").c_str());
+    }
+    try {
+        base::open_log(is_quiet     ? base::LogDetail::Quiet
+                       : is_verbose ? base::LogDetail::Verbose
+                                    : base::LogDetail::Normal);
+        return chosen();
+    } catch (const base::InputError& error) {
+        return refuse(error.what());
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "quadrat: unexpected: %s\n", error.what());
+        return 1;
+    }
+}
+
+}  // namespace quadrat::kiosk

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <CLI/CLI.hpp>
+#include <functional>
+
+// One file a subcommand. Each adds itself to the command line and sets what to do when it was chosen; that returns the
+// exit status, and throws InputError for bad input.
+namespace quadrat::kiosk::commands {
+
+using Action = std::function<int()>;
+
+void add_run(CLI::App& app, Action& chosen);
+void add_breed(CLI::App& app, Action& chosen);
+void add_render(CLI::App& app, Action& chosen);
+void add_export(CLI::App& app, Action& chosen);
+void add_bench(CLI::App& app, Action& chosen);
+void add_doctor(CLI::App& app, Action& chosen);
+
+}  // namespace quadrat::kiosk::commands

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "kiosk/commands/commands.hpp"
+#include "kiosk/growing.hpp"
+#include "kiosk/image_file.hpp"
+#include "kiosk/picture.hpp"
+#include "mesh/model.hpp"
+
+namespace quadrat::kiosk::commands {
+namespace {
+
+struct Options {
+    std::string scene;
+    std::string output;
+    std::string what = "scene";
+};
+
+// Leaves carry their own vertices; other tools want them as one mesh in the leaves' mean colour.
+mesh::Model::Part leaves_of(const scene::Species& species, const std::string& name) {
+    mesh::Model::Part part{name + "_leaves", {}, {}};
+    glm::vec3 colour{0};
+    for (const scene::Leaves::Vertex& v : species.leaves.vertices) {
+        part.mesh.positions_m.push_back(v.site_m + v.corner_m);
+        part.mesh.normals.push_back(v.normal);
+        colour += v.colour;
+    }
+    part.mesh.indices = species.leaves.indices;
+    if (!species.leaves.vertices.empty()) part.colour = colour / static_cast<float>(species.leaves.vertices.size());
+    return part;
+}
+
+mesh::Model::Part wood_of(const scene::Species& species, const std::string& name, std::size_t level) {
+    return {name + "_wood", species.wood.at(std::min(level, species.wood.size() - 1)).mesh, species.bark_colour};
+}
+
+mesh::Model tree_model(const scene::Scene& scene) {
+    const scene::Species& species = scene.flora->species.front();
+    mesh::Model model;
+    model.parts.push_back(wood_of(species, "tree", 0));
+    model.parts.push_back(leaves_of(species, "tree"));
+    return model;
+}
+
+mesh::Model::Part land_part(const scene::Land& land) {
+    mesh::Model::Part part{"land", {}, land.far_colour};
+    const int n = land.height_m.columns;
+    const float middle = static_cast<float>(n - 1) / 2;
+    for (int row = 0; row < land.height_m.rows; ++row) {
+        for (int column = 0; column < n; ++column) {
+            const glm::vec2 at{(static_cast<float>(column) - middle) * land.cell_m,
+                               (static_cast<float>(row) - middle) * land.cell_m};
+            part.mesh.positions_m.emplace_back(at.x, land.height_m.at(column, row), at.y);
+            part.mesh.normals.push_back(scene::ground_normal(land, at));
+            if (row + 1 == land.height_m.rows || column + 1 == n) continue;
+            const auto a = static_cast<std::uint32_t>(land.height_m.index(column, row));
+            const auto below = a + static_cast<std::uint32_t>(n);
+            for (const std::uint32_t index : {a, below, a + 1, a + 1, below, below + 1})
+                part.mesh.indices.push_back(index);
+        }
+    }
+    return part;
+}
+
+// Instances are free in glTF; in OBJ every plant is written out, so there the coarsest wood must do.
+mesh::Model scene_model(const scene::Scene& scene, bool writes_instances_out) {
+    mesh::Model model;
+    model.parts.push_back(land_part(*scene.land));
+    model.placed.push_back({});
+    for (std::size_t i = 0; i < scene.flora->species.size(); ++i) {
+        const scene::Species& species = scene.flora->species[i];
+        const std::string name = fmt::format("species{}", i);
+        model.parts.push_back(wood_of(species, name, writes_instances_out ? 99 : 0));
+        model.parts.push_back(leaves_of(species, name));
+    }
+    for (const scene::Plant& plant : scene.plants)
+        for (std::size_t part = 0; part < 2; ++part)
+            model.placed.push_back({1 + 2 * plant.species + part, plant.root_m, plant.yaw_rad, plant.scale});
+    return model;
+}
+
+int write(const Options& options) {
+    const std::string ending = std::filesystem::path(options.output).extension().string();
+    const bool is_heights = options.what == "land" && (ending == ".exr" || ending == ".tif" || ending == ".tiff");
+    if (ending != ".obj" && ending != ".glb" && !is_heights)
+        throw base::InputError(fmt::format("{}: --what {} is written as .obj or .glb{}", options.output, options.what,
+                                           options.what == "land" ? ", or as heights in .exr or .tif" : ""));
+    const Picture picture = read_scene(options.scene);
+    const auto scene = grow(picture.scenes.front());
+    if (is_heights) {
+        base::write_file_by(options.output, [&](const std::filesystem::path& temporary) {
+            write_field_file(temporary, options.output, scene->land->height_m);
+        });
+        return 0;
+    }
+    mesh::Model model;
+    if (options.what == "tree") model = tree_model(*scene);
+    if (options.what == "land") model.parts.push_back(land_part(*scene->land));
+    if (options.what == "scene") model = scene_model(*scene, ending == ".obj");
+    base::write_file(options.output, ending == ".obj" ? mesh::to_obj(model) : mesh::to_glb(model));
+    return 0;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Action& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("export", "Write a scene's geometry for other tools");
+    command->add_option("scene", options->scene, "seed:N, a scene file, or a picture that quadrat wrote")->required();
+    command->add_option("-o,--output", options->output, "NAME.obj or NAME.glb; heights of the land as NAME.exr or .tif")
+        ->required();
+    command->add_option("--what", options->what, "tree, land or scene")
+        ->check(CLI::IsMember({"tree", "land", "scene"}))
+        ->capture_default_str();
+    command->callback([options, &chosen] { chosen = [options] { return write(*options); }; });
+}
+
+}  // namespace quadrat::kiosk::commands

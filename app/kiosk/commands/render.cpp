@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "base/error.hpp"
+#include "kiosk/commands/commands.hpp"
+#include "kiosk/easel.hpp"
+#include "kiosk/picture.hpp"
+
+namespace quadrat::kiosk::commands {
+namespace {
+
+struct Options {
+    std::string scene;
+    std::string output;
+    std::string size;
+    std::string camera;
+    std::optional<float> seconds;
+    std::optional<float> detail;
+    std::optional<float> growth;
+};
+
+scene::Camera camera_from(const std::string& text) {
+    scene::Camera c;
+    char rest = 0;
+    const int read = std::sscanf(text.c_str(), "%f,%f,%f:%f,%f,%f:%f%c", &c.eye_m.x, &c.eye_m.y, &c.eye_m.z,
+                                 &c.target_m.x, &c.target_m.y, &c.target_m.z, &c.vertical_fov_deg, &rest);
+    if (read != 6 && read != 7)
+        throw base::InputError(fmt::format(
+            "--camera {}: write EYE:TARGET or EYE:TARGET:FOV, each point as X,Y,Z in metres: 0,12,80:0,8,0:42", text));
+    if (c.eye_m == c.target_m || c.vertical_fov_deg < 5 || c.vertical_fov_deg > 120)
+        throw base::InputError(
+            fmt::format("--camera {}: the eye must not be the target, and the view 5 to 120 degrees wide", text));
+    return c;
+}
+
+int draw(const Options& options) {
+    Picture picture = read_scene(options.scene);
+    if (!options.size.empty()) {
+        const display::Size size = display::size_from(options.size, "--size");
+        picture.width = size.width;
+        picture.height = size.height;
+    }
+    if (!options.camera.empty()) picture.camera = camera_from(options.camera);
+    if (options.seconds) picture.seconds = *options.seconds;
+    if (options.detail) picture.alpha = *options.detail;
+    if (options.growth) picture.growth = *options.growth;
+    Easel easel(picture.width, picture.height);
+    write_picture(options.output, easel.draw(picture), to_json(picture));
+    return 0;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Action& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("render", "Draw one scene to a PNG or EXR that carries the scene inside");
+    command->add_option("scene", options->scene, "seed:N, a scene file, or a picture that quadrat wrote")->required();
+    command->add_option("-o,--output", options->output, "Where to write it: NAME.png or NAME.exr")->required();
+    command->add_option("--size", options->size, "Width and height in pixels, as 1280x720");
+    command->add_option("--time", options->seconds, "Seconds into the flight")->check(CLI::Range(0.0F, 1e6F));
+    command->add_option("--camera", options->camera,
+                        "EX,EY,EZ:TX,TY,TZ[:FOV] instead of the flight's, metres, degrees");
+    command->add_option("--detail", options->detail, "alpha: 1 is standard, 0.25 coarse, 4 fine")
+        ->check(CLI::Range(0.01F, 100.0F));
+    command->add_option("--growth", options->growth, "0 seedlings to 1 grown")->check(CLI::Range(0.0F, 1.0F));
+    command->callback([options, &chosen] { chosen = [options] { return draw(*options); }; });
+}
+
+}  // namespace quadrat::kiosk::commands

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/easel.hpp"
+
+#include <algorithm>
+
+#include "kiosk/growing.hpp"
+#include "kiosk/signs.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+std::unique_ptr<display::Display> open_headless(int width, int height) {
+    display::DisplayOptions options;
+    options.kind = display::Kind::Headless;
+    options.size = {width, height};
+    return display::open_display(options);
+}
+
+}  // namespace
+
+std::array<render::Rect, 4> quarters(int width, int height) {
+    const int gap = std::max(2, height / 240);
+    const int left = (width - gap) / 2;
+    const int low = (height - gap) / 2;
+    const int x = width - left;
+    const int y = height - low;
+    return {{{0, y, left, low}, {x, y, left, low}, {0, 0, left, low}, {x, 0, left, low}}};
+}
+
+std::shared_ptr<const render::GpuScene> upload_now(render::Renderer& renderer,
+                                                   std::shared_ptr<const scene::Scene> scene) {
+    const auto upload = renderer.begin_upload(std::move(scene));
+    while (!upload->advance(static_cast<std::size_t>(-1))) {
+    }
+    return upload->take();
+}
+
+Easel::Easel(int width, int height) : display_(open_headless(width, height)) {
+    display_->begin_frame();
+    renderer_ = std::make_unique<render::Renderer>();
+}
+
+mesh::Image Easel::draw(const Picture& picture) {
+    std::vector<std::shared_ptr<const scene::Scene>> scenes;
+    for (const genome::Recipe& recipe : picture.scenes) scenes.push_back(grow(recipe));
+    return draw(picture, scenes);
+}
+
+mesh::Image Easel::draw(const Picture& picture, const std::vector<std::shared_ptr<const scene::Scene>>& scenes) {
+    const display::Canvas canvas = display_->begin_frame();
+    render::Frame frame;
+    frame.size = {canvas.size.width, canvas.size.height};
+    frame.framebuffer = canvas.framebuffer;
+    frame.seconds = picture.seconds;
+    frame.detail.alpha = picture.alpha;
+    const auto places = quarters(canvas.size.width, canvas.size.height);
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        render::View view;
+        view.scene = upload_now(*renderer_, scenes[i]);
+        view.camera = picture.camera.value_or(scene::camera_at(scenes[i]->track, picture.seconds));
+        view.viewport = scenes.size() == 1 ? render::Rect{0, 0, canvas.size.width, canvas.size.height} : places[i];
+        view.growth = picture.growth;
+        frame.views.push_back(std::move(view));
+    }
+    SignWriter writer(*renderer_);
+    if (scenes.size() > 1) frame.signs = writer.badges(canvas.size.width, canvas.size.height);
+    renderer_->draw(frame);
+    mesh::Image pixels = renderer_->read_pixels(frame);
+    display_->present();
+    return pixels;
+}
+
+}  // namespace quadrat::kiosk

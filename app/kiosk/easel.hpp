@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "display/display.hpp"
+#include "kiosk/picture.hpp"
+#include "render/renderer.hpp"
+
+namespace quadrat::kiosk {
+
+// Draws pictures where nobody watches: a headless display with a renderer on it.
+class Easel {
+  public:
+    Easel(int width, int height);
+
+    // Grows the picture's scenes and draws it. The size must be the easel's.
+    mesh::Image draw(const Picture& picture);
+    // The same with scenes that are grown already.
+    mesh::Image draw(const Picture& picture, const std::vector<std::shared_ptr<const scene::Scene>>& scenes);
+
+    display::Display& display() { return *display_; }
+    render::Renderer& renderer() { return *renderer_; }
+
+  private:
+    std::unique_ptr<display::Display> display_;
+    std::unique_ptr<render::Renderer> renderer_;
+};
+
+// The whole upload at once.
+std::shared_ptr<const render::GpuScene> upload_now(render::Renderer& renderer,
+                                                   std::shared_ptr<const scene::Scene> scene);
+
+// Four quarters of a target, A at the top left, B beside it, C and D below; with a thin gap between.
+std::array<render::Rect, 4> quarters(int width, int height);
+
+}  // namespace quadrat::kiosk

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/growing.hpp"
+
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_scheduler_observer.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+#include "scene/parameters.hpp"
+#include "synthesis/grow.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+using genome::Aspect;
+
+// What an aspect is grown from, and nothing else: equal keys grow equal things.
+using AspectKey = std::tuple<Aspect, std::uint64_t, std::vector<float>>;
+using Grown = std::variant<std::shared_ptr<const scene::Flora>, std::shared_ptr<const scene::Land>,
+                           std::shared_ptr<const scene::Sky>>;
+
+AspectKey key_of(Aspect aspect, const genome::ParameterValues& values, base::Seed seed) {
+    std::vector<float> own;
+    for (const auto id : genome::parameters_of(aspect, genome::Genome::Full)) own.push_back(values[id]);
+    return {aspect, seed.value, std::move(own)};
+}
+
+Grown grow_aspect(Aspect aspect, const genome::ParameterValues& values, base::Seed seed,
+                  const scene::Fineness& fineness) {
+    const scene::SceneParameters parameters = scene::realise(values);
+    switch (aspect) {
+        case Aspect::Trees:
+            return std::make_shared<const scene::Flora>(synthesis::grow_trees(parameters.trees, seed));
+        case Aspect::Land:
+            return std::make_shared<const scene::Land>(synthesis::grow_land(parameters.land, seed, fineness));
+        case Aspect::Sky:
+            break;
+    }
+    return std::make_shared<const scene::Sky>(synthesis::grow_sky(parameters.sky, seed));
+}
+
+std::shared_ptr<const scene::Scene> compose(const Grown& trees, const Grown& land, const Grown& sky,
+                                            base::Seed planting, base::Seed flight, const scene::Fineness& fineness) {
+    return std::make_shared<const scene::Scene>(
+        synthesis::compose(std::get<0>(trees), std::get<1>(land), std::get<2>(sky), planting, flight, fineness));
+}
+
+// Threads that grow give way to the one that draws.
+class LowPriority : public tbb::task_scheduler_observer {
+  public:
+    explicit LowPriority(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) { observe(true); }
+    ~LowPriority() override { observe(false); }
+    LowPriority(const LowPriority&) = delete;
+    LowPriority& operator=(const LowPriority&) = delete;
+    void on_scheduler_entry(bool /*is_worker*/) override { lower_priority(); }
+    static void lower_priority() {
+        constexpr int kNice = 10;
+        ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), kNice);
+    }
+};
+
+struct Order {
+    genome::Offer offer;
+    base::Seed flight;
+};
+
+constexpr std::size_t kAspectsKept = 64;
+
+}  // namespace
+
+std::shared_ptr<const scene::Scene> grow(const genome::Recipe& recipe, const scene::Fineness& fineness) {
+    genome::PerAspect<Grown> grown;
+    for (const Aspect aspect : genome::kAspects)
+        grown[aspect] = grow_aspect(aspect, recipe.values, recipe.seeds[aspect], fineness);
+    return compose(grown[Aspect::Trees], grown[Aspect::Land], grown[Aspect::Sky],
+                   recipe.seeds[Aspect::Trees].child("planting"), recipe.flight, fineness);
+}
+
+struct Grower::Parts {
+    explicit Parts(const GrowerOptions& options_)
+        : options(options_),
+          arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic, 0),
+          observer(arena),
+          worker([this](const std::stop_token& stop) { work(stop); }) {}
+
+    struct Job {
+        AspectKey key;
+        genome::ParameterValues values;
+        base::Seed seed;
+    };
+
+    void work(const std::stop_token& stop);
+    void grow_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
+    void compose_order(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
+    void enqueue(Aspect aspect, const genome::Offer& offer);
+    bool has_all(const Order& wanted) const;
+    void forget_old();
+
+    GrowerOptions options;
+    tbb::task_arena arena;
+    LowPriority observer;
+
+    std::mutex mutex;
+    std::condition_variable_any changed;
+    std::vector<Job> jobs;                                      // not begun
+    std::vector<AspectKey> growing;                             // begun
+    std::map<AspectKey, std::pair<std::uint64_t, Grown>> kept;  // with when it was last wanted
+    std::uint64_t wants = 0;
+    std::optional<Order> ordered;  // not composed yet
+    std::uint64_t order_number = 0;
+    std::optional<Generation> ready;
+    float progress = 0;
+
+    std::jthread worker;  // last: it uses all of the above
+};
+
+void Grower::Parts::enqueue(Aspect aspect, const genome::Offer& offer) {
+    ++wants;
+    for (const genome::Candidate& candidate : offer.candidates) {
+        AspectKey key = key_of(aspect, candidate.values, candidate.seeds[aspect]);
+        if (const auto found = kept.find(key); found != kept.end()) {
+            found->second.first = wants;
+            continue;
+        }
+        if (std::ranges::find(jobs, key, &Job::key) == jobs.end() && std::ranges::find(growing, key) == growing.end())
+            jobs.push_back({std::move(key), candidate.values, candidate.seeds[aspect]});
+    }
+}
+
+bool Grower::Parts::has_all(const Order& wanted) const {
+    for (const genome::Candidate& candidate : wanted.offer.candidates)
+        for (const Aspect aspect : genome::kAspects)
+            if (!kept.contains(key_of(aspect, candidate.values, candidate.seeds[aspect]))) return false;
+    return true;
+}
+
+void Grower::Parts::forget_old() {
+    while (kept.size() > kAspectsKept) {
+        kept.erase(std::ranges::min_element(kept, {}, [](const auto& entry) { return entry.second.first; }));
+    }
+}
+
+void Grower::Parts::grow_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
+    // One job a core at a time, so that a newer wish need not wait for a long queue of older ones.
+    const auto take = std::min(jobs.size(), static_cast<std::size_t>(std::max(1, arena.max_concurrency())));
+    std::vector<Job> batch(jobs.begin(), jobs.begin() + static_cast<std::ptrdiff_t>(take));
+    jobs.erase(jobs.begin(), jobs.begin() + static_cast<std::ptrdiff_t>(take));
+    const std::uint64_t when = wants;
+    growing.clear();
+    for (const Job& job : batch) growing.push_back(job.key);
+    lock.unlock();
+    std::vector<Grown> grown(batch.size());
+    arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) {
+            if (!stop.stop_requested())
+                grown[i] = grow_aspect(std::get<0>(batch[i].key), batch[i].values, batch[i].seed, options.fineness);
+        });
+    });
+    lock.lock();
+    growing.clear();
+    if (stop.stop_requested()) return;
+    for (std::size_t i = 0; i < batch.size(); ++i) kept[batch[i].key] = {when, grown[i]};
+    const float share = static_cast<float>(batch.size()) / (genome::kCandidates * genome::kAspects.size() + 4.0F);
+    progress = std::min(0.9F, progress + share);
+}
+
+void Grower::Parts::compose_order(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
+    const Order order = *ordered;
+    const std::uint64_t number = order_number;
+    std::array<std::array<Grown, genome::kAspects.size()>, genome::kCandidates> parts;
+    for (std::size_t i = 0; i < genome::kCandidates; ++i) {
+        const genome::Candidate& candidate = order.offer.candidates[i];
+        for (const Aspect aspect : genome::kAspects)
+            parts[i][static_cast<std::size_t>(aspect)] =
+                kept.at(key_of(aspect, candidate.values, candidate.seeds[aspect])).second;
+    }
+    lock.unlock();
+    Generation made;
+    arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
+            if (stop.stop_requested()) return;
+            made[i] = compose(parts[i][0], parts[i][1], parts[i][2],
+                              order.offer.candidates[i].seeds[Aspect::Trees].child("planting"), order.flight,
+                              options.fineness);
+        });
+    });
+    lock.lock();
+    if (stop.stop_requested() || number != order_number) return;
+    ready = std::move(made);
+    ordered.reset();
+    progress = 1;
+    forget_old();
+}
+
+void Grower::Parts::work(const std::stop_token& stop) {
+    LowPriority::lower_priority();
+    std::unique_lock lock(mutex);
+    while (!stop.stop_requested()) {
+        if (ordered && has_all(*ordered)) {
+            compose_order(lock, stop);
+        } else if (!jobs.empty()) {
+            grow_batch(lock, stop);
+        } else {
+            changed.wait(lock, stop, [this] { return !jobs.empty() || ordered; });
+        }
+        changed.notify_all();
+    }
+}
+
+Grower::Grower(const GrowerOptions& options) : parts_(std::make_unique<Parts>(options)) {}
+
+Grower::~Grower() {
+    parts_->worker.request_stop();
+    parts_->changed.notify_all();
+}
+
+void Grower::begin(Aspect aspect, const genome::Offer& offer) {
+    const std::scoped_lock lock(parts_->mutex);
+    parts_->enqueue(aspect, offer);
+    parts_->changed.notify_all();
+}
+
+void Grower::order(const genome::Offer& offer, base::Seed flight) {
+    const std::scoped_lock lock(parts_->mutex);
+    parts_->jobs.clear();  // head starts for answers that were not given
+    for (const Aspect aspect : genome::kAspects) parts_->enqueue(aspect, offer);
+    parts_->ordered = Order{offer, flight};
+    ++parts_->order_number;
+    parts_->ready.reset();
+    parts_->progress = 0;
+    parts_->changed.notify_all();
+}
+
+bool Grower::is_ready() {
+    const std::scoped_lock lock(parts_->mutex);
+    return parts_->ready.has_value();
+}
+
+std::optional<Generation> Grower::take() {
+    const std::scoped_lock lock(parts_->mutex);
+    return std::exchange(parts_->ready, std::nullopt);
+}
+
+float Grower::progress() {
+    const std::scoped_lock lock(parts_->mutex);
+    return parts_->progress;
+}
+
+void Grower::wait() {
+    std::unique_lock lock(parts_->mutex);
+    parts_->changed.wait(lock, [this] { return parts_->ready.has_value() || !parts_->ordered; });
+}
+
+}  // namespace quadrat::kiosk

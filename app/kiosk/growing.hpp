@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "genome/offer.hpp"
+#include "genome/recipe.hpp"
+#include "scene/scene.hpp"
+
+namespace quadrat::kiosk {
+
+using Generation = std::array<std::shared_ptr<const scene::Scene>, genome::kCandidates>;
+
+// One scene, now, on the calling thread's arena.
+std::shared_ptr<const scene::Scene> grow(const genome::Recipe& recipe, const scene::Fineness& fineness = {});
+
+struct GrowerOptions {
+    int threads = 0;  // that grow; 0: all cores. They run at low priority beside the frame loop.
+    scene::Fineness fineness;
+};
+
+// Grows in the background. Aspects are kept by what they were grown from, so one that is inherited, or was begun as
+// soon as its answer was known, is not grown twice. All calls from one thread; none of them waits, but wait().
+class Grower {
+  public:
+    explicit Grower(const GrowerOptions& options = {});
+    ~Grower();  // gives up what has not begun
+    Grower(const Grower&) = delete;
+    Grower& operator=(const Grower&) = delete;
+
+    // A head start: this aspect of the four candidates.
+    void begin(genome::Aspect aspect, const genome::Offer& offer);
+
+    // All of the four, composed for one flight. Replaces an order that has not been taken.
+    void order(const genome::Offer& offer, base::Seed flight);
+
+    bool is_ready();                   // the order can be taken
+    std::optional<Generation> take();  // once an order; nothing while it is not ready
+    float progress();                  // of the order, 0 to 1
+    void wait();                       // until the order is ready
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace quadrat::kiosk

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/image_file.hpp"
+
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+namespace oiio = OIIO;
+
+// A text chunk that every picture tool keeps and shows.
+constexpr const char* kSceneKey = "quadrat:scene";
+
+[[noreturn]] void fail(const std::string& name, const std::string& what) {
+    throw base::InputError(fmt::format("{}: {}", name, what));
+}
+
+std::unique_ptr<oiio::ImageOutput> output_for(const std::filesystem::path& path, const std::string& name) {
+    auto output = oiio::ImageOutput::create(path.string());
+    if (!output)
+        fail(name, fmt::format("cannot write a picture of this kind ({}); use .png or .exr", oiio::geterror()));
+    return output;
+}
+
+void write(oiio::ImageOutput& output, const std::filesystem::path& path, const std::string& name,
+           const oiio::ImageSpec& spec, oiio::TypeDesc type, const void* samples) {
+    if (!output.open(path.string(), spec) || !output.write_image(type, samples) || !output.close())
+        fail(name, fmt::format("cannot write: {}", output.geterror()));
+}
+
+float linear_of(std::uint8_t srgb) {
+    const float v = static_cast<float>(srgb) / 255.0F;
+    return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
+}
+
+// EXR holds light, not code values.
+std::vector<float> linear_samples(const mesh::Image& pixels) {
+    std::vector<float> samples(pixels.bytes.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const bool is_alpha = pixels.channels == 4 && i % 4 == 3;
+        samples[i] = is_alpha ? static_cast<float>(pixels.bytes[i]) / 255.0F : linear_of(pixels.bytes[i]);
+    }
+    return samples;
+}
+
+}  // namespace
+
+void write_image_file(const std::filesystem::path& path, const std::string& name, const mesh::Image& pixels,
+                      const std::string& json) {
+    const auto output = output_for(path, name);
+    const bool is_exr = path.extension() == ".exr";
+    oiio::ImageSpec spec(pixels.width, pixels.height, pixels.channels,
+                         is_exr ? oiio::TypeDesc::HALF : oiio::TypeDesc::UINT8);
+    spec.attribute("Software", "quadrat");
+    spec.attribute("png:compressionLevel", 4);
+    if (!json.empty()) spec.attribute(kSceneKey, json);
+    if (is_exr)
+        write(*output, path, name, spec, oiio::TypeDesc::FLOAT, linear_samples(pixels).data());
+    else
+        write(*output, path, name, spec, oiio::TypeDesc::UINT8, pixels.bytes.data());
+}
+
+void write_field_file(const std::filesystem::path& path, const std::string& name, const mesh::Field& field) {
+    const auto output = output_for(path, name);
+    oiio::ImageSpec spec(field.columns, field.rows, 1, oiio::TypeDesc::FLOAT);
+    spec.channelnames = {"Y"};
+    write(*output, path, name, spec, oiio::TypeDesc::FLOAT, field.samples.data());
+}
+
+mesh::Image read_image_file(const std::filesystem::path& path) {
+    const auto input = oiio::ImageInput::open(path.string());
+    if (!input) fail(path.string(), fmt::format("cannot read as a picture: {}", oiio::geterror()));
+    const oiio::ImageSpec& spec = input->spec();
+    oiio::ImageBuf picture(path.string());
+    mesh::Image image(spec.width, spec.height, 4);
+    const std::vector<int> order = spec.nchannels >= 4   ? std::vector<int>{0, 1, 2, 3}
+                                   : spec.nchannels >= 3 ? std::vector<int>{0, 1, 2, -1}
+                                                         : std::vector<int>{0, 0, 0, -1};
+    const std::vector<float> fill{0, 0, 0, 1};
+    const oiio::ImageBuf rgba = oiio::ImageBufAlgo::channels(picture, 4, order, fill);
+    if (!rgba.get_pixels(oiio::get_roi(rgba.spec()), oiio::TypeDesc::UINT8, image.bytes.data()))
+        fail(path.string(), fmt::format("cannot read as a picture: {}", rgba.geterror()));
+    return image;
+}
+
+bool is_image_file(std::string_view bytes) {
+    return bytes.starts_with("\x89PNG") || bytes.starts_with("\x76\x2f\x31\x01");
+}
+
+std::optional<std::string> scene_inside(const std::filesystem::path& path) {
+    const auto input = oiio::ImageInput::open(path.string());
+    if (!input) fail(path.string(), fmt::format("cannot read as a picture: {}", oiio::geterror()));
+    const std::string json = input->spec().get_string_attribute(kSceneKey);
+    if (json.empty()) return std::nullopt;
+    return json;
+}
+
+}  // namespace quadrat::kiosk

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "genome/recipe.hpp"
+#include "mesh/image.hpp"
+#include "scene/camera.hpp"
+
+namespace quadrat::kiosk {
+
+// Everything that decides a picture's pixels: it is kept inside the picture, which can so be drawn again.
+struct Picture {
+    std::vector<genome::Recipe> scenes;  // 1, full size, or 4, a quarter each, lettered
+    int width = 1280;
+    int height = 720;
+    float seconds = 0;                    // into the flight, and of wind, water and clouds
+    float growth = 1;                     // 0 seedlings, 1 grown
+    float alpha = 1;                      // detail
+    std::optional<scene::Camera> camera;  // instead of the flight's
+    friend bool operator==(const Picture& a, const Picture& b);
+};
+
+std::string to_json(const Picture& picture);
+// A picture's or a scene's JSON. Throws InputError naming source and what is wrong.
+Picture picture_from_json(const std::string& json, const std::string& source);
+
+// PNG or EXR by the name's ending, with the JSON inside; whole or not at all. Throws InputError naming the file.
+void write_picture(const std::filesystem::path& path, const mesh::Image& pixels, const std::string& json);
+// Without a scene inside.
+void write_image(const std::filesystem::path& path, const mesh::Image& pixels);
+
+// A SCENE as people name it: seed:N, a scene file, or a picture that carries one. Throws InputError.
+Picture read_scene(const std::string& scene);
+
+// Several pictures as one sheet, each with a line of text under it; all of the size of the first.
+struct SheetEntry {
+    mesh::Image pixels;
+    std::string caption;
+};
+mesh::Image contact_sheet(const std::vector<SheetEntry>& entries, int columns, int entry_width_px);
+
+}  // namespace quadrat::kiosk

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace quadrat::mesh {
+
+// Named meshes with a colour, and where each stands: what other tools read. Metres, y up, right-handed.
+struct Model {
+    struct Part {
+        std::string name;  // letters, digits, '-' and '_'
+        Mesh mesh;
+        glm::vec3 colour{0.5F};  // linear, 0 to 1
+    };
+    struct Placed {
+        std::size_t part = 0;
+        glm::vec3 at_m{0};
+        float yaw_rad = 0;  // about y, counter-clockwise seen from above
+        float scale = 1;
+    };
+    std::vector<Part> parts;
+    std::vector<Placed> placed;  // empty: every part once, where it is
+};
+
+std::string to_obj(const Model& model);  // Wavefront OBJ, instances written out; vertex colours after the positions
+std::string to_glb(const Model& model);  // binary glTF 2.0, instances as nodes
+
+}  // namespace quadrat::mesh
