@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "base/seed.hpp"
+#include "breeding/pbil.hpp"
+#include "breeding/random_search.hpp"
+#include "genome/offer.hpp"
+
+namespace quadrat::breeding {
+
+enum class BreederKind { Pbil, Random };
+enum class Lock { Open, Locked };
+
+// How a breeder is chosen and tuned, before it has learnt anything.
+struct BreederOptions {
+    BreederKind kind = BreederKind::Pbil;
+    genome::Genome genome = genome::Genome::Classic;
+    PbilOptions pbil;
+    friend bool operator==(const BreederOptions&, const BreederOptions&) = default;
+};
+
+// What is believed about the visitor's wish, and how picks change it. A value: a copy remembers, which is all that undo
+// needs. Another breeder is another alternative of Belief and its overloads in breeder.cpp; nobody else can tell.
+class Breeder {
+  public:
+    explicit Breeder(const BreederOptions& options);
+
+    std::string_view name() const;  // "pbil", "random"
+    genome::Genome genome() const { return options_.genome; }
+    int round() const;  // 1, 2, …: that of the offer propose gives
+
+    // The four candidates of this round. Depends on the belief and the seed alone. Aspects are independent: what one
+    // aspect was taught changes nothing of another's bits, values or seeds.
+    genome::Offer propose(base::Seed seed) const;
+
+    // Goes on to the next round. The offer is the one that propose gave, the seed the one it was given.
+    void learn(const genome::Offer& offer, const genome::Pick& pick, base::Seed seed);
+
+    // What is learnt of a locked aspect stays exactly as it is, whatever is picked.
+    void set_lock(genome::Aspect aspect, Lock lock);
+    Lock lock(genome::Aspect aspect) const;
+
+    // The probability of a 1, a bit; what the breeder draws from.
+    genome::PerAspect<std::vector<double>> probability() const;
+
+    // The belief as it is kept on disk, exact: b.believe(b.belief_json()) changes nothing.
+    std::string belief_json() const;
+
+    // Throws InputError naming source, the key, what is wrong and what would be right; the belief is then as before.
+    void believe(std::string_view belief_json, std::string_view source);
+
+    friend bool operator==(const Breeder&, const Breeder&) = default;
+
+  private:
+    using Belief = std::variant<PbilState, RandomState>;
+
+    BreederOptions options_;
+    Belief belief_;
+};
+
+// "pbil", "random". Throws InputError naming the known ones.
+BreederKind breeder_named(std::string_view name);
+
+}  // namespace quadrat::breeding

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+#include <deque>
+
+#include "base/seed.hpp"
+#include "breeding/breeder.hpp"
+#include "genome/offer.hpp"
+
+namespace quadrat::breeding {
+
+// One visitor's breeding: the breeder, the four on offer, and the way back. Shared by the exhibit and the protocol.
+class Session {
+  public:
+    static constexpr std::size_t kUndoDepth = 1000;  // rounds; older ones are forgotten
+
+    // Offers what the breeder proposes: its first four, or, for a breeder that believes what was kept, those of the
+    // round it was kept in. The way back starts empty.
+    Session(Breeder breeder, base::Seed seed);
+
+    const genome::Offer& offer() const { return now_.offer; }
+    const Breeder& breeder() const { return now_.breeder; }
+    base::Seed seed() const { return seed_; }
+
+    // Names the camera's path of this round's four.
+    base::Seed flight() const;
+
+    // Learns and offers the next four.
+    void next(const genome::Pick& pick);
+
+    // What next(pick) would offer. Aspects are independent, so as soon as an aspect is judged, that aspect of the four
+    // is final and can begin to grow.
+    genome::Offer preview(const genome::Pick& pick) const;
+
+    // What the visitor has bred so far: for each aspect the candidate that was last named best, the first of the four
+    // where none was.
+    const genome::Candidate& favourite() const { return now_.favourite; }
+
+    bool can_undo() const { return !past_.empty(); }
+
+    // Takes the last next() back: the belief, the offer and the favourite are the former ones, exactly. Locks are a
+    // standing instruction and stay as they are. False when there is nothing to take back.
+    bool undo();
+
+    // Holds from the next pick on; the four on offer stay.
+    void set_lock(genome::Aspect aspect, Lock lock);
+
+  private:
+    struct Moment {
+        Breeder breeder;
+        genome::Offer offer;
+        genome::Candidate favourite;
+    };
+
+    base::Seed seed_;
+    Moment now_;
+    std::deque<Moment> past_;
+};
+
+// The aspects named best, put together; where an aspect was not judged, that of otherwise.
+genome::Candidate chosen(const genome::Offer& offer, const genome::Pick& pick, const genome::Candidate& otherwise);
+
+}  // namespace quadrat::breeding

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "breeding/stdio_protocol.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "breeding/belief_json.hpp"
+#include "genome/json_text.hpp"
+#include "genome/pick_json.hpp"
+#include "genome/values_json.hpp"
+
+namespace quadrat::breeding {
+namespace {
+
+using base::InputError;
+using nlohmann::json;
+
+// The source in the readers' messages; taken off again, since an error line has its number already.
+constexpr std::string_view kSource = "line";
+constexpr std::string_view kKnown =
+    R"({"pick":{…}}, {"undo":true}, {"lock":ASPECT}, {"unlock":ASPECT} or {"quit":true})";
+
+std::string quoted(std::string_view text) { return json(text).dump(-1, ' ', false, json::error_handler_t::replace); }
+
+std::string parameter_json(const genome::Parameter& p) {
+    return fmt::format(R"({{"name":{},"aspect":"{}","unit":{},"min":{},"max":{},"bits":{}}})", quoted(p.name),
+                       name_of(p.aspect), quoted(p.unit), genome::shortest(p.min), genome::shortest(p.max), p.bits);
+}
+
+std::string candidate_json(const genome::Candidate& candidate, genome::Genome genome) {
+    return fmt::format(R"({{"bits":{},"parameters":{},"words":{{}}}})", genome::bits_json(candidate.bits),
+                       values_json(candidate.values, genome));
+}
+
+void require_true(const json& value, std::string_view key) {
+    if (value != true)
+        throw InputError(fmt::format(R"({}: {} is {}; write {{"{}":true}})", kSource, key, genome::brief(value), key));
+}
+
+genome::Aspect aspect_from(const json& value, std::string_view key) {
+    const auto aspect = value.is_string() ? genome::aspect_named(value.get_ref<const std::string&>()) : std::nullopt;
+    if (!aspect)
+        throw InputError(
+            fmt::format("{}: {} is {}; an aspect is trees, land or sky", kSource, key, genome::brief(value)));
+    return *aspect;
+}
+
+json request_from(std::string_view line) {
+    if (line.size() > StdioProtocol::kLongestLine)
+        throw InputError(fmt::format("{}: the line has {} bytes; at most {} are read", kSource, line.size(),
+                                     StdioProtocol::kLongestLine));
+    if (line.find_first_not_of(" \t\r\n") == std::string_view::npos)
+        throw InputError(fmt::format("{}: the line is blank; write {}", kSource, kKnown));
+    json request = genome::parse_json(line, kSource);
+    if (!request.is_object() || request.empty())
+        throw InputError(fmt::format("{}: {} is no request; write {}", kSource, genome::brief(request), kKnown));
+    if (request.size() > 1) {
+        std::vector<std::string> keys;
+        for (const auto& entry : request.items()) keys.push_back(genome::brief(json(entry.key())));
+        if (keys.size() > 8) keys.resize(8);
+        throw InputError(fmt::format("{}: the line has {} keys ({}); write one a line", kSource, request.size(),
+                                     fmt::join(keys, ", ")));
+    }
+    return request;
+}
+
+// "line: what" and "line:1: what" are "what" to the reader of an error line.
+std::string_view without_source(std::string_view message) {
+    for (const std::string_view lead : {"line: ", "line:1: "})
+        if (message.substr(0, lead.size()) == lead) return message.substr(lead.size());
+    return message;
+}
+
+}  // namespace
+
+StdioProtocol::StdioProtocol(Session session) : session_(std::move(session)) {}
+
+std::string StdioProtocol::hello() const {
+    const genome::Genome genome = session_.breeder().genome();
+    std::vector<std::string> parameters;
+    for (const genome::Aspect aspect : genome::kAspects)
+        for (const genome::ParameterId id : parameters_of(aspect, genome))
+            parameters.push_back(parameter_json(genome::parameter(id)));
+    return fmt::format(
+        R"({{"type":"hello","genome":"{}","breeder":"{}","seed":{},"aspects":["trees","land","sky"],"parameters":[{}]}})",
+        genome == genome::Genome::Classic ? "classic" : "full", session_.breeder().name(), session_.seed().value,
+        fmt::join(parameters, ","));
+}
+
+std::string StdioProtocol::offer() const {
+    const genome::Offer& offer = session_.offer();
+    std::vector<std::string> candidates;
+    for (const genome::Candidate& candidate : offer.candidates)
+        candidates.push_back(candidate_json(candidate, session_.breeder().genome()));
+    return fmt::format(R"({{"type":"offer","round":{},"candidates":[{}],"state":{}}})", offer.round,
+                       fmt::join(candidates, ","), to_json(session_.breeder().probability()));
+}
+
+std::optional<std::string> StdioProtocol::answer(std::string_view line) {
+    ++lines_;
+    try {
+        if (obey(line) == Next::Quit) return std::nullopt;
+        return offer();
+    } catch (const InputError& error) {
+        return fmt::format(R"({{"type":"error","line":{},"message":{}}})", lines_,
+                           quoted(without_source(error.what())));
+    }
+}
+
+StdioProtocol::Next StdioProtocol::obey(std::string_view line) {
+    const json request = request_from(line);
+    const std::string& key = request.begin().key();
+    const json& value = request.front();
+    if (key == "pick") {
+        session_.next(genome::pick_from(value, kSource, "pick"));
+    } else if (key == "undo") {
+        require_true(value, key);
+        undo();
+    } else if (key == "lock" || key == "unlock") {
+        session_.set_lock(aspect_from(value, key), key == "lock" ? Lock::Locked : Lock::Open);
+    } else if (key == "quit") {
+        require_true(value, key);
+        return Next::Quit;
+    } else {
+        throw InputError(
+            fmt::format("{}: the key {} is not known; write {}", kSource, genome::brief(json(key)), kKnown));
+    }
+    return Next::Continue;
+}
+
+void StdioProtocol::undo() {
+    if (session_.undo()) return;
+    if (session_.offer().round == 1) throw InputError(fmt::format("{}: nothing to undo in the first round", kSource));
+    throw InputError(
+        fmt::format("{}: nothing to undo; only the last {} rounds are kept", kSource, Session::kUndoDepth));
+}
+
+}  // namespace quadrat::breeding

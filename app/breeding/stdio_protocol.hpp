@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "breeding/session.hpp"
+
+namespace quadrat::breeding {
+
+// Breeding without pictures, one JSON object a line; what `quadrat breed --stdio` speaks. Pure: text in, text out, no
+// line ends in either. The program prints hello() and offer() unprompted, then answer() of every line it reads.
+//   {"pick":{"trees":2,"land":0,"sky":3}}   any aspect may be missing: it was not judged; {} judges nothing
+//   {"undo":true}   {"lock":"trees"}   {"unlock":"trees"}   {"quit":true}
+// Same options, seed and lines: same bytes out, on every machine.
+class StdioProtocol {
+  public:
+    static constexpr std::size_t kLongestLine = 65536;  // bytes
+
+    explicit StdioProtocol(Session session);
+
+    std::string hello() const;
+    std::string offer() const;
+
+    // The current offer, or {"type":"error","line":N,"message":"…"} for whatever is not one of the lines above; the
+    // session then goes on as it was. N counts the lines given to answer, from 1. A blank line is an error too: every
+    // line in gives exactly one line out. Nothing, after {"quit":true} alone.
+    std::optional<std::string> answer(std::string_view line);
+
+  private:
+    enum class Next { Continue, Quit };
+
+    Next obey(std::string_view line);
+    void undo();
+
+    Session session_;
+    std::size_t lines_ = 0;
+};
+
+}  // namespace quadrat::breeding
