@@ -10,8 +10,8 @@ namespace quadrat::firmware_io {
 enum class Button { A, B, C, D, Back };
 inline constexpr std::array kButtons{Button::A, Button::B, Button::C, Button::D, Button::Back};
 
-std::string_view name_of(Button button);                          // "A", …, "Back"
-std::optional<Button> button_named(std::string_view name);        // letter case does not matter
+std::string_view name_of(Button button);                    // "A", …, "Back"
+std::optional<Button> button_named(std::string_view name);  // letter case does not matter
 
 // A moment on the exhibit's monotonic clock: time since the program started. The kiosk hands the clock in.
 using Instant = std::chrono::nanoseconds;

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "firmware-io/gpio/find_line.hpp"
+
+#include <algorithm>
+
+namespace quadrat::firmware_io::gpio {
+namespace {
+
+bool is_header(const ChipFacts& chip) { return chip.label.starts_with("pinctrl-"); }
+
+std::vector<LinePlace> places_of(std::span<const ChipFacts> chips, std::string_view name, bool on_header_only) {
+    std::vector<LinePlace> places;
+    for (const ChipFacts& chip : chips) {
+        if (on_header_only && !is_header(chip)) continue;
+        for (std::size_t offset = 0; offset < chip.lines.size(); ++offset)
+            if (chip.lines[offset].name == name) places.push_back({chip.path, static_cast<unsigned>(offset)});
+    }
+    return places;
+}
+
+std::string to_string(const LinePlace& place) { return place.chip_path + ":" + std::to_string(place.offset); }
+
+[[noreturn]] void refuse_missing(std::span<const ChipFacts> chips, const std::string& what) {
+    if (chips.empty()) throw GpioError{what + ": this machine has no GPIO chip; use hid: or load the chip's driver"};
+    for (const ChipFacts& chip : chips)
+        if (!chip.trouble.empty())
+            throw GpioError{what + " not found, and " + chip.path + " cannot be opened (" + chip.trouble +
+                            "); add the user to the group that owns it (usually gpio)"};
+    throw GpioError{what + " is on no GPIO chip; the command gpioinfo lists the lines"};
+}
+
+LinePlace find_by_name(std::span<const ChipFacts> chips, const std::string& name) {
+    auto places = places_of(chips, name, true);
+    if (places.empty()) places = places_of(chips, name, false);
+    if (places.empty()) refuse_missing(chips, "GPIO line " + name);
+    if (places.size() > 1)
+        throw GpioError{"GPIO line " + name + " is both " + to_string(places[0]) + " and " + to_string(places[1]) +
+                        "; write the one you mean instead of its name"};
+    return places.front();
+}
+
+}  // namespace
+
+std::string to_string(const LineAddress& address) {
+    return address.name.empty() ? to_string(address.place) : address.name;
+}
+
+LinePlace find_line(std::span<const ChipFacts> chips, const LineAddress& address) {
+    const LinePlace place = address.name.empty() ? address.place : find_by_name(chips, address.name);
+    const auto chip =
+        std::find_if(chips.begin(), chips.end(), [&](const ChipFacts& facts) { return facts.path == place.chip_path; });
+    if (chip == chips.end() || place.offset >= chip->lines.size())
+        refuse_missing(chip == chips.end() ? chips : std::span{&*chip, 1}, "GPIO line " + to_string(address));
+    const std::string& holder = chip->lines[place.offset].holder;
+    if (!holder.empty())
+        throw GpioError{"GPIO line " + to_string(address) + " is held by " + holder +
+                        "; stop that, or wire the button to another line"};
+    return place;
+}
+
+}  // namespace quadrat::firmware_io::gpio

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "firmware-io/gpio/kernel_clock.hpp"
+
+#include <algorithm>
+
+namespace quadrat::firmware_io::gpio {
+namespace {
+
+// No edge waits longer than this to be read: beyond it one of the clocks was set, and the estimate begins anew.
+constexpr Instant kLongestWait = std::chrono::seconds{10};
+
+}  // namespace
+
+Instant KernelClock::moment_of(Instant kernel_time, Instant now) {
+    const Instant distance = now - kernel_time;
+    if (!distance_ || distance - *distance_ > kLongestWait) distance_ = distance;
+    distance_ = std::min(*distance_, distance);
+    return kernel_time + *distance_;
+}
+
+}  // namespace quadrat::firmware_io::gpio

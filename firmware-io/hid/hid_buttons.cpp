@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "firmware-io/hid/hid_buttons.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace quadrat::firmware_io::hid {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Instant kRetryEvery = 1s;
+constexpr Instant kSettling = 200ms;
+constexpr int kMostReportsPerPoll = 256;        // four times the kernel's ring: a flood must not keep the frame waiting
+constexpr std::size_t kLongestReport = 16'385;  // with its report ID
+
+std::string hex4(std::uint16_t value) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text;
+    for (int shift = 12; shift >= 0; shift -= 4) text += kDigits[value >> shift & 0xf];
+    return text;
+}
+
+std::string describe(const HidDeviceFacts& device) {
+    const HidIdentity& identity = device.identity;
+    return device.path + " (" + identity.name + " " + hex4(identity.vendor) + ":" + hex4(identity.product) + ")";
+}
+
+}  // namespace
+
+bool is_meant(const HidSelector& selector, const HidDeviceFacts& device) {
+    const std::string& port = device.identity.port;
+    const bool is_port =
+        selector.port.empty() ||
+        (port.starts_with(selector.port) && (port.size() == selector.port.size() || port[selector.port.size()] == '/'));
+    return is_port && (selector.path.empty() || selector.path == device.path) &&
+           selector.vendor.value_or(device.identity.vendor) == device.identity.vendor &&
+           selector.product.value_or(device.identity.product) == device.identity.product;
+}
+
+std::string to_string(const HidSelector& selector) {
+    std::string text = "HID device";
+    if (selector.vendor && selector.product) text += " " + hex4(*selector.vendor) + ":" + hex4(*selector.product);
+    if (!selector.path.empty()) text += " " + selector.path;
+    if (!selector.port.empty()) text += " at " + selector.port;
+    return text;
+}
+
+HidButtons::HidButtons(std::unique_ptr<HidHost> host, HidSelector selector, DebounceOptions debounce)
+    : host_{std::move(host)}, selector_{std::move(selector)}, debouncer_{debounce} {
+    status_ = {Presence::Absent, to_string(selector_) + " has not been looked for yet"};
+}
+
+std::vector<HidButtons::Candidate> HidButtons::candidates() {
+    std::vector<Candidate> found;
+    for (HidDeviceFacts& device : host_->devices()) {
+        if (!is_meant(selector_, device)) continue;
+        HidLayout layout = parse_descriptor(device.descriptor);
+        Bindings bindings = default_bindings(layout);
+        if (!bindings.empty()) found.push_back({std::move(device), std::move(layout), std::move(bindings)});
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+        return likelihood(a.layout) > likelihood(b.layout);
+    });
+    return found;
+}
+
+bool HidButtons::open(Candidate& candidate, Instant now) {
+    std::string trouble;
+    stream_ = host_->open(candidate.device.path, trouble);
+    if (!stream_) {
+        status_ = {Presence::Absent, describe(candidate.device) + " cannot be opened (" + trouble +
+                                         "); install the udev rule, or give the user read and write access"};
+        return false;
+    }
+    reader_ = ReportReader{std::move(candidate.layout)};
+    bindings_ = std::move(candidate.bindings);
+    opened_at_ = now;
+    status_ = {Presence::Present, describe(candidate.device)};
+    return true;
+}
+
+void HidButtons::open(Instant now) {
+    if (retry_at_ && now < *retry_at_) return;
+    retry_at_ = now + kRetryEvery;
+    status_ = {Presence::Absent,
+               to_string(selector_) + (selector_ == HidSelector{} ? " with buttons" : "") +
+                   " is not plugged in; plug it in (a gamepad must be switched to D-input or PC mode)"};
+    for (Candidate& candidate : candidates())
+        if (open(candidate, now)) return;
+}
+
+void HidButtons::lose(Instant now) {
+    stream_.reset();
+    debouncer_.lost(now);
+    retry_at_ = now + kRetryEvery;
+    status_ = {Presence::Absent, to_string(selector_) + " was unplugged; plug it in again (looked for every second)"};
+}
+
+// Takes over what the reports so far say is pressed.
+void HidButtons::follow(Instant now) {
+    const std::vector<HidSignal> pressed = reader_.pressed();
+    std::array<bool, kButtons.size()> is_closed{};
+    for (const Binding& binding : bindings_)
+        if (std::binary_search(pressed.begin(), pressed.end(), binding.signal))
+            is_closed[index_of(binding.button)] = true;
+    for (const Button button : kButtons) {
+        if (now - opened_at_ < kSettling)
+            debouncer_.found(button, is_closed[index_of(button)], now);
+        else
+            debouncer_.contact(button, is_closed[index_of(button)], now);
+    }
+}
+
+std::vector<ButtonEdge> HidButtons::poll(Instant now) {
+    if (!stream_) open(now);
+    std::array<std::uint8_t, kLongestReport> report;
+    for (int i = 0; stream_ && i < kMostReportsPerPoll; ++i) {
+        const std::ptrdiff_t length = stream_->read(report);
+        if (length == HidStream::kNothing) break;
+        if (length < 0) {
+            lose(now);
+        } else {
+            reader_.read(std::span{report}.first(static_cast<std::size_t>(length)));
+            follow(now);
+        }
+    }
+    return debouncer_.take(now);
+}
+
+}  // namespace quadrat::firmware_io::hid

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <memory>
+#include <string_view>
+#include <variant>
+
+#include "firmware-io/button_source.hpp"
+#include "firmware-io/gpio/gpio_buttons.hpp"
+#include "firmware-io/hid/hid_buttons.hpp"
+
+namespace quadrat::firmware_io {
+
+struct KeyboardSpec {};
+struct ScriptSpec {
+    std::string file;
+};
+struct HidSpec {
+    hid::HidSelector selector;
+    DebounceOptions debounce;
+};
+using InputSpec = std::variant<KeyboardSpec, ScriptSpec, HidSpec, gpio::Wiring>;
+
+// Where presses come from, as --input names it:
+//   keyboard
+//   script:FILE
+//   hid:                                  the likeliest device
+//   hid:0079:0006  hid:path=/dev/hidraw3  hid:port=usb-0000:00:14.0-1.2
+//   gpio:A=GPIO17,B=GPIO27,C=/dev/gpiochip0:22,lampA=GPIO5     with pull=up|down|none, active=low|high
+// hid and gpio take also debounce=5ms and form=first-edge|integrator; parts are separated by commas.
+// Pure, for any bytes. Throws std::invalid_argument, one line: the spec, what is wrong and what would be right.
+InputSpec parse_input_spec(std::string_view spec);
+
+// The source itself. Missing hardware is no error here (see ButtonSource); an unreadable script is.
+// Throws std::invalid_argument as above.
+std::unique_ptr<ButtonSource> open_buttons(std::string_view spec);
+
+}  // namespace quadrat::firmware_io

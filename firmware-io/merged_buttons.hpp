@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <memory>
+
+#include "firmware-io/button_source.hpp"
+
+namespace quadrat::firmware_io {
+
+// Several sources as one stream in order of time. A button that is down on two of them is down once, until both let go.
+// Present while any source is; its reason lists those that are absent, separated by "; ".
+// Finished when a script has ended and no other source has anything coming.
+class MergedButtons final : public ButtonSource {
+  public:
+    explicit MergedButtons(std::vector<std::unique_ptr<ButtonSource>> sources);
+
+    std::vector<ButtonEdge> poll(Instant now) override;
+    SourceStatus status() const override;
+    const Contacts& contacts() const override { return contacts_; }
+    void set_lamps(const Lamps& lamps) override;
+    void key(char key, Motion motion, Instant at) override;
+    std::optional<Instant> next_event_at() const override;
+    bool is_finished() const override;
+
+  private:
+    bool is_news(const ButtonEdge& edge);
+    void join_contacts();
+
+    std::vector<std::unique_ptr<ButtonSource>> sources_;
+    std::array<std::size_t, kButtons.size()> down_on_{};  // how many sources hold this button down
+    Contacts contacts_;
+    Instant last_at_;
+};
+
+}  // namespace quadrat::firmware_io
