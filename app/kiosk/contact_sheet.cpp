@@ -43,6 +43,14 @@ void put_over(const mesh::Image& over, mesh::Image& target, int left, int top) {
 
 }  // namespace
 
+mesh::Image scaled_to(const mesh::Image& pixels, int width_px) {
+    const int width = std::clamp(width_px, 1, std::max(1, pixels.width));
+    mesh::Image small(width, std::max(1, width * pixels.height / std::max(1, pixels.width)), 4);
+    put_scaled(pixels, small, 0, 0, small.width, small.height);
+    for (std::size_t i = 3; i < small.bytes.size(); i += 4) small.bytes[i] = 255;
+    return small;
+}
+
 mesh::Image contact_sheet(const std::vector<SheetEntry>& entries, int columns, int entry_width_px) {
     if (entries.empty() || columns < 1) return {};
     const mesh::Image& first = entries.front().pixels;

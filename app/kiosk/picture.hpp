@@ -40,6 +40,8 @@ struct SheetEntry {
     mesh::Image pixels;
     std::string caption;
 };
+// The picture, smaller: each pixel the mean of those it stands for.
+mesh::Image scaled_to(const mesh::Image& pixels, int width_px);
 mesh::Image contact_sheet(const std::vector<SheetEntry>& entries, int columns, int entry_width_px);
 
 }  // namespace quadrat::kiosk

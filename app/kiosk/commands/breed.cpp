@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <iostream>
+#include <string>
+
+#include "base/error.hpp"
+#include "breeding/stdio_protocol.hpp"
+#include "kiosk/commands/commands.hpp"
+
+namespace quadrat::kiosk::commands {
+namespace {
+
+struct Options {
+    bool is_stdio = false;
+    std::string genome = "classic";
+    std::string breeder = "pbil";
+    std::uint64_t seed = 1;
+    double learning_rate = breeding::PbilOptions{}.learning_rate;
+    double mutation = breeding::PbilOptions{}.mutation;
+    std::string mutation_form = "toward-half";
+    std::vector<std::string> locked;
+};
+
+breeding::Session session_for(const Options& options) {
+    breeding::BreederOptions breeder;
+    breeder.kind = breeding::breeder_named(options.breeder);
+    breeder.genome = options.genome == "classic" ? genome::Genome::Classic : genome::Genome::Full;
+    breeder.pbil.learning_rate = options.learning_rate;
+    breeder.pbil.mutation = options.mutation;
+    breeder.pbil.mutation_form =
+        options.mutation_form == "random" ? breeding::MutationForm::Random : breeding::MutationForm::TowardHalf;
+    breeding::Breeder learner(breeder);
+    for (const std::string& name : options.locked)
+        learner.set_lock(genome::aspect_named(name).value(), breeding::Lock::Locked);
+    return {std::move(learner), base::Seed{options.seed}};
+}
+
+// A line longer than the protocol allows is refused by it; what lies beyond is dropped here, so that a stream without
+// line ends cannot fill the memory.
+bool read_line(std::string& line) {
+    line.clear();
+    for (int c = std::cin.get(); c != std::char_traits<char>::eof(); c = std::cin.get()) {
+        if (c == '\n') return true;
+        if (line.size() <= breeding::StdioProtocol::kLongestLine) line += static_cast<char>(c);
+    }
+    return !line.empty();
+}
+
+int breed(const Options& options) {
+    if (!options.is_stdio)
+        throw base::InputError("breed: say how to speak to it: quadrat breed --stdio (one JSON object a line)");
+    breeding::StdioProtocol protocol(session_for(options));
+    std::cout << protocol.hello() << '\n' << protocol.offer() << std::endl;
+    for (std::string line; read_line(line);) {
+        const auto answer = protocol.answer(line);
+        if (!answer) break;
+        std::cout << *answer << std::endl;
+        if (!std::cout) break;
+    }
+    return 0;
+}
+
+}  // namespace
+
+void add_breed(CLI::App& app, Action& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("breed", "Breed without pictures: picks in, candidates out");
+    command->add_flag("--stdio", options->is_stdio, "Speak one JSON object a line on standard input and output");
+    command
+        ->add_option("--genome", options->genome, "classic: the 21 parameters and 70 bits of 2003; full: all of them")
+        ->check(CLI::IsMember({"classic", "full"}))
+        ->capture_default_str();
+    command->add_option("--breeder", options->breeder, "pbil or random")
+        ->check(CLI::IsMember({"pbil", "random"}))
+        ->capture_default_str();
+    command->add_option("--seed", options->seed, "Names all chance")->capture_default_str();
+    command->add_option("--learning-rate", options->learning_rate, "Weight of the best candidate's bits, 0 to 1")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    command->add_option("--mutation", options->mutation, "Weight of 0.5, or of chance, 0 to 1")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    command->add_option("--mutation-form", options->mutation_form, "toward-half or random")
+        ->check(CLI::IsMember({"toward-half", "random"}))
+        ->capture_default_str();
+    command->add_option("--lock", options->locked, "An aspect that keeps what it knows: trees, land, sky; repeatable")
+        ->check(CLI::IsMember({"trees", "land", "sky"}));
+    command->callback([options, &chosen] { chosen = [options] { return breed(*options); }; });
+}
+
+}  // namespace quadrat::kiosk::commands

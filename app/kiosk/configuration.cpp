@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/configuration.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#define TOML_EXCEPTIONS 1
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+const std::map<std::string, std::string> kEnglish{
+    {"attract", "Press any button"},
+    {"ask.trees", "Which has the best trees?"},
+    {"ask.land", "Which has the best land?"},
+    {"ask.sky", "Which has the best sky?"},
+    {"breed", "Growing the next four …"},
+    {"still-there", "Still there? Press any button"},
+    {"finale", "This is the landscape you bred"},
+    {"first", "The first four are growing …"},
+};
+
+// One reader for the whole file: it hands out values, remembers which keys were asked for, and refuses the others.
+class Reader {
+  public:
+    Reader(const toml::table& root, const std::string& source) : root_(root), source_(source) {}
+
+    void read(const char* table, const char* key, double& value, double low, double high) {
+        if (const toml::node* node = find(table, key)) {
+            const auto number = node->value<double>();
+            if (!number || node->is_boolean()) refuse(*node, table, key, "is not a number");
+            if (!(*number >= low && *number <= high))
+                refuse(*node, table, key, fmt::format("is {}; it must lie between {} and {}", *number, low, high));
+            value = *number;
+        }
+    }
+    void read(const char* table, const char* key, int& value, int low, int high) {
+        if (const toml::node* node = find(table, key)) {
+            if (!node->is_integer()) refuse(*node, table, key, "is not a whole number");
+            const auto number = *node->value<std::int64_t>();
+            if (number < low || number > high)
+                refuse(*node, table, key, fmt::format("is {}; it must lie between {} and {}", number, low, high));
+            value = static_cast<int>(number);
+        }
+    }
+    void read(const char* table, const char* key, bool& value) {
+        if (const toml::node* node = find(table, key)) {
+            if (!node->is_boolean()) refuse(*node, table, key, "is neither true nor false");
+            value = *node->value<bool>();
+        }
+    }
+    void read(const char* table, const char* key, std::string& value, const std::vector<std::string>& allowed = {}) {
+        if (const toml::node* node = find(table, key)) value = string_in(*node, table, key, allowed);
+    }
+    void read(const char* table, const char* key, std::vector<std::string>& values,
+              const std::vector<std::string>& allowed = {}) {
+        const toml::node* node = find(table, key);
+        if (node == nullptr) return;
+        if (!node->is_array()) refuse(*node, table, key, "is not a list: write [\"…\", \"…\"]");
+        values.clear();
+        for (const toml::node& item : *node->as_array()) values.push_back(string_in(item, table, key, allowed));
+    }
+
+    void read_texts(std::map<std::string, std::string>& texts) {
+        const toml::table* table = table_named("text");
+        if (table == nullptr) return;
+        for (const auto& [key, node] : *table) {
+            const std::string name(key.str());
+            if (!kEnglish.contains(name)) refuse_unknown(node, "text", name, keys_of(kEnglish));
+            texts[name] = string_in(node, "text", name.c_str(), {});
+        }
+    }
+
+    // Call last.
+    void refuse_what_was_not_read() const {
+        for (const auto& [name, node] : root_) {
+            const std::string table(name.str());
+            if (table == "text") continue;
+            const auto known = known_.find(table);
+            if (known == known_.end()) refuse_unknown(node, "", table, tables());
+            if (!node.is_table())
+                throw base::InputError(fmt::format("{}:{}: {} must be a table: write [{}]", source_,
+                                                   node.source().begin.line, table, table));
+            for (const auto& [key, value] : *node.as_table())
+                if (std::ranges::find(known->second, std::string(key.str())) == known->second.end())
+                    refuse_unknown(value, table, std::string(key.str()), known->second);
+        }
+    }
+
+  private:
+    static std::vector<std::string> keys_of(const std::map<std::string, std::string>& map) {
+        std::vector<std::string> keys;
+        for (const auto& [key, value] : map) keys.push_back(key);
+        return keys;
+    }
+    std::vector<std::string> tables() const {
+        std::vector<std::string> names{"text"};
+        for (const auto& [name, keys] : known_) names.push_back(name);
+        return names;
+    }
+    const toml::table* table_named(const char* name) const {
+        const toml::node* node = root_.get(name);
+        if (node == nullptr) return nullptr;
+        if (!node->is_table())
+            throw base::InputError(
+                fmt::format("{}:{}: {} must be a table: write [{}]", source_, node->source().begin.line, name, name));
+        return node->as_table();
+    }
+    const toml::node* find(const char* table, const char* key) {
+        known_[table].emplace_back(key);
+        const toml::table* found = table_named(table);
+        return found == nullptr ? nullptr : found->get(key);
+    }
+    std::string string_in(const toml::node& node, const char* table, const char* key,
+                          const std::vector<std::string>& allowed) const {
+        const auto text = node.value<std::string>();
+        if (!node.is_string() || !text) refuse(node, table, key, "is not text in quotation marks");
+        if (!allowed.empty() && std::ranges::find(allowed, *text) == allowed.end())
+            refuse(node, table, key, fmt::format("is \"{}\"; it must be one of {}", *text, fmt::join(allowed, ", ")));
+        return *text;
+    }
+    [[noreturn]] void refuse(const toml::node& node, const char* table, const char* key,
+                             const std::string& what) const {
+        throw base::InputError(fmt::format("{}:{}: {}.{} {}", source_, node.source().begin.line, table, key, what));
+    }
+    [[noreturn]] void refuse_unknown(const toml::node& node, const std::string& table, const std::string& key,
+                                     const std::vector<std::string>& known) const {
+        throw base::InputError(fmt::format("{}:{}: {}{}{} is not known; there are {}", source_,
+                                           node.source().begin.line, table, table.empty() ? "" : ".", key,
+                                           fmt::join(known, ", ")));
+    }
+
+    const toml::table& root_;
+    const std::string& source_;
+    std::map<std::string, std::vector<std::string>> known_;
+};
+
+void read_screen(Reader& reader, Configuration::Screen& screen) {
+    reader.read("screen", "display", screen.display, {"auto", "kms", "window", "headless"});
+    reader.read("screen", "size", screen.size);
+    reader.read("screen", "connector", screen.connector);
+    reader.read("screen", "mode", screen.mode);
+    reader.read("screen", "rotation_deg", screen.rotation_deg, 0, 270);
+    reader.read("screen", "mirrored", screen.is_mirrored);
+}
+
+void read_visit(Reader& reader, Configuration::Visit& visit) {
+    reader.read("visit", "rounds", visit.rounds, 1, 50);
+    reader.read("visit", "patience_s", visit.patience_s, 2, 600);
+    reader.read("visit", "countdown_s", visit.countdown_s, 1, 120);
+    reader.read("visit", "finale_s", visit.finale_s, 2, 600);
+    reader.read("visit", "long_press_s", visit.long_press_s, 0.5, 30);
+}
+
+void read_breeding(Reader& reader, Configuration::Breeding& breeding) {
+    reader.read("breeding", "breeder", breeding.breeder, {"pbil", "random"});
+    reader.read("breeding", "learning_rate", breeding.learning_rate, 0, 1);
+    reader.read("breeding", "mutation", breeding.mutation, 0, 1);
+    reader.read("breeding", "mutation_form", breeding.mutation_form, {"toward-half", "random"});
+    reader.read("breeding", "locked", breeding.locked, {"trees", "land", "sky"});
+}
+
+}  // namespace
+
+Configuration configuration_from(std::string_view source_text, const std::string& source) {
+    toml::table root;
+    try {
+        root = toml::parse(source_text, source);
+    } catch (const toml::parse_error& error) {
+        throw base::InputError(fmt::format("{}:{}:{}: {}", source, error.source().begin.line,
+                                           error.source().begin.column, error.description()));
+    }
+    Configuration configuration;
+    Reader reader(root, source);
+    read_screen(reader, configuration.screen);
+    reader.read("buttons", "inputs", configuration.inputs);
+    read_visit(reader, configuration.visit);
+    read_breeding(reader, configuration.breeding);
+    reader.read("picture", "alpha", configuration.picture.alpha, 0.05, 20);
+    reader.read("picture", "flight_s", configuration.picture.flight_s, 10, 600);
+    reader.read_texts(configuration.texts);
+    reader.refuse_what_was_not_read();
+    if (configuration.screen.rotation_deg % 90 != 0)
+        throw base::InputError(fmt::format("{}: screen.rotation_deg is {}; it must be 0, 90, 180 or 270", source,
+                                           configuration.screen.rotation_deg));
+    return configuration;
+}
+
+Configuration read_configuration(const std::filesystem::path& path) {
+    constexpr std::size_t kLargest = 1U << 20U;
+    return configuration_from(base::read_file(path, kLargest), path.string());
+}
+
+const std::string& text(const Configuration& configuration, const std::string& key) {
+    if (const auto found = configuration.texts.find(key); found != configuration.texts.end()) return found->second;
+    const auto english = kEnglish.find(key);
+    assert(english != kEnglish.end());
+    return english->second;
+}
+
+}  // namespace quadrat::kiosk

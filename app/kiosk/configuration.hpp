@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace quadrat::kiosk {
+
+// What the people of one site decide, from a TOML file; deploy/quadrat.toml shows every key with its default.
+// Everything has a default: no file at all is a working exhibit.
+struct Configuration {
+    struct Screen {
+        std::string display = "auto";  // auto, kms, window, headless
+        std::string size;              // drawn size, "1280x720"; empty: the screen's
+        std::string connector;         // kms: "HDMI-A-1"; empty: the first with a screen
+        std::string mode;              // kms: "1920x1080@60"; empty: the screen's preferred up to 1080p60
+        int rotation_deg = 0;          // 0, 90, 180, 270 clockwise
+        bool is_mirrored = false;      // rear projection
+    } screen;
+
+    std::vector<std::string> inputs;  // button specs: "gpio:A=GPIO17,…", "hid:", "keyboard", "script:FILE"
+
+    struct Visit {
+        int rounds = 6;           // 1 to 50
+        double patience_s = 25;   // without a press, until "Still there?"
+        double countdown_s = 10;  // of "Still there?"
+        double finale_s = 20;
+        double long_press_s = 2;  // of any choice button: to the finale
+    } visit;
+
+    struct Breeding {
+        std::string breeder = "pbil";               // pbil, random
+        double learning_rate = 0.2;                 // 0 to 1
+        double mutation = 0.02;                     // 0 to 1
+        std::string mutation_form = "toward-half";  // toward-half, random
+        std::vector<std::string> locked;            // aspects that never move: trees, land, sky
+    } breeding;
+
+    struct Picture {
+        double alpha = 1;      // detail
+        double flight_s = 80;  // there and back
+    } picture;
+
+    std::map<std::string, std::string> texts;  // prompts in the site's language, by key
+};
+
+// Throws InputError naming source, line and key, what is wrong and what would be right.
+Configuration configuration_from(std::string_view toml, const std::string& source);
+Configuration read_configuration(const std::filesystem::path& path);
+
+// The prompt for a key, in the site's words or in English. Unknown keys are a programmer's mistake.
+const std::string& text(const Configuration& configuration, const std::string& key);
+
+}  // namespace quadrat::kiosk

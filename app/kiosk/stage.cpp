@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/stage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kiosk/easel.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+using exhibit::Screen;
+
+constexpr float kGrowInSeconds = 2.0F;
+constexpr float kFlashSeconds = 0.4F;
+constexpr float kAttractSceneSeconds = 24.0F;  // then the next of the four
+constexpr glm::vec4 kPlate{0.05F, 0.06F, 0.07F, 0.72F};
+constexpr glm::vec4 kQuiet{1, 1, 1, 0.28F};
+constexpr glm::vec4 kDone{1, 1, 1, 0.95F};
+
+float seconds_of(Instant t) { return std::chrono::duration<float>(t).count(); }
+
+float smooth(float x) {
+    const float t = std::clamp(x, 0.0F, 1.0F);
+    return t * t * (3 - 2 * t);
+}
+
+bool shows_four(const StageView& view) {
+    return view.cast.scenes.size() == genome::kCandidates && view.state.screen != Screen::Attract &&
+           view.state.screen != Screen::Finale;
+}
+
+float dimming(const StageView& view) {
+    const float since = seconds_of(view.now - view.state.since);
+    if (view.state.screen == Screen::Breed) return 0.45F * smooth(since / 0.5F);
+    if (view.state.screen == Screen::StillThere) return 0.35F;
+    return 0;
+}
+
+std::size_t attract_index(const StageView& view) {
+    const auto turn = static_cast<std::size_t>(seconds_of(view.now - view.cast.arrived) / kAttractSceneSeconds);
+    return turn % view.cast.scenes.size();
+}
+
+}  // namespace
+
+std::string words(const StageView& view, const Configuration& configuration) {
+    if (view.cast.scenes.empty()) return text(configuration, "first");
+    switch (exhibit::prompt_of(view.state)) {
+        case exhibit::Prompt::PressAnyButton:
+            return text(configuration, "attract");
+        case exhibit::Prompt::BestTrees:
+            return text(configuration, "ask.trees");
+        case exhibit::Prompt::BestLand:
+            return text(configuration, "ask.land");
+        case exhibit::Prompt::BestSky:
+            return text(configuration, "ask.sky");
+        case exhibit::Prompt::Growing:
+            return text(configuration, "breed");
+        case exhibit::Prompt::StillThere:
+            return fmt::format("{}  {}", text(configuration, "still-there"),
+                               exhibit::countdown_s(view.state, view.now, view.timings).value_or(0));
+        case exhibit::Prompt::YourLandscape:
+            break;
+    }
+    return text(configuration, "finale");
+}
+
+render::Frame Stage::frame(const StageView& view, const display::Canvas& canvas) {
+    render::Frame frame;
+    frame.size = {canvas.size.width, canvas.size.height};
+    frame.framebuffer = canvas.framebuffer;
+    frame.seconds = seconds_of(view.now);
+    frame.detail.alpha = static_cast<float>(configuration_.picture.alpha);
+    add_views(frame, view);
+    if (shows_four(view)) add_quarter_signs(frame, view);
+    add_plate(frame, view);
+    return frame;
+}
+
+void Stage::add_views(render::Frame& frame, const StageView& view) {
+    if (view.cast.scenes.empty()) return;
+    const float on_stage = seconds_of(view.now - view.cast.arrived);
+    const auto add = [&](const Shown& shown, const render::Rect& place) {
+        render::View one;
+        one.scene = shown.gpu;
+        // The flight starts with the cast, so that the four are compared from where the camera stands first.
+        one.camera = scene::camera_at(shown.scene->track, on_stage);
+        one.viewport = place;
+        one.growth = std::clamp(on_stage / kGrowInSeconds, 0.0F, 1.0F);
+        one.dim = dimming(view);
+        frame.views.push_back(std::move(one));
+    };
+    if (shows_four(view)) {
+        const auto places = quarters(frame.size.x, frame.size.y);
+        for (std::size_t i = 0; i < places.size(); ++i) add(view.cast.scenes[i], places[i]);
+    } else {
+        const std::size_t one = view.state.screen == Screen::Attract ? attract_index(view) : 0;
+        add(view.cast.scenes[one], {0, 0, frame.size.x, frame.size.y});
+    }
+}
+
+void Stage::add_quarter_signs(render::Frame& frame, const StageView& view) {
+    const auto places = quarters(frame.size.x, frame.size.y);
+    const float border = std::max(3.0F, static_cast<float>(frame.size.y) / 120.0F);
+    if (view.flash && view.flash->button != exhibit::Choice::Back) {
+        const float age = seconds_of(view.now - view.flash->at) / kFlashSeconds;
+        if (age < 1) {
+            const auto index = static_cast<std::size_t>(view.flash->button);
+            glm::vec4 colour = quarter(index).colour;
+            colour.a = 1 - smooth(age) * 0.8F;
+            render::Sign sign;
+            sign.place = places[index];
+            sign.colour = colour;
+            sign.border_px = border * 1.6F;
+            frame.signs.push_back(sign);
+        }
+    }
+    for (auto& sign : writer_.badges(frame.size.x, frame.size.y)) frame.signs.push_back(std::move(sign));
+}
+
+void Stage::add_plate(render::Frame& frame, const StageView& view) {
+    const bool is_four = shows_four(view);
+    const float em = static_cast<float>(frame.size.y) / (is_four ? 22.0F : 17.0F);
+    const auto written = writer_.text(words(view, configuration_), em, true, frame.size.x * 8 / 10);
+    const int pad = static_cast<int>(em * 0.6F);
+    const bool has_steps = is_four && view.state.screen != Screen::StillThere;
+    const int steps = has_steps ? static_cast<int>(em * 0.55F) : 0;
+    render::Rect plate{0, 0, written.width + 2 * pad, written.height + pad + steps};
+    plate.x = (frame.size.x - plate.width) / 2;
+    plate.y = is_four ? (frame.size.y - plate.height) / 2 : frame.size.y / 16;
+    render::Sign back;
+    back.place = plate;
+    back.colour = kPlate;
+    back.corner_radius_px = em * 0.5F;
+    frame.signs.push_back(back);
+    render::Sign words_sign;
+    words_sign.texture = written.texture;
+    words_sign.place = {plate.x + pad, plate.y + pad / 2 + steps, written.width, written.height};
+    frame.signs.push_back(words_sign);
+    if (has_steps) add_progress(frame, view, plate);
+}
+
+// Under the question: which of the three it is; while breeding, how far the next four have grown.
+void Stage::add_progress(render::Frame& frame, const StageView& view, const render::Rect& plate) {
+    constexpr int kSteps = 3;
+    const int bar_h = std::max(3, plate.height / 16);
+    const int bar_w = plate.width / 6;
+    const int gap = bar_w / 4;
+    const bool is_breeding = view.state.screen == Screen::Breed;
+    const float done = is_breeding ? view.growing_progress * kSteps : static_cast<float>(view.state.question);
+    int x = plate.x + (plate.width - kSteps * bar_w - (kSteps - 1) * gap) / 2;
+    for (int i = 0; i < kSteps; ++i, x += bar_w + gap) {
+        const render::Rect place{x, plate.y + bar_h * 2, bar_w, bar_h};
+        render::Sign bar;
+        bar.place = place;
+        bar.colour = kQuiet;
+        bar.corner_radius_px = static_cast<float>(bar_h) / 2;
+        frame.signs.push_back(bar);
+        const float share = std::clamp(done - static_cast<float>(i), 0.0F, 1.0F);
+        const bool is_current = !is_breeding && static_cast<int>(done) == i;
+        bar.place.width = std::max(bar_h, static_cast<int>(static_cast<float>(bar_w) * share));
+        bar.colour = kDone;
+        if (share > 0) frame.signs.push_back(bar);
+        if (is_current) {
+            bar.place = place;
+            bar.colour = {1, 1, 1, 0.6F};
+            frame.signs.push_back(bar);
+        }
+    }
+}
+
+}  // namespace quadrat::kiosk

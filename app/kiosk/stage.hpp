@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "display/display.hpp"
+#include "exhibit/visit.hpp"
+#include "kiosk/clock.hpp"
+#include "kiosk/configuration.hpp"
+#include "kiosk/signs.hpp"
+#include "render/renderer.hpp"
+
+namespace quadrat::kiosk {
+
+// One landscape as it can be drawn.
+struct Shown {
+    std::shared_ptr<const scene::Scene> scene;
+    std::shared_ptr<const render::GpuScene> gpu;
+};
+
+// What is on stage: nothing yet, one landscape or four.
+struct Cast {
+    std::vector<Shown> scenes;
+    Instant arrived{0};  // when they first were seen, from which they grow in
+};
+
+// What happened to a button, for the flash that acknowledges it.
+struct Flash {
+    exhibit::Choice button;
+    Instant at;
+};
+
+struct StageView {
+    const exhibit::State& state;
+    const exhibit::Timings& timings;
+    const Cast& cast;
+    const std::optional<Flash>& flash;
+    float growing_progress = 0;  // of what Breed waits for, 0 to 1
+    Instant now{0};
+};
+
+// From the visit's state to a frame: which views, how dim, which words. Holds rasterised words, nothing else.
+class Stage {
+  public:
+    Stage(render::Renderer& renderer, const Configuration& configuration)
+        : writer_(renderer), configuration_(configuration) {}
+
+    render::Frame frame(const StageView& view, const display::Canvas& canvas);
+    SignWriter& writer() { return writer_; }
+
+  private:
+    void add_views(render::Frame& frame, const StageView& view);
+    void add_quarter_signs(render::Frame& frame, const StageView& view);
+    void add_plate(render::Frame& frame, const StageView& view);
+    void add_progress(render::Frame& frame, const StageView& view, const render::Rect& plate);
+
+    SignWriter writer_;
+    const Configuration& configuration_;
+};
+
+// The words of the moment, in the site's language.
+std::string words(const StageView& view, const Configuration& configuration);
+
+}  // namespace quadrat::kiosk
