@@ -51,8 +51,7 @@ genome::Aspect aspect_from(const json& value, std::string_view key) {
 
 json request_from(std::string_view line) {
     if (line.size() > StdioProtocol::kLongestLine)
-        throw InputError(fmt::format("{}: the line has {} bytes; at most {} are read", kSource, line.size(),
-                                     StdioProtocol::kLongestLine));
+        throw InputError(fmt::format("{}: the line is longer than {} bytes", kSource, StdioProtocol::kLongestLine));
     if (line.find_first_not_of(" \t\r\n") == std::string_view::npos)
         throw InputError(fmt::format("{}: the line is blank; write {}", kSource, kKnown));
     json request = genome::parse_json(line, kSource);

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <system_error>
+#include <utility>
+
+#include "exhibit/archive.hpp"
+#include "exhibit/archive_schema.hpp"
+
+namespace quadrat::exhibit {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a damaged file makes SQLite say; anything else is about the disk, the directory or another program.
+bool is_damage(const SqliteError& error) {
+    switch (error.code()) {
+        case SQLITE_ERROR:
+        case SQLITE_CORRUPT:
+        case SQLITE_NOTADB:
+        case SQLITE_FORMAT:
+        case SQLITE_SCHEMA:
+        case SQLITE_MISMATCH:
+        case SQLITE_CONSTRAINT:
+        case SQLITE_TOOBIG:
+        case SQLITE_INTERNAL:
+            return true;
+        default:
+            return false;
+    }
+}
+
+// A name that is free, and what will follow it for -wal and -shm.
+fs::path name_aside(const fs::path& file, WallTime now) {
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(now);
+    const std::string stamp =
+        fmt::format("{:%Y%m%d-%H%M%S}", fmt::gmtime(std::chrono::system_clock::to_time_t(seconds)));
+    const std::string name = fmt::format("{}.damaged-{}", file.string(), stamp);
+    std::error_code ignored;
+    if (!fs::exists(name, ignored)) return name;
+    for (int i = 2;; ++i)
+        if (fs::path next = fmt::format("{}-{}", name, i); !fs::exists(next, ignored)) return next;
+}
+
+std::error_code set_aside(const fs::path& file, const fs::path& aside) {
+    std::error_code error;
+    // The log first: a database without its log is older, a log without its database is nothing.
+    for (const std::string_view part : {"-wal", "-shm", ""}) {
+        const fs::path from = file.string() + std::string(part);
+        std::error_code ignored;
+        if (!part.empty() && !fs::exists(from, ignored)) continue;
+        fs::rename(from, aside.string() + std::string(part), error);
+        if (error) return error;
+    }
+    return error;
+}
+
+// Also tells that the file can be written: SQLite opens one that cannot, and says so only now.
+void note_start(Connection& connection, WallTime now) {
+    constexpr int kStarts = 10'000;
+    Transaction transaction(connection);
+    connection.prepare("INSERT INTO start(at_ms) VALUES(?)").bind(now.time_since_epoch().count()).run();
+    connection.prepare("DELETE FROM start WHERE id<=?").bind(connection.last_row() - kStarts).run();
+    transaction.commit();
+}
+
+// A damaged file says so as one exception, whichever layer noticed.
+template <typename Open>
+auto opened_or_damage(const Open& open) {
+    try {
+        return open();
+    } catch (const SqliteError& error) {
+        if (is_damage(error)) throw DamageError(error.what());
+        throw;
+    }
+}
+
+}  // namespace
+
+Archive::Opened Archive::open_file(const fs::path& file, WallTime now, const Retention& retention) {
+    return opened_or_damage([&] {
+        Connection connection(file);
+        const bool is_new = prepare_schema(connection) == Found::Nothing;
+        Archive archive(std::move(connection), retention);
+        archive.require_whole();
+        note_start(archive.connection_, now);
+        return Opened{std::move(archive), is_new ? Condition::Fresh : Condition::Continued,
+                      fmt::format("{}: {}", file.string(), is_new ? "a new state file" : "the state file is whole")};
+    });
+}
+
+Archive::Opened Archive::open_in_memory(const fs::path& file, std::string_view why, WallTime now,
+                                        const Retention& retention) {
+    Opened opened = open_file(":memory:", now, retention);
+    opened.condition = Condition::MemoryOnly;
+    opened.message = fmt::format("{}: {}; the state is kept in memory only and is lost at the end", file.string(), why);
+    return opened;
+}
+
+Archive::Opened Archive::replace(const fs::path& file, std::string_view damage, WallTime now,
+                                 const Retention& retention) {
+    const fs::path aside = name_aside(file, now);
+    if (const auto failure = set_aside(file, aside)) {
+        const std::string why = fmt::format("damaged ({}) and cannot be set aside ({})", damage, failure.message());
+        return open_in_memory(file, why, now, retention);
+    }
+    Opened opened = open_file(file, now, retention);
+    opened.condition = Condition::Replaced;
+    opened.message = fmt::format("{}: damaged ({}); set aside as {}, and a fresh one begun", file.string(), damage,
+                                 aside.filename().string());
+    return opened;
+}
+
+Archive::Opened Archive::open(const fs::path& directory, WallTime now, const Retention& retention) {
+    const fs::path file = directory / "quadrat.db";
+    std::error_code ignored;  // opening the file says it better
+    fs::create_directories(directory, ignored);
+    try {
+        try {
+            return open_file(file, now, retention);
+        } catch (const DamageError& damage) {
+            return replace(file, damage.what(), now, retention);
+        }
+    } catch (const SqliteError& trouble) {
+        return open_in_memory(file, trouble.what(), now, retention);
+    }
+}
+
+}  // namespace quadrat::exhibit

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exhibit/sqlite.hpp"
+
+#include <sqlite3.h>
+
+namespace quadrat::exhibit {
+namespace {
+
+constexpr int kBusyTimeout_ms = 2000;  // a report being read beside the running exhibit
+
+[[noreturn]] void fail(sqlite3* database, int code) {
+    throw SqliteError(code & 0xff, database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code));
+}
+
+}  // namespace
+
+void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+
+void Statement::check(int code) const {
+    if (code != SQLITE_OK) fail(sqlite3_db_handle(statement_.get()), code);
+}
+
+Statement& Statement::bind(std::int64_t value) {
+    check(sqlite3_bind_int64(statement_.get(), ++bound_, value));
+    return *this;
+}
+
+Statement& Statement::bind(std::string_view text) {
+    check(sqlite3_bind_text(statement_.get(), ++bound_, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT));
+    return *this;
+}
+
+bool Statement::step() {
+    const int code = sqlite3_step(statement_.get());
+    if (code != SQLITE_ROW && code != SQLITE_DONE) fail(sqlite3_db_handle(statement_.get()), code);
+    return code == SQLITE_ROW;
+}
+
+void Statement::run() {
+    while (step()) {
+    }
+}
+
+std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(statement_.get(), column); }
+
+std::string Statement::text(int column) const {
+    const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
+    if (text == nullptr) return {};
+    return {text, static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column))};
+}
+
+void Connection::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
+
+Connection::Connection(const std::filesystem::path& file) {
+    sqlite3* database = nullptr;
+    const int code = sqlite3_open_v2(file.c_str(), &database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+    database_.reset(database);
+    if (code != SQLITE_OK) fail(database, code);
+    sqlite3_busy_timeout(database, kBusyTimeout_ms);
+    // The file may be damaged, and damage may look like a schema: nothing in it gets to run.
+    sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+    sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+    sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+    run("PRAGMA cell_size_check=ON");
+}
+
+void Connection::run(const char* sql) {
+    const int code = sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr);
+    if (code != SQLITE_OK) fail(database_.get(), code);
+}
+
+Statement Connection::prepare(std::string_view sql) const {
+    sqlite3_stmt* statement = nullptr;
+    const int code = sqlite3_prepare_v2(database_.get(), sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
+    if (code != SQLITE_OK) fail(database_.get(), code);
+    return Statement(statement);
+}
+
+std::int64_t Connection::integer(std::string_view sql) const {
+    Statement statement = prepare(sql);
+    return statement.step() ? statement.integer(0) : 0;
+}
+
+std::int64_t Connection::last_row() const { return sqlite3_last_insert_rowid(database_.get()); }
+
+bool Connection::is_in_transaction() const { return sqlite3_get_autocommit(database_.get()) == 0; }
+
+Transaction::Transaction(Connection& connection) : connection_(connection) { connection_.run("BEGIN IMMEDIATE"); }
+
+Transaction::~Transaction() {
+    // Some errors have rolled back already; a rollback that fails leaves nothing that we could still undo.
+    if (!connection_.is_in_transaction()) return;
+    try {
+        connection_.run("ROLLBACK");
+    } catch (const SqliteError&) {
+        return;
+    }
+}
+
+void Transaction::commit() { connection_.run("COMMIT"); }
+
+}  // namespace quadrat::exhibit

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace quadrat::exhibit {
+
+// As much of SQLite as the archive needs. Both throw SqliteError; the archive turns it into a value.
+class SqliteError : public std::runtime_error {
+  public:
+    SqliteError(int code, const std::string& message) : std::runtime_error(message), code_(code) {}
+    int code() const { return code_; }  // SQLite's primary result code
+
+  private:
+    int code_;
+};
+
+class Statement {
+  public:
+    // The next parameter, from the left.
+    Statement& bind(std::int64_t value);
+    Statement& bind(std::string_view text);
+
+    bool step();  // true: a row
+    void run();   // to the end
+
+    std::int64_t integer(int column) const;
+    std::string text(int column) const;  // "" for NULL
+
+  private:
+    friend class Connection;
+    struct Finalize {
+        void operator()(sqlite3_stmt* statement) const;
+    };
+
+    explicit Statement(sqlite3_stmt* statement) : statement_(statement) {}
+    void check(int code) const;
+
+    std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+    int bound_ = 0;
+};
+
+class Connection {
+  public:
+    // Created when it is not there. ":memory:" is a database of its own.
+    explicit Connection(const std::filesystem::path& file);
+
+    void run(const char* sql);  // one statement or several, without results
+    Statement prepare(std::string_view sql) const;
+    std::int64_t integer(std::string_view sql) const;  // the first column of the first row; 0 without one
+    std::int64_t last_row() const;
+    bool is_in_transaction() const;
+
+  private:
+    struct Close {
+        void operator()(sqlite3* database) const;
+    };
+    std::unique_ptr<sqlite3, Close> database_;
+};
+
+// All or nothing: rolled back unless committed.
+class Transaction {
+  public:
+    explicit Transaction(Connection& connection);
+    ~Transaction();
+    Transaction(const Transaction&) = delete;
+    Transaction& operator=(const Transaction&) = delete;
+    void commit();
+
+  private:
+    Connection& connection_;
+};
+
+}  // namespace quadrat::exhibit

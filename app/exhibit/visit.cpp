@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exhibit/visit.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace quadrat::exhibit {
+namespace {
+
+using genome::Aspect;
+using genome::kAspects;
+
+// One event's work: the state being changed and the wishes so far.
+struct Turn {
+    State state;
+    std::vector<Wish> wishes;
+    Instant now;
+    const Timings& timings;
+};
+
+void show(Turn& turn, Screen screen) {
+    turn.state.screen = screen;
+    turn.state.since = turn.now;
+}
+
+int new_generation(State& state) {
+    state.is_ready = false;
+    return ++state.generation;
+}
+
+void prepare_visit(Turn& turn) { turn.wishes.emplace_back(PrepareVisit{new_generation(turn.state)}); }
+
+void ask(Turn& turn, Aspect question) {
+    turn.state.question = question;
+    show(turn, Screen::Ask);
+}
+
+void breed(Turn& turn, Screen after) {
+    turn.state.after_breed = after;
+    show(turn, Screen::Breed);
+}
+
+// The first question without an answer. A complete round has none, so the last question: its answer was taken back.
+Aspect open_question(const genome::Pick& answers) {
+    const auto open = std::ranges::find_if(kAspects, [&](Aspect aspect) { return !answers[aspect]; });
+    return open == kAspects.end() ? kAspects.back() : *open;
+}
+
+void forget_visit(State& state) {
+    state.answers = {};
+    state.past_answers.clear();
+    state.rounds = 0;
+    state.question = Aspect::Trees;
+    state.after_breed = Screen::Ask;
+    state.held.reset();
+}
+
+enum class NextVisit { ToPrepare, Prepared };
+
+void end_visit(Turn& turn, Ending ending, NextVisit next_visit) {
+    turn.wishes.emplace_back(EndVisit{ending, turn.state.rounds});
+    forget_visit(turn.state);
+    show(turn, Screen::Attract);
+    if (next_visit == NextVisit::ToPrepare) prepare_visit(turn);
+}
+
+void begin_visit(Turn& turn) {
+    forget_visit(turn.state);
+    turn.wishes.emplace_back(BeginVisit{});
+    if (turn.state.is_ready) {
+        ask(turn, Aspect::Trees);
+    } else {
+        breed(turn, Screen::Ask);
+    }
+}
+
+void grow_finale(Turn& turn, const genome::Pick& answers) {
+    turn.wishes.emplace_back(GrowFinale{new_generation(turn.state), answers});
+    turn.state.held.reset();
+    breed(turn, Screen::Finale);
+}
+
+void end_round(Turn& turn) {
+    State& state = turn.state;
+    const genome::Pick answers = std::exchange(state.answers, {});
+    state.past_answers.push_back(answers);
+    state.question = Aspect::Trees;
+    ++state.rounds;
+    if (state.rounds >= turn.timings.rounds) {
+        grow_finale(turn, answers);
+        return;
+    }
+    turn.wishes.emplace_back(GrowNext{new_generation(state), answers});
+    breed(turn, Screen::Ask);
+}
+
+void answer(Turn& turn, Choice choice) {
+    State& state = turn.state;
+    state.answers[state.question] = static_cast<std::size_t>(choice);
+    if (state.question == kAspects.back()) {
+        end_round(turn);
+        return;
+    }
+    turn.wishes.emplace_back(KeepAnswers{state.answers});
+    ask(turn, open_question(state.answers));
+}
+
+// Back is always one answer back, also across the beginning of a round.
+void take_back(Turn& turn) {
+    State& state = turn.state;
+    if (state.question != kAspects.front()) {
+        const auto last = kAspects[static_cast<std::size_t>(state.question) - 1];
+        state.answers[last].reset();
+        turn.wishes.emplace_back(KeepAnswers{state.answers});
+        ask(turn, last);
+    } else if (!state.past_answers.empty()) {
+        state.answers = state.past_answers.back();
+        state.past_answers.pop_back();
+        state.answers[kAspects.back()].reset();
+        --state.rounds;
+        turn.wishes.emplace_back(UndoRound{new_generation(state), state.answers});
+        breed(turn, Screen::Ask);
+    }
+}
+
+void press_in_ask(Turn& turn, Choice button) {
+    // A bounce of the hand, or a press meant for what stood here a moment ago.
+    if (turn.now - turn.state.since < turn.timings.press_guard) return;
+    if (button == Choice::Back) {
+        take_back(turn);
+    } else {
+        answer(turn, button);
+    }
+}
+
+void press_in_finale(Turn& turn) {
+    // An impatient press at what was still growing must not cost the visitor their landscape.
+    if (turn.now - turn.state.since < turn.timings.finale_guard) return;
+    end_visit(turn, Ending::Finished, NextVisit::Prepared);
+}
+
+void press(Turn& turn, Choice button) {
+    State& state = turn.state;
+    turn.wishes.emplace_back(Acknowledge{button});
+    state.last_press = turn.now;
+    if (button != Choice::Back && (state.screen == Screen::Ask || state.screen == Screen::Breed))
+        state.held = Held{button, turn.now};
+    switch (state.screen) {
+        case Screen::Attract:
+            return begin_visit(turn);
+        case Screen::Ask:
+            return press_in_ask(turn, button);
+        case Screen::Breed:
+            return;
+        case Screen::StillThere:
+            return show(turn, Screen::Ask);
+        case Screen::Finale:
+            return press_in_finale(turn);
+    }
+}
+
+void release(Turn& turn, Choice button) {
+    if (turn.state.held && turn.state.held->button == button) turn.state.held.reset();
+}
+
+void generation_ready(Turn& turn, int generation) {
+    State& state = turn.state;
+    if (generation != state.generation || state.is_ready) return;
+    state.is_ready = true;
+    if (state.screen != Screen::Breed) return;
+    if (state.after_breed == Screen::Ask) {
+        ask(turn, open_question(state.answers));
+        return;
+    }
+    show(turn, Screen::Finale);
+    prepare_visit(turn);
+}
+
+std::optional<Instant> screen_deadline(const State& state, const Timings& timings) {
+    switch (state.screen) {
+        case Screen::Attract:
+            return std::nullopt;
+        case Screen::Ask:
+            return std::max(state.since, state.last_press) + timings.patience;
+        case Screen::Breed:
+            return state.since + timings.growing_limit;
+        case Screen::StillThere:
+            return state.since + timings.countdown;
+        case Screen::Finale:
+            return state.since + timings.finale;
+    }
+    return std::nullopt;
+}
+
+// A press held long asks for the Finale once there is something to show.
+std::optional<Instant> hold_deadline(const State& state, const Timings& timings) {
+    const bool is_listening =
+        state.screen == Screen::Ask || (state.screen == Screen::Breed && state.after_breed == Screen::Ask);
+    if (!state.held || state.rounds == 0 || !is_listening) return std::nullopt;
+    return state.held->since + timings.long_press;
+}
+
+void screen_times_out(Turn& turn) {
+    switch (turn.state.screen) {
+        case Screen::Attract:
+            return;
+        case Screen::Ask:
+            return show(turn, Screen::StillThere);
+        case Screen::Breed:
+            return end_visit(turn, Ending::Stuck, NextVisit::ToPrepare);
+        case Screen::StillThere:
+            return end_visit(turn, Ending::Left, NextVisit::ToPrepare);
+        case Screen::Finale:
+            return end_visit(turn, Ending::Finished, NextVisit::Prepared);
+    }
+}
+
+void tick(Turn& turn) {
+    const auto is_due = [&](std::optional<Instant> deadline) { return deadline && turn.now >= *deadline; };
+    if (is_due(hold_deadline(turn.state, turn.timings))) {
+        turn.state.answers = {};
+        turn.state.question = Aspect::Trees;
+        grow_finale(turn, {});
+    } else if (is_due(screen_deadline(turn.state, turn.timings))) {
+        turn.state.held.reset();
+        screen_times_out(turn);
+    }
+}
+
+struct Handle {
+    Turn& turn;
+    void operator()(const Pressed& event) const { press(turn, event.button); }
+    void operator()(const Released& event) const { release(turn, event.button); }
+    void operator()(const Tick&) const { tick(turn); }
+    void operator()(const GenerationReady& event) const { generation_ready(turn, event.generation); }
+};
+
+}  // namespace
+
+Step opening(Instant now) {
+    State state;
+    state.since = now;
+    state.last_press = now;
+    const int generation = new_generation(state);
+    return {state, {PrepareVisit{generation}}};
+}
+
+State resumed(int rounds, const genome::Pick& answers, Instant now) {
+    State state;
+    state.screen = Screen::Breed;
+    state.rounds = std::max(0, rounds);
+    state.since = now;
+    state.last_press = now;
+    new_generation(state);
+    if (answers[Aspect::Trees]) {
+        state.answers[Aspect::Trees] = answers[Aspect::Trees];
+        if (!answers[Aspect::Sky]) state.answers[Aspect::Land] = answers[Aspect::Land];
+    }
+    return state;
+}
+
+Step next(const State& state, const Event& event, Instant now, const Timings& timings) {
+    const Instant latest = std::max({now, state.since, state.last_press});
+    Turn turn{state, {}, latest, timings};
+    std::visit(Handle{turn}, event);
+    return {std::move(turn.state), std::move(turn.wishes)};
+}
+
+std::optional<Instant> next_deadline(const State& state, const Timings& timings) {
+    const auto screen = screen_deadline(state, timings);
+    const auto hold = hold_deadline(state, timings);
+    if (!screen || !hold) return screen ? screen : hold;
+    return std::min(*screen, *hold);
+}
+
+}  // namespace quadrat::exhibit

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <chrono>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "genome/offer.hpp"
+
+namespace quadrat::exhibit {
+
+// The visit as a pure function of state, event and time. It reads no clock, starts no thread and calls nobody: it
+// returns the next state and what should happen, and the kiosk does it.
+
+using Instant = std::chrono::nanoseconds;  // since the program started
+
+enum class Choice { A, B, C, D, Back };
+
+struct Timings {
+    std::chrono::milliseconds patience{25'000};       // without a press, until "Still there?"
+    std::chrono::milliseconds countdown{10'000};      // of "Still there?", until Attract
+    std::chrono::milliseconds finale{20'000};         // the landscape they bred, until Attract
+    std::chrono::milliseconds long_press{2'000};      // holding A, B, C or D this long asks for the Finale
+    std::chrono::milliseconds press_guard{300};       // after an answer or a new question, a press does not count
+    std::chrono::milliseconds finale_guard{1'500};    // the Finale is seen at least this long
+    std::chrono::milliseconds growing_limit{60'000};  // a generation that never comes ends the visit
+    int rounds = 6;                                   // at least 1; then the Finale
+};
+
+// ---- what happens
+
+struct Pressed {
+    Choice button;
+};
+struct Released {
+    Choice button;
+};
+struct Tick {};
+// What a Wish asked to be grown can be shown. Another number than the one that is waited for: too late, of no effect.
+struct GenerationReady {
+    int generation;
+};
+using Event = std::variant<Pressed, Released, Tick, GenerationReady>;
+
+// ---- where the visit stands
+
+enum class Screen {
+    Attract,     // nobody there
+    Ask,         // four scenes and one question
+    Breed,       // the next four, or the Finale's landscape, are on their way
+    StillThere,  // a countdown over the question
+    Finale,      // the landscape they bred
+};
+
+struct Held {
+    Choice button;
+    Instant since;
+    friend bool operator==(const Held&, const Held&) = default;
+};
+
+// Passive; made by opening(), resumed() and next() alone.
+struct State {
+    Screen screen = Screen::Attract;
+    Screen after_breed = Screen::Ask;                 // Ask or Finale: where Breed leads
+    genome::Aspect question = genome::Aspect::Trees;  // in Ask and StillThere
+    genome::Pick answers;                             // of this round; every aspect before the question, no other
+    std::vector<genome::Pick> past_answers;           // of the rounds that Back can still reach, oldest first
+    int rounds = 0;                                   // that this visit has completed
+    int generation = 0;                               // the last one that was wished for
+    bool is_ready = false;                            // and whether it can be shown
+    Instant since{0};                                 // when the screen, or its question, came
+    Instant last_press{0};                            // any press
+    std::optional<Held> held;                         // A to D, while it may become a long press
+    friend bool operator==(const State&, const State&) = default;
+};
+
+// ---- what should be done about it
+
+enum class Ending {
+    Finished,  // after the Finale
+    Left,      // nobody answered "Still there?"
+    Stuck,     // a generation never came
+};
+
+// Light the button and show that it was heard, within the next frame. Comes with every press, whatever it meant.
+struct Acknowledge {
+    Choice button;
+    friend bool operator==(const Acknowledge&, const Acknowledge&) = default;
+};
+// Begin with a fresh belief and grow its first four, then say GenerationReady{generation}. Nobody waits for it yet;
+// what is on screen may stay there.
+struct PrepareVisit {
+    int generation;
+    friend bool operator==(const PrepareVisit&, const PrepareVisit&) = default;
+};
+// A visitor came: what was prepared is theirs.
+struct BeginVisit {
+    friend bool operator==(const BeginVisit&, const BeginVisit&) = default;
+};
+// The answers of this round changed, by a press or by Back. Keep them on disk; an aspect that is judged can begin to
+// grow for the next four, one that no longer is can stop.
+struct KeepAnswers {
+    genome::Pick answers;
+    friend bool operator==(const KeepAnswers&, const KeepAnswers&) = default;
+};
+// Learn from the answers, keep the new belief and the new four on disk, grow them, then say GenerationReady.
+struct GrowNext {
+    int generation;
+    genome::Pick answers;
+    friend bool operator==(const GrowNext&, const GrowNext&) = default;
+};
+// Take the last round back: the former belief and the former four; grow them unless they are still at hand, then say
+// GenerationReady. `answers` of that round stand again.
+struct UndoRound {
+    int generation;
+    genome::Pick answers;
+    friend bool operator==(const UndoRound&, const UndoRound&) = default;
+};
+// Learn from the answers, if any aspect is judged (a round that is not complete is not learnt), then grow the one
+// landscape of the aspects last named best, and say GenerationReady.
+struct GrowFinale {
+    int generation;
+    genome::Pick answers;
+    friend bool operator==(const GrowFinale&, const GrowFinale&) = default;
+};
+struct EndVisit {
+    Ending ending;
+    int rounds;
+    friend bool operator==(const EndVisit&, const EndVisit&) = default;
+};
+using Wish =
+    std::variant<Acknowledge, PrepareVisit, BeginVisit, KeepAnswers, GrowNext, UndoRound, GrowFinale, EndVisit>;
+
+struct Step {
+    State state;
+    std::vector<Wish> wishes;  // in the order in which they should be done
+    friend bool operator==(const Step&, const Step&) = default;
+};
+
+// The exhibit has just been switched on: Attract, and a visit to prepare.
+Step opening(Instant now);
+
+// Switched on again after a plug was pulled in the middle of a visit: Breed until the four of then are ready
+// (GenerationReady{state.generation}), then the first question without an answer. Back reaches this round's answers,
+// not earlier rounds. `answers` holds those given: trees, or trees and land; anything else is taken as none.
+State resumed(int rounds, const genome::Pick& answers, Instant now);
+
+// One event, at most one change of screen. A time before the last one is taken as no time having passed.
+Step next(const State& state, const Event& event, Instant now, const Timings& timings);
+
+// The instant at which a Tick will change something; nothing while only a press or a generation can. A Tick before it
+// changes nothing.
+std::optional<Instant> next_deadline(const State& state, const Timings& timings);
+
+// ---- what the visitor reads
+
+enum class Prompt { PressAnyButton, BestTrees, BestLand, BestSky, Growing, StillThere, YourLandscape };
+Prompt prompt_of(const State& state);
+
+// Seconds left, rounded up, where a countdown is shown: in StillThere.
+std::optional<int> countdown_s(const State& state, Instant now, const Timings& timings);
+
+// One short line, in English.
+std::string caption(const State& state, Instant now, const Timings& timings);
+
+}  // namespace quadrat::exhibit
