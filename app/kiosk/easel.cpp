@@ -41,33 +41,41 @@ Easel::Easel(int width, int height) : display_(open_headless(width, height)) {
 }
 
 mesh::Image Easel::draw(const Picture& picture) {
-    std::vector<std::shared_ptr<const scene::Scene>> scenes;
+    Scenes scenes;
     for (const genome::Recipe& recipe : picture.scenes) scenes.push_back(grow(recipe));
     return draw(picture, scenes);
 }
 
-mesh::Image Easel::draw(const Picture& picture, const std::vector<std::shared_ptr<const scene::Scene>>& scenes) {
+mesh::Image Easel::draw(const Picture& picture, const Scenes& scenes) {
     const display::Canvas canvas = display_->begin_frame();
+    Cast cast;
+    for (const auto& scene : scenes) cast.scenes.push_back({scene, upload_now(*renderer_, scene)});
+    SignWriter writer(*renderer_);
+    mesh::Image pixels = draw_picture(*renderer_, writer, picture, cast, canvas);
+    display_->present();
+    return pixels;
+}
+
+mesh::Image draw_picture(render::Renderer& renderer, SignWriter& writer, const Picture& picture, const Cast& cast,
+                         const display::Canvas& canvas) {
     render::Frame frame;
     frame.size = {canvas.size.width, canvas.size.height};
     frame.framebuffer = canvas.framebuffer;
     frame.seconds = picture.seconds;
     frame.detail.alpha = picture.alpha;
-    const auto places = quarters(canvas.size.width, canvas.size.height);
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const auto places = quarters(frame.size.x, frame.size.y);
+    const bool is_four = cast.scenes.size() > 1;
+    for (std::size_t i = 0; i < std::min(cast.scenes.size(), places.size()); ++i) {
         render::View view;
-        view.scene = upload_now(*renderer_, scenes[i]);
-        view.camera = picture.camera.value_or(scene::camera_at(scenes[i]->track, picture.seconds));
-        view.viewport = scenes.size() == 1 ? render::Rect{0, 0, canvas.size.width, canvas.size.height} : places[i];
+        view.scene = cast.scenes[i].gpu;
+        view.camera = picture.camera.value_or(scene::camera_at(cast.scenes[i].scene->track, picture.seconds));
+        view.viewport = is_four ? places[i] : render::Rect{0, 0, frame.size.x, frame.size.y};
         view.growth = picture.growth;
         frame.views.push_back(std::move(view));
     }
-    SignWriter writer(*renderer_);
-    if (scenes.size() > 1) frame.signs = writer.badges(canvas.size.width, canvas.size.height);
-    renderer_->draw(frame);
-    mesh::Image pixels = renderer_->read_pixels(frame);
-    display_->present();
-    return pixels;
+    if (is_four) frame.signs = writer.badges(frame.size.x, frame.size.y);
+    renderer.draw(frame);
+    return renderer.read_pixels(frame);
 }
 
 }  // namespace quadrat::kiosk

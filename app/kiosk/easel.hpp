@@ -4,7 +4,9 @@
 #include <memory>
 
 #include "display/display.hpp"
+#include "kiosk/growing.hpp"
 #include "kiosk/picture.hpp"
+#include "kiosk/stage.hpp"
 #include "render/renderer.hpp"
 
 namespace quadrat::kiosk {
@@ -17,7 +19,7 @@ class Easel {
     // Grows the picture's scenes and draws it. The size must be the easel's.
     mesh::Image draw(const Picture& picture);
     // The same with scenes that are grown already.
-    mesh::Image draw(const Picture& picture, const std::vector<std::shared_ptr<const scene::Scene>>& scenes);
+    mesh::Image draw(const Picture& picture, const Scenes& scenes);
 
     display::Display& display() { return *display_; }
     render::Renderer& renderer() { return *renderer_; }
@@ -26,6 +28,10 @@ class Easel {
     std::unique_ptr<display::Display> display_;
     std::unique_ptr<render::Renderer> renderer_;
 };
+
+// A picture of scenes that are on the GPU; four of them lettered. The canvas must have the picture's size.
+mesh::Image draw_picture(render::Renderer& renderer, SignWriter& writer, const Picture& picture, const Cast& cast,
+                         const display::Canvas& canvas);
 
 // The whole upload at once.
 std::shared_ptr<const render::GpuScene> upload_now(render::Renderer& renderer,

@@ -12,6 +12,7 @@
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <span>
 #include <thread>
 #include <tuple>
 #include <variant>
@@ -71,11 +72,11 @@ class LowPriority : public tbb::task_scheduler_observer {
 };
 
 struct Order {
-    genome::Offer offer;
+    std::vector<genome::Candidate> candidates;
     base::Seed flight;
 };
 
-constexpr std::size_t kAspectsKept = 64;
+constexpr std::size_t kAspectsKept = 48;
 
 }  // namespace
 
@@ -103,7 +104,7 @@ struct Grower::Parts {
     void work(const std::stop_token& stop);
     void grow_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
     void compose_order(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
-    void enqueue(Aspect aspect, const genome::Offer& offer);
+    void enqueue(Aspect aspect, std::span<const genome::Candidate> candidates);
     bool has_all(const Order& wanted) const;
     void forget_old();
 
@@ -119,15 +120,15 @@ struct Grower::Parts {
     std::uint64_t wants = 0;
     std::optional<Order> ordered;  // not composed yet
     std::uint64_t order_number = 0;
-    std::optional<Generation> ready;
+    std::optional<Scenes> ready;
     float progress = 0;
 
     std::jthread worker;  // last: it uses all of the above
 };
 
-void Grower::Parts::enqueue(Aspect aspect, const genome::Offer& offer) {
+void Grower::Parts::enqueue(Aspect aspect, std::span<const genome::Candidate> candidates) {
     ++wants;
-    for (const genome::Candidate& candidate : offer.candidates) {
+    for (const genome::Candidate& candidate : candidates) {
         AspectKey key = key_of(aspect, candidate.values, candidate.seeds[aspect]);
         if (const auto found = kept.find(key); found != kept.end()) {
             found->second.first = wants;
@@ -139,7 +140,7 @@ void Grower::Parts::enqueue(Aspect aspect, const genome::Offer& offer) {
 }
 
 bool Grower::Parts::has_all(const Order& wanted) const {
-    for (const genome::Candidate& candidate : wanted.offer.candidates)
+    for (const genome::Candidate& candidate : wanted.candidates)
         for (const Aspect aspect : genome::kAspects)
             if (!kept.contains(key_of(aspect, candidate.values, candidate.seeds[aspect]))) return false;
     return true;
@@ -171,28 +172,28 @@ void Grower::Parts::grow_batch(std::unique_lock<std::mutex>& lock, const std::st
     growing.clear();
     if (stop.stop_requested()) return;
     for (std::size_t i = 0; i < batch.size(); ++i) kept[batch[i].key] = {when, grown[i]};
-    const float share = static_cast<float>(batch.size()) / (genome::kCandidates * genome::kAspects.size() + 4.0F);
+    const float share =
+        static_cast<float>(batch.size()) / static_cast<float>(genome::kCandidates * genome::kAspects.size());
     progress = std::min(0.9F, progress + share);
 }
 
 void Grower::Parts::compose_order(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
     const Order order = *ordered;
     const std::uint64_t number = order_number;
-    std::array<std::array<Grown, genome::kAspects.size()>, genome::kCandidates> parts;
-    for (std::size_t i = 0; i < genome::kCandidates; ++i) {
-        const genome::Candidate& candidate = order.offer.candidates[i];
+    std::vector<genome::PerAspect<Grown>> parts(order.candidates.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const genome::Candidate& candidate = order.candidates[i];
         for (const Aspect aspect : genome::kAspects)
-            parts[i][static_cast<std::size_t>(aspect)] =
-                kept.at(key_of(aspect, candidate.values, candidate.seeds[aspect])).second;
+            parts[i][aspect] = kept.at(key_of(aspect, candidate.values, candidate.seeds[aspect])).second;
     }
     lock.unlock();
-    Generation made;
+    Scenes made(parts.size());
     arena.execute([&] {
         tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
             if (stop.stop_requested()) return;
-            made[i] = compose(parts[i][0], parts[i][1], parts[i][2],
-                              order.offer.candidates[i].seeds[Aspect::Trees].child("planting"), order.flight,
-                              options.fineness);
+            made[i] =
+                compose(parts[i][Aspect::Trees], parts[i][Aspect::Land], parts[i][Aspect::Sky],
+                        order.candidates[i].seeds[Aspect::Trees].child("planting"), order.flight, options.fineness);
         });
     });
     lock.lock();
@@ -227,15 +228,15 @@ Grower::~Grower() {
 
 void Grower::begin(Aspect aspect, const genome::Offer& offer) {
     const std::scoped_lock lock(parts_->mutex);
-    parts_->enqueue(aspect, offer);
+    parts_->enqueue(aspect, offer.candidates);
     parts_->changed.notify_all();
 }
 
-void Grower::order(const genome::Offer& offer, base::Seed flight) {
+void Grower::order(std::vector<genome::Candidate> candidates, base::Seed flight) {
     const std::scoped_lock lock(parts_->mutex);
     parts_->jobs.clear();  // head starts for answers that were not given
-    for (const Aspect aspect : genome::kAspects) parts_->enqueue(aspect, offer);
-    parts_->ordered = Order{offer, flight};
+    for (const Aspect aspect : genome::kAspects) parts_->enqueue(aspect, candidates);
+    parts_->ordered = Order{std::move(candidates), flight};
     ++parts_->order_number;
     parts_->ready.reset();
     parts_->progress = 0;
@@ -247,7 +248,7 @@ bool Grower::is_ready() {
     return parts_->ready.has_value();
 }
 
-std::optional<Generation> Grower::take() {
+std::optional<Scenes> Grower::take() {
     const std::scoped_lock lock(parts_->mutex);
     return std::exchange(parts_->ready, std::nullopt);
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "genome/offer.hpp"
 #include "genome/recipe.hpp"
@@ -11,7 +11,7 @@
 
 namespace quadrat::kiosk {
 
-using Generation = std::array<std::shared_ptr<const scene::Scene>, genome::kCandidates>;
+using Scenes = std::vector<std::shared_ptr<const scene::Scene>>;
 
 // One scene, now, on the calling thread's arena.
 std::shared_ptr<const scene::Scene> grow(const genome::Recipe& recipe, const scene::Fineness& fineness = {});
@@ -33,13 +33,13 @@ class Grower {
     // A head start: this aspect of the four candidates.
     void begin(genome::Aspect aspect, const genome::Offer& offer);
 
-    // All of the four, composed for one flight. Replaces an order that has not been taken.
-    void order(const genome::Offer& offer, base::Seed flight);
+    // Whole scenes, composed for one flight. Replaces an order that has not been taken.
+    void order(std::vector<genome::Candidate> candidates, base::Seed flight);
 
-    bool is_ready();                   // the order can be taken
-    std::optional<Generation> take();  // once an order; nothing while it is not ready
-    float progress();                  // of the order, 0 to 1
-    void wait();                       // until the order is ready
+    bool is_ready();               // the order can be taken
+    std::optional<Scenes> take();  // once an order; nothing while it is not ready
+    float progress();              // of the order, 0 to 1
+    void wait();                   // until the order is ready
 
   private:
     struct Parts;

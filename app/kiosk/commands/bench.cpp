@@ -72,14 +72,14 @@ void measure_growing(Results& results, const std::string& aspect) {
     }
 }
 
-genome::Offer random_offer(std::uint64_t seed) {
-    genome::Offer offer;
+std::vector<genome::Candidate> random_candidates(std::uint64_t seed) {
+    std::vector<genome::Candidate> candidates(genome::kCandidates);
     for (std::size_t i = 0; i < genome::kCandidates; ++i) {
         const genome::Recipe recipe = genome::random_recipe(base::Seed{seed}.child(i));
-        offer.candidates[i].values = recipe.values;
-        offer.candidates[i].seeds = recipe.seeds;
+        candidates[i].values = recipe.values;
+        candidates[i].seeds = recipe.seeds;
     }
-    return offer;
+    return candidates;
 }
 
 void measure_generation(Results& results) {
@@ -87,7 +87,7 @@ void measure_generation(Results& results) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         samples.push_back(milliseconds_of([&] {
             Grower grower;
-            grower.order(random_offer(seed), base::Seed{seed});
+            grower.order(random_candidates(seed), base::Seed{seed});
             grower.wait();
         }));
     }
@@ -98,13 +98,10 @@ void measure_frames(Results& results, const Options& options, std::string& gpu) 
     const display::Size size = display::size_from(options.size, "--size");
     const auto start = std::chrono::steady_clock::now();
     Easel easel(size.width, size.height);
-    Picture picture;
-    for (std::uint64_t i = 0; i < genome::kCandidates; ++i)
-        picture.scenes.push_back(genome::random_recipe(base::Seed{11}.child(i)));
     Grower grower;
-    grower.order(random_offer(11), base::Seed{11});
+    grower.order(random_candidates(11), base::Seed{11});
     grower.wait();
-    const Generation generation = *grower.take();
+    const Scenes generation = *grower.take();
     gpu = easel.display().description();
 
     render::Frame frame;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <atomic>
+#include <memory>
+#include <optional>
+
+#include "display/display.hpp"
+#include "firmware-io/button_source.hpp"
+#include "kiosk/album.hpp"
+#include "kiosk/clock.hpp"
+#include "kiosk/show.hpp"
+#include "kiosk/theatre.hpp"
+
+namespace quadrat::kiosk {
+
+struct RunLoopParts {
+    const Configuration& configuration;
+    Clock& clock;
+    display::Display& display;
+    firmware_io::ButtonSource& buttons;
+    Show& show;
+    Album* album = nullptr;         // borrowed; nothing: no pictures are kept
+    bool ends_after_visit = false;  // the program ends with the first visit that ends
+    const std::atomic<bool>* stop = nullptr;
+};
+
+enum class RunEnd { Stopped, WindowClosed, VisitOver, ScriptOver, DisplayFault };
+
+// The frame loop: presses in, frames out, until something ends it. On a simulated clock it goes from one moment at
+// which something happens to the next, drawing a frame at each; nothing it does then depends on how fast the machine
+// is.
+RunEnd run_loop(const RunLoopParts& parts);
+
+}  // namespace quadrat::kiosk

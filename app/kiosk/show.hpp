@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <deque>
+#include <functional>
+#include <optional>
+
+#include "breeding/session.hpp"
+#include "exhibit/archive.hpp"
+#include "exhibit/visit.hpp"
+#include "kiosk/clock.hpp"
+#include "kiosk/configuration.hpp"
+#include "kiosk/growing.hpp"
+#include "kiosk/keeper.hpp"
+
+namespace quadrat::kiosk {
+
+exhibit::Timings timings_of(const Configuration& configuration);
+breeding::BreederOptions breeder_options_of(const Configuration& configuration);
+
+// Landscapes that belong together on the screen: four candidates, or one finale; and what they are grown from.
+struct Act {
+    Scenes scenes;
+    std::vector<genome::Recipe> recipes;
+    int number = 0;      // counts the acts of this run, from 1
+    Instant arrived{0};  // when it was first to be seen
+};
+
+struct ShowOptions {
+    base::Seed seed;  // names all chance of this run
+    GrowerOptions growing;
+    std::function<exhibit::WallTime()> wall_time;  // for the archive's rows; never decides anything
+};
+
+// Carries out what the exhibit wishes: breeds, keeps, grows. Knows nothing of GL, of displays and of where presses
+// come from. One thread; no call waits, but finish_growing().
+class Show {
+  public:
+    Show(const Configuration& configuration, ShowOptions options, exhibit::Archive archive);
+
+    // Takes up the visit that a pulled plug interrupted, or opens with Attract.
+    void open(Instant now);
+
+    void happen(const exhibit::Event& event, Instant now);
+
+    // Landscapes that are grown and kept but not yet on the GPU; say happen(GenerationReady) through uploaded().
+    const Act* waiting_for_upload();
+    void uploaded(Instant now);
+
+    // Blocks until nothing grows and everything is kept: for simulated clocks.
+    void finish_growing();
+
+    const exhibit::State& state() const { return state_; }
+    const exhibit::Timings& timings() const { return timings_; }
+    const Act& on_stage() const;             // may be empty, before the very first four have grown
+    std::vector<const Act*> in_use() const;  // whose landscapes must stay on the GPU
+    float growing_progress() { return waiting_ ? grower_.progress() : 0.0F; }
+    std::optional<exhibit::Choice> last_press() const { return last_press_; }
+    Instant last_press_at() const { return last_press_at_; }
+    int visits_ended() const { return visits_ended_; }
+    bool can_go_back() const;
+
+  private:
+    struct Waiting {
+        int generation = 0;
+        Keeper::Ticket kept = 0;
+        std::vector<genome::Recipe> recipes;
+        bool is_finale = false;
+        std::optional<Act> act;  // once it has grown
+    };
+
+    void step(exhibit::Step step, Instant now);
+    void carry_out(const exhibit::Acknowledge& wish, Instant now);
+    void carry_out(const exhibit::PrepareVisit& wish, Instant now);
+    void carry_out(const exhibit::BeginVisit& wish, Instant now);
+    void carry_out(const exhibit::KeepAnswers& wish, Instant now);
+    void carry_out(const exhibit::GrowNext& wish, Instant now);
+    void carry_out(const exhibit::UndoRound& wish, Instant now);
+    void carry_out(const exhibit::GrowFinale& wish, Instant now);
+    void carry_out(const exhibit::EndVisit& wish, Instant now);
+
+    bool resume(const exhibit::Generation& kept, Instant now);
+    breeding::Session fresh_session();
+    void grow_offer(int generation, Keeper::Ticket kept);
+    Keeper::Ticket keep_generation(const genome::Pick& answers);
+    exhibit::Generation generation_of(const genome::Pick& answers) const;
+
+    exhibit::Timings timings_;
+    breeding::BreederOptions breeder_options_;
+    std::vector<genome::Aspect> locked_;
+    ShowOptions options_;
+    exhibit::State state_;
+    std::optional<exhibit::Generation> interrupted_;
+    std::optional<breeding::Session> session_;
+    std::uint64_t sessions_ = 0;
+    std::shared_ptr<std::int64_t> visit_;  // its number in the archive, written and read by the keeper's thread
+    std::optional<Waiting> waiting_;
+    Act offered_;  // the four of this round, or of the visit to come
+    Act finale_;
+    Act gallery_;  // what the last visitors bred, for Attract
+    int acts_ = 0;
+    int visits_ended_ = 0;
+    std::optional<exhibit::Choice> last_press_;
+    Instant last_press_at_{0};
+    Keeper keeper_;
+    Grower grower_;
+};
+
+}  // namespace quadrat::kiosk

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/theatre.hpp"
+
+#include <algorithm>
+
+#include "kiosk/easel.hpp"
+
+namespace quadrat::kiosk {
+
+void Theatre::enter(const display::Canvas& canvas) {
+    if (canvas.context == context_) return;
+    uploading_.reset();
+    uploaded_.clear();
+    stage_.reset();
+    renderer_.reset();
+    context_ = canvas.context;
+    if (context_ == 0) return;
+    renderer_ = std::make_unique<render::Renderer>();
+    stage_ = std::make_unique<Stage>(*renderer_, configuration_);
+}
+
+bool Theatre::prepare(const Act& act, std::size_t budget_bytes) {
+    if (!has_gpu()) return true;
+    for (const auto& scene : act.scenes) {
+        if (uploaded_.contains(scene.get())) continue;
+        if (uploading_scene_ != scene.get() || !uploading_) {
+            uploading_ = renderer_->begin_upload(scene);
+            uploading_scene_ = scene.get();
+        }
+        if (!uploading_->advance(budget_bytes)) return false;
+        uploaded_[scene.get()] = uploading_->take();
+        uploading_.reset();
+        if (budget_bytes != static_cast<std::size_t>(-1)) return false;  // one scene's end is enough for a frame
+    }
+    return true;
+}
+
+void Theatre::keep_only(const std::vector<const Act*>& acts) {
+    std::erase_if(uploaded_, [&](const auto& entry) {
+        return std::ranges::none_of(acts, [&](const Act* act) {
+            return act != nullptr &&
+                   std::ranges::any_of(act->scenes, [&](const auto& scene) { return scene.get() == entry.first; });
+        });
+    });
+}
+
+Cast Theatre::cast_of(const Act& act) const {
+    Cast cast;
+    cast.arrived = act.arrived;
+    for (const auto& scene : act.scenes) {
+        const auto found = uploaded_.find(scene.get());
+        if (found == uploaded_.end()) return {{}, act.arrived};  // not whole yet: the stage stays dark
+        cast.scenes.push_back({scene, found->second});
+    }
+    return cast;
+}
+
+render::Drawn Theatre::draw(const Show& show, float growing_progress, Instant now, const display::Canvas& canvas) {
+    if (!has_gpu()) return {};
+    const Cast cast = cast_of(show.on_stage());
+    std::optional<Flash> flash;
+    if (show.last_press()) flash = Flash{*show.last_press(), show.last_press_at()};
+    return renderer_->draw(stage_->frame({show.state(), show.timings(), cast, flash, growing_progress, now}, canvas));
+}
+
+mesh::Image Theatre::photograph(const Act& act, const Picture& picture, const display::Canvas& canvas) {
+    return draw_picture(*renderer_, stage_->writer(), picture, cast_of(act), canvas);
+}
+
+Picture picture_of(const Act& act, const display::Canvas& canvas, float alpha) {
+    Picture picture;
+    picture.scenes = act.recipes;
+    picture.width = canvas.size.width;
+    picture.height = canvas.size.height;
+    picture.alpha = alpha;
+    return picture;
+}
+
+}  // namespace quadrat::kiosk
