@@ -4,7 +4,6 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 
 #include "base/error.hpp"
@@ -14,6 +13,7 @@
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/run_loop.hpp"
 #include "kiosk/service.hpp"
+#include "kiosk/state_folder.hpp"
 #include "kiosk/visitor.hpp"
 
 namespace quadrat::kiosk::commands {
@@ -44,13 +44,6 @@ void stop_on_signals() {
     action.sa_handler = [](int) { stop_flag() = true; };
     ::sigaction(SIGTERM, &action, nullptr);
     ::sigaction(SIGINT, &action, nullptr);
-}
-
-std::filesystem::path default_state() {
-    if (const char* directory = std::getenv("STATE_DIRECTORY")) return directory;  // systemd's
-    if (const char* state = std::getenv("XDG_STATE_HOME")) return std::filesystem::path(state) / "quadrat";
-    if (const char* home = std::getenv("HOME")) return std::filesystem::path(home) / ".local/state/quadrat";
-    return "quadrat-state";
 }
 
 Configuration configuration_for(const Options& options) {
@@ -143,7 +136,7 @@ int run(const Options& options) {
         base::log::info("no screen and no buttons here: a visitor of {} rounds is played, pictures go to {}",
                         configuration.visit.rounds, folder);
 
-    const std::filesystem::path state = options.state.empty() ? default_state() : std::filesystem::path(options.state);
+    const std::filesystem::path state = state_folder(options.state);
     auto opened = exhibit::Archive::open(state, wall_time());
     if (opened.condition == exhibit::Archive::Condition::Replaced ||
         opened.condition == exhibit::Archive::Condition::MemoryOnly)

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/diagnosis.hpp"
+
+#include <fmt/format.h>
+#include <sys/timex.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <system_error>
+
+#include "base/error.hpp"
+#include "display/display.hpp"
+#include "firmware-io/input_spec.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string first_line(const fs::path& path) {
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    return line;
+}
+
+bool is_accessible(const fs::path& path) { return ::access(path.c_str(), R_OK | W_OK) == 0; }
+
+// card0, card1 …: nodes that can set a mode. card0-HDMI-A-1 …: their connectors.
+bool is_card(const std::string& name) { return name.starts_with("card") && name.find('-') == std::string::npos; }
+
+std::vector<fs::path> entries_of(const fs::path& directory) {
+    std::vector<fs::path> paths;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(directory, error)) paths.push_back(entry.path());
+    std::ranges::sort(paths);
+    return paths;
+}
+
+Finding connector_finding(const fs::path& connector) {
+    const std::string name = connector.filename().string();
+    const std::string plain = name.substr(name.find('-') + 1);
+    if (first_line(connector / "status") != "connected")
+        return {"screen", Health::Doubtful, fmt::format("{}: nothing is plugged in", plain),
+                "if a projector is: switch it on, check both ends of the cable, then try another"};
+    const std::string mode = first_line(connector / "modes");
+    std::error_code error;
+    if (fs::file_size(connector / "edid", error) == 0 || error || mode.empty())
+        return {"screen", Health::Doubtful,
+                fmt::format("{}: plugged in, but it does not say what it is (no EDID)", plain),
+                "a bad cable or adapter; pin the projector's mode in the configuration, screen.mode"};
+    return {"screen", Health::Good, fmt::format("{}: plugged in, prefers {}", plain, mode), ""};
+}
+
+Finding state_file_finding(const fs::path& file) {
+    std::error_code error;
+    if (!fs::exists(file, error)) return {"state", Health::Good, "no visit has been kept yet", ""};
+    std::ifstream stream(file, std::ios::binary);
+    char head[16] = {};
+    if (!stream.read(head, sizeof head) || std::string_view(head, 15) != "SQLite format 3")
+        return {"state", Health::Doubtful, fmt::format("{} is not a database any more", file.string()),
+                "nothing to do: the exhibit sets it aside under a dated name and starts a fresh one"};
+    return {"state", Health::Good, fmt::format("{}, {} kB", file.string(), fs::file_size(file, error) / 1024), ""};
+}
+
+Finding input_finding(const std::string& spec) {
+    try {
+        const auto source = firmware_io::open_buttons(spec);
+        source->poll(firmware_io::Instant{0});
+        const auto status = source->status();
+        if (status.presence == firmware_io::Presence::Present)
+            return {"buttons", Health::Good, fmt::format("{} {}", spec, status.reason), ""};
+        return {"buttons", Health::Bad, fmt::format("{}: {}", spec, status.reason),
+                "plug it in; the exhibit keeps looking for it"};
+    } catch (const std::invalid_argument& error) {
+        return {"buttons", Health::Bad, error.what(), "correct it in the configuration, buttons.inputs"};
+    }
+}
+
+Finding permission_finding(const char* kind, const char* prefix, const char* group) {
+    std::string closed;
+    int seen = 0;
+    for (const fs::path& path : entries_of("/dev")) {
+        if (!path.filename().string().starts_with(prefix)) continue;
+        ++seen;
+        if (!is_accessible(path)) closed += " " + path.string();
+    }
+    if (seen == 0) return {"buttons", Health::Good, fmt::format("this machine has no {}", kind), ""};
+    if (closed.empty()) return {"buttons", Health::Good, fmt::format("{}: {} may be used", kind, seen), ""};
+    return {"buttons", Health::Bad, fmt::format("{}: no permission for{}", kind, closed),
+            fmt::format("add the exhibit's user to the group {}: usermod -aG {} USER", group, group)};
+}
+
+}  // namespace
+
+std::vector<Finding> examine_gpu() {
+    try {
+        display::DisplayOptions options;
+        options.kind = display::Kind::Headless;
+        options.size = {64, 64};
+        const auto screen = display::open_display(options);
+        screen->begin_frame();
+        const std::string what = screen->description();
+        if (what.find("llvmpipe") != std::string::npos || what.find("softpipe") != std::string::npos)
+            return {{"gpu", Health::Doubtful, what,
+                     "pictures are computed by the processor: install the GPU's driver (Debian: libgl1-mesa-dri), and "
+                     "add the exhibit's user to the group render"}};
+        return {{"gpu", Health::Good, what, ""}};
+    } catch (const base::InputError& error) {
+        return {{"gpu", Health::Bad, error.what(), "install libegl-mesa0 and libgl1-mesa-dri"}};
+    }
+}
+
+std::vector<Finding> examine_screen(const fs::path& sysfs_drm, const fs::path& dev_dri) {
+    std::vector<Finding> findings;
+    for (const fs::path& path : entries_of(sysfs_drm)) {
+        const std::string name = path.filename().string();
+        if (is_card(name)) {
+            const fs::path node = dev_dri / name;
+            std::error_code error;
+            if (!fs::exists(node, error))
+                findings.push_back({"screen", Health::Bad, fmt::format("{} is missing", node.string()),
+                                    "is udev running? systemctl status systemd-udevd"});
+            else if (!is_accessible(node))
+                findings.push_back({"screen", Health::Bad, fmt::format("{}: no permission", node.string()),
+                                    "add the exhibit's user to the group video: usermod -aG video USER"});
+        } else if (name.starts_with("card") && fs::exists(path / "status")) {
+            findings.push_back(connector_finding(path));
+        }
+    }
+    if (findings.empty())
+        findings.push_back({"screen", Health::Doubtful, "no graphics card with outputs was found",
+                            "on a Raspberry Pi: dtoverlay=vc4-kms-v3d in config.txt; elsewhere: is the GPU's kernel "
+                            "driver loaded? Headless runs need none"});
+    return findings;
+}
+
+std::vector<Finding> examine_buttons(const Configuration& configuration) {
+    std::vector<Finding> findings;
+    for (const std::string& spec : configuration.inputs) findings.push_back(input_finding(spec));
+    if (configuration.inputs.empty())
+        findings.push_back({"buttons", Health::Doubtful, "none are named in the configuration",
+                            "without them the first HID controller is used; name yours under buttons.inputs"});
+    findings.push_back(permission_finding("GPIO chips", "gpiochip", "gpio"));
+    findings.push_back(permission_finding("HID devices", "hidraw", "input"));
+    return findings;
+}
+
+std::vector<Finding> examine_state(const fs::path& directory) {
+    std::error_code error;
+    fs::path existing = fs::absolute(directory);
+    while (!fs::exists(existing, error) && existing.has_relative_path()) existing = existing.parent_path();
+    if (::access(existing.c_str(), W_OK) != 0)
+        return {{"state", Health::Bad, fmt::format("{}: cannot be written", existing.string()),
+                 "visits are kept in memory only; give the exhibit's user this folder, or name another with --state"}};
+    std::vector<Finding> findings;
+    constexpr std::uintmax_t kEnough = 100U << 20U;
+    const auto space = fs::space(existing, error);
+    if (!error && space.available < kEnough)
+        findings.push_back({"state", Health::Doubtful,
+                            fmt::format("{}: {} MB left", existing.string(), space.available >> 20U),
+                            "make room: the exhibit goes on, but keeps nothing once the disk is full"});
+    findings.push_back(state_file_finding(directory / "quadrat.db"));
+    return findings;
+}
+
+std::vector<Finding> examine_clock() {
+    using namespace std::chrono;
+    const auto today = year_month_day{floor<days>(system_clock::now())};
+    constexpr year kBuilt{2025};
+    if (today.year() < kBuilt)
+        return {{"clock", Health::Doubtful, fmt::format("it is {} here", static_cast<int>(today.year())),
+                 "a wrong date changes nothing on the screen; for right dates in the report, add a clock module or a "
+                 "network"}};
+    struct timex state {};
+    const bool is_synchronised = ::adjtimex(&state) >= 0 && (state.status & STA_UNSYNC) == 0;
+    if (!is_synchronised) return {{"clock", Health::Good, "it keeps itself; no network sets it", ""}};
+    return {{"clock", Health::Good, "set by the network", ""}};
+}
+
+std::string report_of(const std::vector<Finding>& findings) {
+    std::string out;
+    constexpr const char* kMarks[] = {"good    ", "doubtful", "BAD     "};
+    for (const Finding& finding : findings) {
+        out += fmt::format("{}  {:<8} {}\n", kMarks[static_cast<std::size_t>(finding.health)], finding.subject,
+                           finding.what);
+        if (!finding.remedy.empty()) out += fmt::format("{:20}-> {}\n", "", finding.remedy);
+    }
+    return out;
+}
+
+}  // namespace quadrat::kiosk
