@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "display/kms/mode_choice.hpp"
+
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "unit/display/cards.hpp"
+
+namespace quadrat::display {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::interlaced;
+using ::testing::IsEmpty;
+using testing::mode;
+using testing::preferred;
+
+std::string first(const std::vector<ScreenMode>& modes, std::string_view wanted = "") {
+    const ModeLadder ladder = mode_ladder(modes, mode_from(wanted, "test"), {});
+    if (ladder.rungs.empty()) return "none";
+    const ScreenMode& best = modes[ladder.rungs[0].mode];
+    return fmt::format("{}x{}{}@{:g}", best.size.width, best.size.height, best.is_interlaced ? "i" : "",
+                       best.refresh_hz);
+}
+
+struct Case {
+    const char* name;
+    std::vector<ScreenMode> modes;
+    const char* wanted;
+    const char* chosen;
+};
+void PrintTo(const Case& tried, std::ostream* out) { *out << tried.name; }
+
+class ModeChoice : public ::testing::TestWithParam<Case> {};
+TEST_P(ModeChoice, IsTheOneExpected) { EXPECT_EQ(first(GetParam().modes, GetParam().wanted), GetParam().chosen); }
+
+const std::vector<ScreenMode> kTelevision4k{
+    preferred(3840, 2160, 60), mode(3840, 2160, 30),       mode(1920, 1080, 60), mode(1920, 1080, 59.94),
+    mode(1920, 1080, 120),     interlaced(1920, 1080, 60), mode(1280, 720, 60),  mode(720, 576, 50)};
+
+INSTANTIATE_TEST_SUITE_P(
+    Screens, ModeChoice,
+    ::testing::Values(
+        Case{"Television4kIsDrivenAt1080p60", kTelevision4k, "", "1920x1080@60"},
+        Case{"Configured4kIsTaken", kTelevision4k, "3840x2160@30", "3840x2160@30"},
+        Case{"ConfiguredRateIsTakenAbove60", kTelevision4k, "1920x1080@120", "1920x1080@120"},
+        Case{"ConfiguredWithoutARateIsNear60AndProgressive", kTelevision4k, "1920x1080", "1920x1080@60"},
+        Case{"ConfiguredExactRateWins", kTelevision4k, "1920x1080@59.94", "1920x1080@59.94"},
+        Case{"ConfiguredThatIsNotOfferedFallsBack", kTelevision4k, "1024x600@60", "1920x1080@60"},
+        Case{"ConfiguredRateThatIsNotOfferedFallsBack", kTelevision4k, "1280x720@144", "1920x1080@60"},
+        Case{"PreferredSmallPanelIsTaken", {mode(1920, 1080, 60), preferred(800, 480, 60.3)}, "", "800x480@60.3"},
+        Case{"PreferredMissingTakesTheLargest",
+             {mode(640, 480, 60), mode(1280, 720, 50), mode(1280, 720, 60)},
+             "",
+             "1280x720@60"},
+        Case{"PortraitPanelIsTaken", {preferred(1080, 1920, 60), mode(640, 480, 60)}, "", "1080x1920@60"},
+        Case{"FastPreferredGivesTheSameSizeAt60",
+             {preferred(1920, 1080, 144), mode(1920, 1080, 60)},
+             "",
+             "1920x1080@60"},
+        Case{"InterlacedPreferredIsNot",
+             {ScreenMode{{1920, 1080}, 60, true, true}, mode(1280, 720, 60)},
+             "",
+             "1280x720@60"},
+        Case{"OnlyLargeTakesTheSmallest", {preferred(3840, 2160, 60), mode(2560, 1440, 60)}, "", "2560x1440@60"},
+        Case{"OnlyInterlacedIsBetterThanNothing", {interlaced(1920, 1080, 50)}, "", "1920x1080i@50"},
+        Case{"NoModesGiveNone", {}, "1920x1080@60", "none"}),
+    [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST(ModeLadder, WarnsWhenTheConfiguredModeIsNotOffered) {
+    EXPECT_THAT(mode_ladder(kTelevision4k, WantedMode{{1024, 600}, 60}, {}).warning,
+                ::testing::AllOf(HasSubstr("1024x600@60"), HasSubstr("1920x1080@60.00")));
+    EXPECT_THAT(mode_ladder(kTelevision4k, WantedMode{{1280, 720}, 0}, {}).warning, IsEmpty());
+    EXPECT_THAT(mode_ladder(kTelevision4k, {}, {}).warning, IsEmpty());
+}
+
+TEST(ModeLadder, ScalesFirstThenDrawsTheModesSizeThenGoesSmaller) {
+    const std::vector<ScreenMode> modes{preferred(1920, 1080, 60), mode(1280, 720, 60), mode(1024, 768, 60),
+                                        mode(640, 480, 60)};
+    EXPECT_THAT(
+        mode_ladder(modes, {}, {1280, 720}).rungs,
+        ::testing::ElementsAre(Rung{0, {1280, 720}}, Rung{0, {1920, 1080}}, Rung{1, {1280, 720}}, Rung{3, {640, 480}}));
+}
+
+TEST(ModeLadder, DoesNotTryTheSameRungTwice) {
+    const std::vector<ScreenMode> modes{preferred(1920, 1080, 60)};
+    EXPECT_THAT(mode_ladder(modes, {}, {1920, 1080}).rungs, ::testing::ElementsAre(Rung{0, {1920, 1080}}));
+}
+
+}  // namespace
+}  // namespace quadrat::display
