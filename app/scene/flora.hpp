@@ -36,8 +36,12 @@ struct Leaves {
     std::size_t indices_per_blade() const { return blades == 0 ? 0 : indices.size() / blades; }
 };
 
+// The storey of a stand that a kind of plant belongs to; planting differs by it.
+enum class Storey { Tree, Shrub, Herb };
+
 struct Species {
     std::string name;
+    Storey storey = Storey::Tree;
     std::vector<Wood> wood;                      // finest first, at least one
     Leaves leaves;                               // may have no blades
     glm::vec3 bark_colour{0.25F, 0.18F, 0.12F};  // linear

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/land.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace quadrat::scene {
+namespace {
+
+float sample_at(const mesh::Field& field, float cell_m, glm::vec2 at_m) {
+    const float half_columns = 0.5F * static_cast<float>(field.columns - 1);
+    const float half_rows = 0.5F * static_cast<float>(field.rows - 1);
+    return mesh::sample(field, at_m.x / cell_m + half_columns, at_m.y / cell_m + half_rows);
+}
+
+}  // namespace
+
+float ground_height_m(const Land& land, glm::vec2 at_m) {
+    const float half_side = 0.5F * land.side_m();
+    const bool is_on_land = std::abs(at_m.x) <= half_side && std::abs(at_m.y) <= half_side;
+    if (is_on_land || land.surround_m.samples.empty()) return sample_at(land.height_m, land.cell_m, at_m);
+    return sample_at(land.surround_m, land.surround_cell_m, at_m);
+}
+
+glm::vec3 ground_normal(const Land& land, glm::vec2 at_m) {
+    const float half = 0.5F * land.cell_m;
+    const float dx = ground_height_m(land, {at_m.x + half, at_m.y}) - ground_height_m(land, {at_m.x - half, at_m.y});
+    const float dz = ground_height_m(land, {at_m.x, at_m.y + half}) - ground_height_m(land, {at_m.x, at_m.y - half});
+    return glm::normalize(glm::vec3{-dx, land.cell_m, -dz});
+}
+
+}  // namespace quadrat::scene

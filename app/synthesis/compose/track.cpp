@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/compose/track.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace quadrat::synthesis {
+namespace {
+
+constexpr int kStations = 33;
+constexpr float kPeriod_s = 80.0F;
+constexpr float kLeastOverGround_m = 2.2F;  // 1.7 m and room for the spline between stations
+constexpr float kLeastOverWater_m = 3.0F;
+
+glm::vec2 toward(float bearing_rad) { return {std::sin(bearing_rad), -std::cos(bearing_rad)}; }
+
+struct Path {
+    glm::vec2 from, bend, to;
+    float bearing_from, bearing_to;
+};
+
+Path draw_path(base::Seed seed) {
+    base::RandomStream random{seed};
+    const float bearing = glm::radians(random.between(-34.0F, 34.0F));
+    const glm::vec2 ahead = toward(bearing);
+    const glm::vec2 aside{-ahead.y, ahead.x};
+    const float side = random.unit() < 0.5 ? -1.0F : 1.0F;
+    const glm::vec2 middle =
+        glm::vec2{random.between(-90.0F, 90.0F), random.between(240.0F, 350.0F)} - aside * (60.0F * std::sin(bearing));
+    const float glide_m = random.between(28.0F, 48.0F) * side;
+    const float advance_m = random.between(6.0F, 34.0F);
+    Path path{};
+    path.from = middle - glide_m * aside - advance_m * ahead;
+    path.to = middle + glide_m * aside + advance_m * ahead;
+    path.bend = middle + random.between(-14.0F, 14.0F) * ahead;
+    const float turn = glm::radians(random.between(2.0F, 11.0F)) * side;
+    path.bearing_from = bearing + turn;
+    path.bearing_to = bearing - turn;
+    return path;
+}
+
+// How well a path keeps the land's middle before it and moves past what is near.
+float merit(const Path& path) {
+    const glm::vec2 middle = 0.5F * (path.from + path.to);
+    const glm::vec2 ahead = toward(0.5F * (path.bearing_from + path.bearing_to));
+    const glm::vec2 to_heart = glm::vec2{0, -60} - middle;
+    const float faces_heart = glm::dot(ahead, glm::normalize(to_heart));
+    const glm::vec2 way = glm::normalize(path.to - path.from);
+    const float passes = 1.0F - std::abs(glm::dot(way, ahead));
+    const float from_edge_m = 512.0F - std::max(std::abs(middle.x), std::abs(middle.y));
+    return 3.0F * faces_heart + 0.6F * passes - (from_edge_m < 130.0F ? 1.0F : 0.0F);
+}
+
+float floor_m(const scene::Land& land, glm::vec2 at) {
+    return std::max(scene::ground_height_m(land, at) + kLeastOverGround_m, kLeastOverWater_m);
+}
+
+// The highest that must be flown over near a station: the camera does not brush what lies beside its way.
+float clear_m(const scene::Land& land, glm::vec2 at, float over_m) {
+    float most = floor_m(land, at);
+    for (int i = 0; i < 8; ++i) {
+        const float a = 0.785398F * static_cast<float>(i);
+        most = std::max(most, floor_m(land, at + 4.0F * glm::vec2{std::cos(a), std::sin(a)}));
+    }
+    return most + over_m;
+}
+
+// The height from which the ground two hundred metres ahead is seen past what lies between, within reason.
+float sight_m(const scene::Land& land, const FlightPlan::Station& station) {
+    constexpr float kReach_m = 230.0F;
+    const float far_m = std::max(scene::ground_height_m(land, station.at_m + kReach_m * station.ahead), 0.0F) + 3.0F;
+    float need_m = -1.0e6F;
+    for (float d = 10.0F; d <= 0.7F * kReach_m; d += 7.0F) {
+        const float share = d / kReach_m;
+        const float ground_m = scene::ground_height_m(land, station.at_m + d * station.ahead) + 1.0F;
+        need_m = std::max(need_m, (ground_m - far_m * share) / (1.0F - share));
+    }
+    return need_m;
+}
+
+// Angle up to the skyline ahead.
+float skyline_rad(const scene::Land& land, const FlightPlan::Station& station, float eye_m) {
+    float most = 0;
+    for (float d = 120.0F; d < 6000.0F; d *= 1.18F)
+        for (const float aside : {-0.22F, 0.0F, 0.22F}) {
+            const glm::vec2 way = station.ahead + aside * glm::vec2{-station.ahead.y, station.ahead.x};
+            most = std::max(most, std::atan2(scene::ground_height_m(land, station.at_m + d * way) - eye_m, d));
+        }
+    return most;
+}
+
+// Each value the highest of its neighbourhood, then their mean: never lower than the value itself.
+std::vector<float> smoothed_over(const std::vector<float>& values, int reach) {
+    const int n = static_cast<int>(values.size());
+    const auto pass = [n, reach](const std::vector<float>& in, const auto& gather) {
+        std::vector<float> out(in.size());
+        for (int i = 0; i < n; ++i) {
+            float sum = in[i];
+            int count = 1;
+            for (int k = std::max(0, i - reach); k <= std::min(n - 1, i + reach); ++k) gather(sum, count, in[k]);
+            out[i] = sum / static_cast<float>(count);
+        }
+        return out;
+    };
+    const auto highest = pass(values, [](float& sum, int&, float v) { sum = std::max(sum, v); });
+    return pass(highest, [](float& sum, int& count, float v) {
+        sum += v;
+        ++count;
+    });
+}
+
+}  // namespace
+
+FlightPlan plan_flight(base::Seed flight) {
+    constexpr std::uint64_t kPaths = 12;
+    Path best = draw_path(flight.child(0U));
+    for (std::uint64_t i = 1; i < kPaths; ++i) {
+        const Path path = draw_path(flight.child(i));
+        if (merit(path) > merit(best)) best = path;
+    }
+    FlightPlan plan;
+    for (int i = 0; i < kStations; ++i) {
+        const float t = static_cast<float>(i) / static_cast<float>(kStations - 1);
+        const glm::vec2 a = best.from + t * (best.bend - best.from);
+        const glm::vec2 b = best.bend + t * (best.to - best.bend);
+        plan.stations.push_back(
+            {a + t * (b - a), toward(best.bearing_from + t * (best.bearing_to - best.bearing_from))});
+    }
+    return plan;
+}
+
+scene::Track fly(const FlightPlan& plan, const scene::Land& land, base::Seed flight) {
+    base::RandomStream random{flight.child("height")};
+    const float over_m = random.between(1.6F, 5.5F);
+    std::vector<float> eyes_m;
+    for (const FlightPlan::Station& station : plan.stations) {
+        const float low = clear_m(land, station.at_m, over_m);
+        eyes_m.push_back(std::clamp(sight_m(land, station), low, low + 14.0F));
+    }
+    eyes_m = smoothed_over(eyes_m, 5);
+    std::vector<float> pitches;
+    for (std::size_t i = 0; i < eyes_m.size(); ++i) {
+        const float up = skyline_rad(land, plan.stations[i], eyes_m[i]);
+        pitches.push_back(std::clamp(0.42F * up - glm::radians(4.5F), glm::radians(-6.5F), glm::radians(3.0F)));
+    }
+    pitches = smoothed_over(pitches, 8);
+    scene::Track track;
+    track.period_s = kPeriod_s;
+    for (std::size_t i = 0; i < eyes_m.size(); ++i) {
+        const FlightPlan::Station& station = plan.stations[i];
+        const glm::vec3 eye{station.at_m.x, eyes_m[i], station.at_m.y};
+        const glm::vec3 look{station.ahead.x, std::tan(pitches[i]), station.ahead.y};
+        track.cameras.push_back({eye, eye + 100.0F * look, 42.0F});
+    }
+    return track;
+}
+
+}  // namespace quadrat::synthesis

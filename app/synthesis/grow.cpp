@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/grow.hpp"
+
+#include "synthesis/compose/light.hpp"
+#include "synthesis/compose/planting.hpp"
+#include "synthesis/compose/track.hpp"
+#include "synthesis/land/country.hpp"
+#include "synthesis/sky/firmament.hpp"
+#include "synthesis/trees/flora.hpp"
+
+namespace quadrat::synthesis {
+
+scene::Flora grow_trees(const scene::TreeParameters& parameters, base::Seed seed) {
+    return trees::make_flora(parameters, seed);
+}
+
+scene::Land grow_land(const scene::LandParameters& parameters, base::Seed seed, const scene::Fineness& fineness) {
+    return land::make_land(parameters, seed, fineness);
+}
+
+scene::Sky grow_sky(const scene::SkyParameters& parameters, base::Seed seed) { return sky::make_sky(parameters, seed); }
+
+scene::Scene compose(std::shared_ptr<const scene::Flora> flora, std::shared_ptr<const scene::Land> land,
+                     std::shared_ptr<const scene::Sky> sky, base::Seed planting, base::Seed flight,
+                     const scene::Fineness& fineness) {
+    scene::Scene scene;
+    const FlightPlan plan = plan_flight(flight);
+    scene.track = fly(plan, *land, flight);
+    scene.plants = plant_land(*land, *flora, plan, planting);
+    const LandShadow shadow(*land, sky->sun_direction);
+    light_plants(scene.plants, *flora, *sky, shadow);
+    scene.light = bake_light(*land, *sky, *flora, scene.plants, shadow, fineness.light_px);
+    scene.flora = std::move(flora);
+    scene.land = std::move(land);
+    scene.sky = std::move(sky);
+    return scene;
+}
+
+}  // namespace quadrat::synthesis

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/land/country.hpp"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/colour.hpp"
+#include "synthesis/land/ground.hpp"
+#include "synthesis/land/terrain.hpp"
+
+namespace quadrat::synthesis::land {
+namespace {
+
+constexpr float kSide_m = 1024.0F;
+constexpr float kSurroundCell_m = 64.0F;
+constexpr int kSurroundSamples = 257;
+constexpr float kSeam_m = 72.0F;   // over which the land comes to meet the surround
+constexpr float kBelow_m = 40.0F;  // of the surround under the land
+
+template <typename Height>
+mesh::Field field_of(int samples, float cell_m, const Height& height_m) {
+    mesh::Field field(samples, samples);
+    const float half = 0.5F * static_cast<float>(samples - 1);
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, samples, 8), [&](const auto& rows) {
+        for (int row = rows.begin(); row != rows.end(); ++row)
+            for (int column = 0; column < samples; ++column)
+                field.at(column, row) =
+                    height_m((static_cast<float>(column) - half) * cell_m, (static_cast<float>(row) - half) * cell_m);
+    });
+    return field;
+}
+
+float sample_m(const mesh::Field& surround_m, float x_m, float z_m) {
+    const float half = 0.5F * static_cast<float>(surround_m.columns - 1);
+    return mesh::sample(surround_m, x_m / kSurroundCell_m + half, z_m / kSurroundCell_m + half);
+}
+
+// The land's edge lies exactly on the surround's facets, so there is no gap between them.
+void meet_surround(mesh::Field& height_m, float cell_m, const mesh::Field& surround_m) {
+    const float half_m = 0.5F * kSide_m;
+    const float half = 0.5F * static_cast<float>(height_m.columns - 1);
+    for (int row = 0; row < height_m.rows; ++row) {
+        for (int column = 0; column < height_m.columns; ++column) {
+            const float x_m = (static_cast<float>(column) - half) * cell_m;
+            const float z_m = (static_cast<float>(row) - half) * cell_m;
+            const float inside_m = half_m - std::max(std::abs(x_m), std::abs(z_m));
+            if (inside_m >= kSeam_m) continue;
+            const float t = inside_m / kSeam_m;
+            const float share = t * t * (3.0F - 2.0F * t);
+            const float outer = sample_m(surround_m, x_m, z_m);
+            float& h = height_m.at(column, row);
+            h = outer + share * (h - outer);
+        }
+    }
+}
+
+void sink_under_land(mesh::Field& surround_m) {
+    const float half = 0.5F * static_cast<float>(surround_m.columns - 1);
+    const float inside = 0.5F * kSide_m / kSurroundCell_m - 0.5F;
+    for (int row = 0; row < surround_m.rows; ++row)
+        for (int column = 0; column < surround_m.columns; ++column)
+            if (std::max(std::abs(static_cast<float>(column) - half), std::abs(static_cast<float>(row) - half)) <
+                inside)
+                surround_m.at(column, row) -= kBelow_m;
+}
+
+}  // namespace
+
+scene::Land make_land(const scene::LandParameters& parameters, base::Seed seed, const scene::Fineness& fineness) {
+    scene::Land land;
+    const Terrain terrain(parameters, seed);
+    land.cell_m = kSide_m / static_cast<float>(fineness.land_samples - 1);
+    land.surround_cell_m = kSurroundCell_m;
+    land.height_m = field_of(fineness.land_samples, land.cell_m,
+                             [&](float x, float z) { return terrain.height_m(x, z, land.cell_m); });
+    land.surround_m = field_of(kSurroundSamples, kSurroundCell_m,
+                               [&](float x, float z) { return terrain.height_m(x, z, kSurroundCell_m); });
+    meet_surround(land.height_m, land.cell_m, land.surround_m);
+    sink_under_land(land.surround_m);
+
+    const Palette palette = choose_palette(parameters, seed);
+    const float highest_m = parameters.relief_m * (1.0F - parameters.sea_level);
+    const float snow_line_m = parameters.relief_m < 140.0F ? 1.0e6F : 0.72F * highest_m + 10.0F;
+    land.albedo = ground_albedo(land.height_m, land.cell_m, palette, snow_line_m, seed, fineness.albedo_px);
+    land.detail = ground_detail(seed, 256);
+    land.shallow_colour = palette.shallow;
+    land.deep_colour = palette.deep;
+    land.far_colour = scene::mix_colours(scene::mix_colours(palette.lush, palette.dry, 0.4F), palette.scree,
+                                         parameters.gain > 0.45F ? 0.5F : 0.2F);
+    return land;
+}
+
+}  // namespace quadrat::synthesis::land

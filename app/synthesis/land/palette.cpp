@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+
+#include "scene/colour.hpp"
+#include "synthesis/land/ground.hpp"
+
+namespace quadrat::synthesis::land {
+namespace {
+
+struct HexPalette {
+    std::uint32_t lush, dry, heath, soil, scree, rock_light, rock_dark, sand, snow, shallow, deep;
+};
+
+// Chosen by eye, sRGB.
+//   lush      dry       heath     soil      scree     rock light, dark      sand      snow      water
+constexpr std::array<HexPalette, 6> kCountries{{
+    {0x5E7F3A, 0x9A9A54, 0x7A8048, 0x7C6A4C, 0x8F8878, 0xA39C8C, 0x6E6A62, 0xCDBB92, 0xF1F3F6, 0x5FA39A,
+     0x1F4F5C},  // meadow
+    {0x6B7442, 0xA08C58, 0x86596B, 0x6A5646, 0x7F7A74, 0x948E88, 0x5A5756, 0xB9A98C, 0xEEF1F5, 0x5B8C8A,
+     0x1E3F4A},  // heath
+    {0x7C8446, 0xC2A964, 0x8C8A50, 0xA3784E, 0xB59A78, 0xCDB594, 0x96785C, 0xE2CC9C, 0xF5F3EE, 0x58B0AA,
+     0x17596C},  // warm coast
+    {0x547048, 0x8C8C5C, 0x6C7458, 0x726858, 0x8A8C8E, 0xA6A8AC, 0x62666E, 0xB4AFA0, 0xF6F8FB, 0x62A4A8,
+     0x1C4B63},  // alpine
+    {0x8A8A4C, 0xC89A5A, 0xA87850, 0xA8623C, 0xB87850, 0xD09068, 0x8E5038, 0xE0B880, 0xF4EEE6, 0x5CA090,
+     0x20525A},  // red rock
+    {0x4E7A44, 0x84984C, 0x5E8A50, 0x5E4E3C, 0x7A7468, 0x8E8878, 0x54524C, 0xD8C8A0, 0xF1F3F6, 0x52B098,
+     0x145868},  // green island
+}};
+
+}  // namespace
+
+Palette choose_palette(const scene::LandParameters& parameters, base::Seed seed) {
+    base::RandomStream random{seed.child("palette")};
+    const bool is_rugged = parameters.gain > 0.45F && parameters.relief_m > 120.0F;
+    auto first = random.below(kCountries.size());
+    if (is_rugged && random.unit() < 0.5) first = 3;
+    const auto second = random.below(kCountries.size());
+    const float t = 0.35F * random.unit_f();
+    const HexPalette& a = kCountries[first];
+    const HexPalette& b = kCountries[second];
+    const auto mixed = [&](std::uint32_t HexPalette::*member) {
+        return scene::mix_colours(scene::linear_from_srgb_hex(a.*member), scene::linear_from_srgb_hex(b.*member), t);
+    };
+    Palette p;
+    p.lush = mixed(&HexPalette::lush);
+    p.dry = mixed(&HexPalette::dry);
+    p.heath = mixed(&HexPalette::heath);
+    p.soil = mixed(&HexPalette::soil);
+    p.scree = mixed(&HexPalette::scree);
+    p.rock_light = mixed(&HexPalette::rock_light);
+    p.rock_dark = mixed(&HexPalette::rock_dark);
+    p.sand = mixed(&HexPalette::sand);
+    p.snow = mixed(&HexPalette::snow);
+    p.shallow = mixed(&HexPalette::shallow);
+    p.deep = mixed(&HexPalette::deep);
+    return p;
+}
+
+}  // namespace quadrat::synthesis::land
