@@ -40,8 +40,8 @@ inline constexpr std::size_t index_of(Button button) { return static_cast<std::s
 // Promised by every source: one press is one Down and later one Up; a held button does not repeat; contact bounce never
 // doubles a press; edges come in the order of their time, none before its time and none later than `now`; a device that
 // vanishes gives an Up for what it held down, and one that comes back with a button held gives no Down until that
-// button has been released. Missing hardware is not an error: the source is Absent and tries again by itself, at most
-// every two seconds of the `now` it is given.
+// button has been released. Missing hardware is not an error: the source is Absent and tries again by itself,
+// every second of the `now` it is given.
 class ButtonSource {
   public:
     virtual ~ButtonSource() = default;

@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Instant kRetryEvery = 2s;
+constexpr Instant kRetryEvery = 1s;
 // The levels are read again this often, so that an edge the kernel never reported cannot keep a button down.
 constexpr Instant kReadLevelsEvery = 1s;
 
@@ -105,8 +105,9 @@ bool GpioButtons::read_edges(Instant now) {
         if (!bank.inputs) continue;
         std::vector<LineEdge> edges;
         const DrainEnd end = bank.inputs->drain(edges);
+        for (const LineEdge& edge : edges) clock_.saw(edge.kernel_time, now);
         for (const LineEdge& edge : edges)
-            debouncer_.contact(bank.buttons.at(edge.line), edge.is_closed, clock_.moment_of(edge.kernel_time, now));
+            debouncer_.contact(bank.buttons.at(edge.line), edge.is_closed, clock_.moment_of(edge.kernel_time));
         if (end == DrainEnd::Gone) return false;
         is_gap = is_gap || end == DrainEnd::Gap;
     }
@@ -128,7 +129,7 @@ bool GpioButtons::drive_lamps(Instant now) {
 std::vector<ButtonEdge> GpioButtons::poll(Instant now) {
     if (banks_.empty()) open(now);
     if (!banks_.empty() && !(read_edges(now) && drive_lamps(now)))
-        lose(now, "the GPIO chip has vanished; plug it in again (tried every 2 s)");
+        lose(now, "the GPIO chip has vanished; plug it in again (tried every second)");
     return debouncer_.take(now);
 }
 

@@ -24,7 +24,7 @@ struct Wiring {
 };
 
 // Buttons and lamps on GPIO lines. If anything of the wiring is missing the whole panel is Absent, so that nobody
-// wonders why three of four work; it is tried again every two seconds. Edges carry the kernel's timestamps.
+// wonders why three of four work; it is tried again every second. Edges carry the kernel's timestamps.
 class GpioButtons final : public ButtonSource {
   public:
     GpioButtons(std::unique_ptr<GpioHost> host, Wiring wiring);

@@ -11,11 +11,10 @@ constexpr Instant kLongestWait = std::chrono::seconds{10};
 
 }  // namespace
 
-Instant KernelClock::moment_of(Instant kernel_time, Instant now) {
+void KernelClock::saw(Instant kernel_time, Instant now) {
     const Instant distance = now - kernel_time;
     if (!distance_ || distance - *distance_ > kLongestWait) distance_ = distance;
     distance_ = std::min(*distance_, distance);
-    return kernel_time + *distance_;
 }
 
 }  // namespace quadrat::firmware_io::gpio

@@ -14,16 +14,21 @@ constexpr Instant kSettling = 200ms;
 constexpr int kMostReportsPerPoll = 256;        // four times the kernel's ring: a flood must not keep the frame waiting
 constexpr std::size_t kLongestReport = 16'385;  // with its report ID
 
-std::string hex4(std::uint16_t value) {
+// " 0079:0006"
+std::string to_string(std::uint16_t vendor, std::uint16_t product) {
     constexpr std::string_view kDigits = "0123456789abcdef";
-    std::string text;
-    for (int shift = 12; shift >= 0; shift -= 4) text += kDigits[value >> shift & 0xf];
+    std::string text(10, ' ');
+    for (std::size_t i = 0; i < 4; ++i) {
+        text[1 + i] = kDigits[vendor >> (12 - 4 * i) & 0xfu];
+        text[6 + i] = kDigits[product >> (12 - 4 * i) & 0xfu];
+    }
+    text[5] = ':';
     return text;
 }
 
 std::string describe(const HidDeviceFacts& device) {
     const HidIdentity& identity = device.identity;
-    return device.path + " (" + identity.name + " " + hex4(identity.vendor) + ":" + hex4(identity.product) + ")";
+    return device.path + " (" + identity.name + to_string(identity.vendor, identity.product) + ")";
 }
 
 }  // namespace
@@ -40,7 +45,7 @@ bool is_meant(const HidSelector& selector, const HidDeviceFacts& device) {
 
 std::string to_string(const HidSelector& selector) {
     std::string text = "HID device";
-    if (selector.vendor && selector.product) text += " " + hex4(*selector.vendor) + ":" + hex4(*selector.product);
+    if (selector.vendor && selector.product) text += to_string(*selector.vendor, *selector.product);
     if (!selector.path.empty()) text += " " + selector.path;
     if (!selector.port.empty()) text += " at " + selector.port;
     return text;

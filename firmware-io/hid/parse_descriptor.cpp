@@ -240,8 +240,8 @@ void DescriptorReader::add_array(std::uint64_t bit) {
 
 std::optional<ControlKind> kind_of(Usage usage, unsigned bits) {
     const unsigned page = page_of(usage);
-    if (usage == 0 || page >= page::kVendorFirst) return std::nullopt;
-    if (page == page::kButton) return (usage & 0xffffu) == 0 ? std::nullopt : std::optional{ControlKind::Button};
+    if ((usage & 0xffffu) == 0 || page >= page::kVendorFirst) return std::nullopt;  // undefined, or nobody's business
+    if (page == page::kButton) return ControlKind::Button;
     if (page == page::kKeyboard) return ControlKind::Key;
     if (usage == kHatSwitch) return ControlKind::Hat;
     return bits == 1 ? ControlKind::Button : ControlKind::Axis;
