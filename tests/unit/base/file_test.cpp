@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "base/error.hpp"
+#include "base/owned.hpp"
+
+namespace quadrat::base {
+namespace {
+
+namespace fs = std::filesystem;
+
+class File : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "quadrat-file-XXXXXX").string();
+        ASSERT_NE(::mkdtemp(name.data()), nullptr);
+        directory_ = name;
+    }
+    void TearDown() override { fs::remove_all(directory_); }
+
+    std::size_t files() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory_), fs::directory_iterator()));
+    }
+
+    fs::path directory_;
+};
+
+TEST_F(File, ReadsBackWhatWasWrittenByteForByte) {
+    std::string bytes;
+    for (int i = 0; i < 300'000; ++i) bytes.push_back(static_cast<char>(i * 31 % 256));
+    write_file(directory_ / "a.bin", bytes);
+    EXPECT_EQ(read_file(directory_ / "a.bin"), bytes);
+    write_file(directory_ / "a.bin", "");
+    EXPECT_EQ(read_file(directory_ / "a.bin"), "");
+    EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(File, LeavesTheOldFileWholeWhenWritingFails) {
+    write_file(directory_ / "a.png", "old");
+    const auto failing = [](const fs::path& temporary) {
+        EXPECT_EQ(temporary.extension(), ".png");
+        std::ofstream(temporary) << "half";
+        throw std::runtime_error("disk full");
+    };
+    EXPECT_THROW(write_file_by(directory_ / "a.png", failing), std::runtime_error);
+    EXPECT_EQ(read_file(directory_ / "a.png"), "old");
+    EXPECT_EQ(files(), 1U) << "the half-written file is left behind";
+}
+
+TEST_F(File, SaysWhichFileCannotBeReadOrWritten) {
+    const auto message_of = [](const auto& work) -> std::string {
+        try {
+            work();
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "no error";
+    };
+    EXPECT_THAT(message_of([&] { read_file(directory_ / "none"); }), testing::HasSubstr("none: cannot read"));
+    EXPECT_THAT(message_of([&] { read_file(directory_); }), testing::HasSubstr("is a directory"));
+    EXPECT_THAT(message_of([&] { write_file(directory_ / "no" / "such", "x"); }), testing::HasSubstr("such: cannot"));
+    write_file(directory_ / "long", "12345");
+    EXPECT_THAT(message_of([&] { read_file(directory_ / "long", 4); }), testing::HasSubstr("larger than 4 bytes"));
+    EXPECT_EQ(read_file(directory_ / "long", 5), "12345");
+}
+
+struct Count {
+    inline static int closed = 0;
+    void operator()(int) const { ++closed; }
+};
+
+TEST(Owned, ClosesEveryHandleExactlyOnce) {
+    Count::closed = 0;
+    {
+        Owned<int, Count, -1> first(3);
+        Owned<int, Count, -1> second(std::move(first));
+        EXPECT_FALSE(first);  // NOLINT(bugprone-use-after-move): moved-from means nothing, and that is the contract
+        second = Owned<int, Count, -1>(4);
+        EXPECT_EQ(Count::closed, 1);
+        EXPECT_EQ(second.get(), 4);
+        const Owned<int, Count, -1> none;
+        Owned<int, Count, -1> released(5);
+        EXPECT_EQ(released.release(), 5);
+    }
+    EXPECT_EQ(Count::closed, 2);
+}
+
+}  // namespace
+}  // namespace quadrat::base
