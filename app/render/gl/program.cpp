@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/gl/program.hpp"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <sstream>
+#include <vector>
+
+#include "base/error.hpp"
+#include "render/gl/limits.hpp"
+
+namespace quadrat::render::gl {
+namespace {
+
+std::string log_of(GLuint name, void (*length_of)(GLuint, GLenum, GLint*),
+                   void (*text_of)(GLuint, GLsizei, GLsizei*, GLchar*)) {
+    GLint length = 0;
+    length_of(name, GL_INFO_LOG_LENGTH, &length);
+    std::vector<char> text(static_cast<std::size_t>(length) + 1);
+    text_of(name, length + 1, nullptr, text.data());
+    return text.data();
+}
+
+ShaderName compiled(GLenum stage, const shaders::Source& source) {
+    ShaderName shader{glCreateShader(stage)};
+    const char* text = source.text.data();
+    const GLint length = static_cast<GLint>(source.text.size());
+    glShaderSource(shader.get(), 1, &text, &length);
+    glCompileShader(shader.get());
+    GLint is_compiled = 0;
+    glGetShaderiv(shader.get(), GL_COMPILE_STATUS, &is_compiled);
+    if (is_compiled) return shader;
+    const std::string log = log_of(
+        shader.get(), [](GLuint n, GLenum what, GLint* v) { glGetShaderiv(n, what, v); },
+        [](GLuint n, GLsizei size, GLsizei* got, GLchar* out) { glGetShaderInfoLog(n, size, got, out); });
+    throw base::InputError(
+        fmt::format("shader {}: this GPU's driver refuses it: {}", source.name, with_file_names(log, source)));
+}
+
+}  // namespace
+
+std::string with_file_names(std::string_view driver_log, const shaders::Source& source) {
+    std::string named;
+    std::istringstream lines{std::string{driver_log}};
+    for (std::string line; std::getline(lines, line);) {
+        std::size_t file = 0;
+        const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), file);
+        const bool names_a_file =
+            error == std::errc{} && end != line.data() + line.size() && *end == ':' && file < source.files.size();
+        if (!named.empty()) named += '\n';
+        named += names_a_file ? std::string{source.files[file]} + end : line;
+    }
+    return named;
+}
+
+Program::Program(const shaders::Source& vertex, const shaders::Source& fragment) : name_(glCreateProgram()) {
+    const ShaderName first = compiled(GL_VERTEX_SHADER, vertex);
+    const ShaderName second = compiled(GL_FRAGMENT_SHADER, fragment);
+    glAttachShader(name_.get(), first.get());
+    glAttachShader(name_.get(), second.get());
+    glLinkProgram(name_.get());
+    GLint is_linked = 0;
+    glGetProgramiv(name_.get(), GL_LINK_STATUS, &is_linked);
+    const std::string both = fmt::format("{} + {}", vertex.name, fragment.name);
+    if (!is_linked) {
+        const std::string log = log_of(
+            name_.get(), [](GLuint n, GLenum what, GLint* v) { glGetProgramiv(n, what, v); },
+            [](GLuint n, GLsizei size, GLsizei* got, GLchar* out) { glGetProgramInfoLog(n, size, got, out); });
+        throw base::InputError(fmt::format("shaders {}: this GPU's driver cannot link them: {}", both, log));
+    }
+    limits::check_program(name_.get(), both);
+}
+
+}  // namespace quadrat::render::gl

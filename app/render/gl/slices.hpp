@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+#include <deque>
+#include <functional>
+
+namespace quadrat::render::gl {
+
+// Work cut into pieces that each move about as many bytes to the GPU as they say.
+class Slices {
+  public:
+    void add(std::size_t bytes, std::function<void()> work) { waiting_.push_back({bytes, std::move(work)}); }
+
+    // [0, count) in pieces of at most `piece` elements: work(first, how_many).
+    template <typename Work>
+    void add_pieces(std::size_t count, std::size_t piece, std::size_t bytes_each, Work work) {
+        for (std::size_t first = 0; first < count; first += piece) {
+            const std::size_t many = count - first < piece ? count - first : piece;
+            add(many * bytes_each, [work, first, many] { work(first, many); });
+        }
+    }
+
+    // Does pieces until budget_bytes are spent, at least one; true when none are left.
+    bool advance(std::size_t budget_bytes) {
+        std::size_t spent = 0;
+        while (!waiting_.empty() && (spent == 0 || spent + waiting_.front().bytes <= budget_bytes)) {
+            Slice next = std::move(waiting_.front());
+            waiting_.pop_front();
+            next.work();
+            spent += next.bytes + 1;
+        }
+        return waiting_.empty();
+    }
+
+  private:
+    struct Slice {
+        std::size_t bytes;
+        std::function<void()> work;
+    };
+    std::deque<Slice> waiting_;
+};
+
+}  // namespace quadrat::render::gl

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "mesh/image.hpp"
+#include "render/gl/handles.hpp"
+
+namespace quadrat::render::gl {
+
+enum class Meaning { Colour, Plain };  // Colour: sRGB-encoded bytes that a fetch turns linear
+enum class Wrap { Repeat, Clamp };
+enum class Mipmaps { Whole, None };
+
+struct TextureShape {
+    int width = 1;
+    int height = 1;
+    int channels = 4;  // 1, 2 or 4; Colour wants 4
+    Meaning meaning = Meaning::Plain;
+    Wrap wrap_s = Wrap::Clamp;
+    Wrap wrap_t = Wrap::Clamp;
+    Mipmaps mipmaps = Mipmaps::Whole;
+
+    int levels() const;
+};
+
+// Immutable storage, trilinear, written level by level and band by band.
+class Texture2D {
+  public:
+    Texture2D() = default;  // none
+    explicit Texture2D(const TextureShape& shape);
+
+    // rows of one level, from the top, tightly packed.
+    void write_rows(int level, int first_row, int rows, std::span<const std::uint8_t> bytes);
+    void bind(GLuint unit) const;
+    const TextureShape& shape() const { return shape_; }
+
+  private:
+    TextureName name_;
+    TextureShape shape_;
+};
+
+// The next coarser level: each pixel the mean of four (of fewer at odd borders).
+mesh::Image halved(const mesh::Image& image);
+
+}  // namespace quadrat::render::gl

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/crowd.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace quadrat::render::passes {
+namespace {
+
+constexpr float kSeedling = 0.07F;
+constexpr float kLowPlant_m = 2.2F;  // below this it is undergrowth, which fades out long before a tree does
+constexpr std::size_t kFewestBlades = 7;
+
+struct Seen {
+    std::uint32_t plant;
+    std::uint32_t species;
+    float height_px;
+    float shown;  // 1, or less while it fades with distance
+};
+
+float smooth(float low, float high, float x) {
+    const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
+    return t * t * (3 - 2 * t);
+}
+
+std::size_t wood_triangles(const Kind& kind, const Closeness& how) {
+    return how.wood_level < kind.wood_triangles.size() ? kind.wood_triangles[how.wood_level] : 0;
+}
+
+// A batch's prefix is the next power of two above what its plants want.
+int leaf_bucket(float share) { return std::max(0, static_cast<int>(std::floor(-std::log2(share)))); }
+
+std::size_t prefix(const Kind& kind, int bucket) {
+    return std::max(std::min(kind.blades, kFewestBlades), kind.blades >> static_cast<unsigned>(bucket));
+}
+
+std::size_t triangles_of(const Kind& kind, float height_px, float fineness) {
+    const Closeness how = closeness(kind, height_px, fineness);
+    const std::size_t blades = kind.blades == 0 ? 0 : prefix(kind, leaf_bucket(how.share));
+    return wood_triangles(kind, how) + blades * kind.triangles_per_blade;
+}
+
+std::vector<Seen> seen_by(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Frustum& frustum,
+                          const Gathering& g) {
+    std::vector<Seen> seen;
+    for (std::size_t i = 0; i < plants.size(); ++i) {
+        const scene::Plant& plant = plants[i];
+        const Kind& kind = kinds[plant.species];
+        const float half_m = 0.5F * kind.height_m * plant.scale;
+        const glm::vec3 middle_m = plant.root_m + glm::vec3{0, half_m, 0};
+        const float distance_m = glm::length(middle_m - g.eye_m);
+        const float height_px = 2 * half_m * g.pixels_per_radian / std::max(distance_m, 0.5F);
+        const bool is_low = kind.height_m < kLowPlant_m;
+        const float shown = is_low ? smooth(5.0F, 9.0F, height_px) : smooth(1.2F, 2.2F, height_px);
+        if (shown <= 0) continue;
+        if (!frustum.may_see_sphere(middle_m, std::hypot(half_m, kind.radius_m * plant.scale))) continue;
+        seen.push_back({static_cast<std::uint32_t>(i), plant.species, height_px, shown});
+    }
+    return seen;
+}
+
+// The fineness at which the crowd fits its budget: counting is monotone in it, so a few halvings find it.
+float fitting_fineness(const std::vector<Seen>& seen, std::span<const Kind> kinds, const Gathering& g) {
+    const auto total = [&](float fineness) {
+        std::size_t sum = 0;
+        for (const Seen& s : seen) sum += triangles_of(kinds[s.species], s.height_px, fineness);
+        return sum;
+    };
+    if (total(g.fineness) <= g.triangle_budget) return g.fineness;
+    float fits = 0;
+    float too_fine = g.fineness;
+    for (int i = 0; i < 9; ++i) {
+        const float middle = 0.5F * (fits + too_fine);
+        (total(middle) <= g.triangle_budget ? fits : too_fine) = middle;
+    }
+    return fits;
+}
+
+Instance instance_of(const scene::Plant& plant, const Kind& kind, const Seen& seen, float share, const Gathering& g) {
+    const float age = grown(g.growth, plant.delay);
+    // Gusts travel over the land; twigs of a tall tree move further.
+    const float phase = 0.9F * g.seconds - 0.021F * plant.root_m.x - 0.013F * plant.root_m.z;
+    const float gust = 0.55F + 0.45F * std::sin(0.37F * phase);
+    const float reach_m = 0.028F * kind.height_m * plant.scale * gust;
+    const float swing = std::sin(1.7F * phase + plant.yaw_rad);
+    return {{plant.root_m, plant.scale * seen.shown * (0.25F + 0.75F * age)},
+            {std::sin(plant.yaw_rad), std::cos(plant.yaw_rad), plant.sun, plant.tint},
+            {age, share, reach_m * (0.6F + 0.4F * swing), reach_m * 0.35F * std::cos(1.3F * phase + plant.yaw_rad)}};
+}
+
+}  // namespace
+
+float grown(float growth, float delay) {
+    const float turn = 0.45F;  // of the arrival, from a plant's first leaf to its last
+    const float t = std::clamp((growth - delay * (1 - turn)) / turn, 0.0F, 1.0F);
+    const float eased = t * t * (3 - 2 * t);
+    return kSeedling + (1 - kSeedling) * eased;
+}
+
+Closeness closeness(const Kind& kind, float height_px, float fineness) {
+    Closeness how;
+    const float wanted_wood = fineness * (0.030F * height_px * height_px + 2);
+    const bool has_leaves = kind.blades > 0;
+    how.wood_level = kind.wood_triangles.empty() ? 0 : kind.wood_triangles.size() - 1;
+    for (std::size_t level = 0; level < kind.wood_triangles.size(); ++level) {
+        if (static_cast<float>(kind.wood_triangles[level]) <= wanted_wood) {
+            how.wood_level = level;
+            break;
+        }
+    }
+    // A stem under half a pixel behind leaves is not missed.
+    if (has_leaves && height_px < 14) how.wood_level = kind.wood_triangles.size();
+    if (!has_leaves) return how;
+    const float wanted_blades = fineness * 0.16F * height_px * height_px;
+    const float fewest = static_cast<float>(std::min(kind.blades, kFewestBlades));
+    const float all = static_cast<float>(kind.blades);
+    how.share = std::clamp(wanted_blades, fewest, all) / all;
+    return how;
+}
+
+Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Frustum& frustum,
+             const Gathering& gathering, std::vector<Instance>& instances) {
+    std::vector<Seen> seen = seen_by(plants, kinds, frustum, gathering);
+    Crowd crowd;
+    crowd.fineness = fitting_fineness(seen, kinds, gathering);
+    // By species, then large to small: every level's plants lie side by side, nearest first.
+    std::ranges::sort(seen, [](const Seen& a, const Seen& b) {
+        if (a.species != b.species) return a.species < b.species;
+        return a.height_px != b.height_px ? a.height_px > b.height_px : a.plant < b.plant;
+    });
+    const auto extend = [&](const Batch& batch) {
+        for (Batch& last : crowd.batches) {
+            const bool is_same = last.species == batch.species && last.part == batch.part &&
+                                 last.level == batch.level && last.blades == batch.blades;
+            if (is_same) {
+                ++last.count;
+                return;
+            }
+        }
+        crowd.batches.push_back(batch);
+    };
+    for (const Seen& s : seen) {
+        const Kind& kind = kinds[s.species];
+        const Closeness how = closeness(kind, s.height_px, crowd.fineness);
+        const std::size_t at = instances.size();
+        instances.push_back(instance_of(plants[s.plant], kind, s, how.share, gathering));
+        if (how.wood_level < kind.wood_triangles.size())
+            extend({s.species, Batch::Part::Wood, how.wood_level, 0, at, 1});
+        if (kind.blades > 0) extend({s.species, Batch::Part::Leaves, 0, prefix(kind, leaf_bucket(how.share)), at, 1});
+        crowd.triangles += triangles_of(kind, s.height_px, crowd.fineness);
+    }
+    return crowd;
+}
+
+}  // namespace quadrat::render::passes

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "render/passes/frustum.hpp"
+#include "scene/flora.hpp"
+
+namespace quadrat::render::passes {
+
+// A plant as the vertex shaders read it: the mirror of shaders/common/instance.glsl.
+struct Instance {
+    glm::vec4 root_scale;
+    glm::vec4 turn_sun_tint;
+    glm::vec4 grown_share_wind;
+};
+
+// What choosing the detail of a species needs to know of it.
+struct Kind {
+    float height_m = 1;
+    float radius_m = 1;                       // of a cylinder about the stem that holds all of it
+    std::vector<std::size_t> wood_triangles;  // a level, finest first
+    std::size_t blades = 0;
+    std::size_t triangles_per_blade = 0;
+};
+
+struct Batch {
+    std::uint32_t species = 0;
+    enum class Part { Wood, Leaves } part = Part::Wood;
+    std::size_t level = 0;   // of the wood
+    std::size_t blades = 0;  // of the leaves: the prefix to draw
+    std::size_t first = 0;   // instance
+    std::size_t count = 0;
+};
+
+// How closely a plant of this many pixels is drawn. Finer for more pixels, never coarser.
+struct Closeness {
+    std::size_t wood_level = 0;  // the number of levels: none
+    float share = 1;             // of the blades
+};
+Closeness closeness(const Kind& kind, float height_px, float fineness);
+
+struct Gathering {
+    glm::vec3 eye_m{0};
+    float pixels_per_radian = 500;
+    float growth = 1;
+    float seconds = 0;
+    float fineness = 1;  // 1 is the standard; lowered by itself to keep the budget
+    std::size_t triangle_budget = 60'000;
+};
+
+struct Crowd {
+    std::vector<Batch> batches;  // near ones before far ones within a species
+    std::size_t triangles = 0;
+    float fineness = 1;  // what the budget left
+};
+
+// Culls, chooses detail, sorts front to back, appends to instances. plants are sorted by species.
+Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Frustum& frustum,
+             const Gathering& gathering, std::vector<Instance>& instances);
+
+// 0 seed to 1 grown: each plant takes its turn within the generation's arrival. Reaches 1 for all at growth 1.
+float grown(float growth, float delay);
+
+}  // namespace quadrat::render::passes

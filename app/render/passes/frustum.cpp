@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/frustum.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace quadrat::render::passes {
+
+Frustum::Frustum(const glm::mat4& clip_from_world) {
+    const glm::mat4 rows = glm::transpose(clip_from_world);
+    for (int axis = 0; axis < 3; ++axis) {
+        planes_[static_cast<std::size_t>(2 * axis)] = rows[3] + rows[axis];
+        planes_[static_cast<std::size_t>(2 * axis + 1)] = rows[3] - rows[axis];
+    }
+    for (glm::vec4& plane : planes_) plane /= std::max(glm::length(glm::vec3{plane}), 1e-12F);
+}
+
+bool Frustum::may_see_sphere(glm::vec3 middle_m, float radius_m) const {
+    return std::ranges::all_of(planes_,
+                               [&](const glm::vec4& p) { return glm::dot(glm::vec3{p}, middle_m) + p.w >= -radius_m; });
+}
+
+bool Frustum::may_see_box(glm::vec3 low_m, glm::vec3 high_m) const {
+    return std::ranges::all_of(planes_, [&](const glm::vec4& p) {
+        const glm::vec3 foremost{p.x > 0 ? high_m.x : low_m.x, p.y > 0 ? high_m.y : low_m.y,
+                                 p.z > 0 ? high_m.z : low_m.z};
+        return glm::dot(glm::vec3{p}, foremost) + p.w >= 0;
+    });
+}
+
+}  // namespace quadrat::render::passes

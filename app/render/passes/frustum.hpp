@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+namespace quadrat::render::passes {
+
+// The six planes of what a camera sees (Gribb & Hartmann 2001), unit normals inward.
+class Frustum {
+  public:
+    explicit Frustum(const glm::mat4& clip_from_world);
+
+    // False only when it is certainly out of sight.
+    bool may_see_sphere(glm::vec3 middle_m, float radius_m) const;
+    bool may_see_box(glm::vec3 low_m, glm::vec3 high_m) const;
+
+  private:
+    std::array<glm::vec4, 6> planes_;
+};
+
+}  // namespace quadrat::render::passes

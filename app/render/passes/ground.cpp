@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/ground.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "render/gl/picture_upload.hpp"
+#include "render/passes/packing.hpp"
+
+namespace quadrat::render::passes {
+namespace {
+
+struct GridPlace {
+    std::int16_t column;
+    std::int16_t row;
+    float height_m;
+};
+
+constexpr int kLandBlock = 32;
+constexpr int kSurroundBlock = 8;
+constexpr std::size_t kPieceBytes = 128U << 10U;
+
+void write_places(GridOnGpu& grid, const mesh::Field& field, std::size_t first, std::size_t count) {
+    std::vector<GridPlace> places(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto at = static_cast<int>(first + i);
+        places[i] = {static_cast<std::int16_t>(at % field.columns), static_cast<std::int16_t>(at / field.columns),
+                     field.samples[first + i]};
+    }
+    grid.places.write<GridPlace>(first, places);
+}
+
+PackedNormal normal_at(const mesh::Field& field, float cell_m, int column, int row) {
+    const auto height = [&](int c, int r) {
+        return field.at(std::clamp(c, 0, field.columns - 1), std::clamp(r, 0, field.rows - 1));
+    };
+    return packed_normal(glm::normalize(glm::vec3{height(column - 1, row) - height(column + 1, row), 2 * cell_m,
+                                                  height(column, row - 1) - height(column, row + 1)}));
+}
+
+void write_normals(GridOnGpu& grid, const mesh::Field& field, std::size_t first, std::size_t count) {
+    std::vector<PackedNormal> normals(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto at = static_cast<int>(first + i);
+        normals[i] = normal_at(field, grid.cell_m, at % field.columns, at / field.columns);
+    }
+    grid.normals.write<PackedNormal>(first, normals);
+}
+
+enum class Normals { None, Stored };
+
+void add_grid(gl::Slices& slices, GridOnGpu& grid, std::shared_ptr<const mesh::Field> field, float cell_m,
+              Normals normals) {
+    const std::size_t samples = field->samples.size();
+    grid.cell_m = cell_m;
+    grid.middle_column = static_cast<float>(field->columns - 1) / 2;
+    slices.add(0, [&grid, samples, normals] {
+        grid.places = gl::Buffer{GL_ARRAY_BUFFER, samples * sizeof(GridPlace)};
+        if (normals == Normals::Stored) grid.normals = gl::Buffer{GL_ARRAY_BUFFER, samples * sizeof(PackedNormal)};
+    });
+    slices.add_pieces(
+        samples, kPieceBytes / sizeof(GridPlace), sizeof(GridPlace),
+        [&grid, field](std::size_t first, std::size_t count) { write_places(grid, *field, first, count); });
+    if (normals == Normals::None) return;
+    slices.add_pieces(
+        samples, kPieceBytes / sizeof(GridPlace), sizeof(PackedNormal),
+        [&grid, field](std::size_t first, std::size_t count) { write_normals(grid, *field, first, count); });
+}
+
+bool is_wet(const mesh::Field& field) {
+    return std::ranges::any_of(field.samples, [](float h) { return h < 0; });
+}
+
+// A part of the scene that keeps the scene alive.
+template <typename Part>
+std::shared_ptr<const Part> part_of(const std::shared_ptr<const scene::Scene>& scene, const Part& part) {
+    return {scene, &part};
+}
+
+const std::initializer_list<gl::Attribute> kPlaceAttributes{
+    {0, 2, GL_SHORT, gl::Numbers::AsTheyAre, offsetof(GridPlace, column)},
+    {1, 1, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(GridPlace, height_m)}};
+
+void draw_range(const gl::VertexArray& vertices, const gl::StreamBuffer& indices, IndexRange range) {
+    vertices.feed_indices(indices.name());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(range.first * sizeof(std::uint32_t)));
+}
+
+}  // namespace
+
+void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<const scene::Scene>& scene) {
+    const scene::Land& source = *scene->land;
+    using gl::Meaning;
+    using gl::Wrap;
+    land.side_m = source.side_m();
+    slices.add(kPieceBytes, [&land, scene] {
+        const scene::Land& from = *scene->land;
+        land.has_water = is_wet(from.height_m) || is_wet(from.surround_m);
+        land.land.blocks.emplace(from.height_m, from.cell_m, kLandBlock);
+        if (from.surround_m.columns < 2) return;
+        // Some of the surround reaches under the land's rim, so that nothing shines through between them.
+        const float hole_m = from.side_m() / 2 - from.surround_cell_m;
+        land.surround.blocks.emplace(from.surround_m, from.surround_cell_m, kSurroundBlock, hole_m);
+    });
+    add_grid(slices, land.land, part_of(scene, source.height_m), source.cell_m, Normals::None);
+    if (source.surround_m.columns >= 2)
+        add_grid(slices, land.surround, part_of(scene, source.surround_m), source.surround_cell_m, Normals::Stored);
+    gl::add_picture(slices, land.light, part_of(scene, scene->light.ground), Meaning::Plain, Wrap::Clamp, Wrap::Clamp);
+    gl::add_picture(slices, land.albedo, part_of(scene, source.albedo), Meaning::Colour, Wrap::Clamp, Wrap::Clamp);
+    gl::add_picture(slices, land.grain, part_of(scene, source.detail), Meaning::Plain, Wrap::Repeat, Wrap::Repeat);
+}
+
+GroundPass::GroundPass()
+    : program_("ground.vert", "ground.frag"),
+      vertices_{{0, sizeof(GridPlace), gl::Advance::PerVertex, kPlaceAttributes}} {}
+
+void GroundPass::draw(const LandOnGpu& land, const gl::StreamBuffer& indices, IndexRange range) const {
+    if (range.count == 0) return;
+    program_.use();
+    glUniform2f(0, land.land.cell_m, land.land.middle_column);
+    land.albedo.bind(0);
+    land.light.bind(1);
+    land.grain.bind(2);
+    vertices_.bind();
+    vertices_.feed(0, land.land.places.name());
+    draw_range(vertices_, indices, range);
+}
+
+SurroundPass::SurroundPass()
+    : program_("surround.vert", "lit.frag"),
+      vertices_{{0, sizeof(GridPlace), gl::Advance::PerVertex, kPlaceAttributes},
+                {1, sizeof(PackedNormal), gl::Advance::PerVertex, {{2, 4, GL_BYTE, gl::Numbers::Normalised, 0}}}} {}
+
+void SurroundPass::draw(const LandOnGpu& land, const gl::StreamBuffer& indices, IndexRange range) const {
+    if (range.count == 0) return;
+    program_.use();
+    glUniform2f(0, land.surround.cell_m, land.surround.middle_column);
+    vertices_.bind();
+    vertices_.feed(0, land.surround.places.name());
+    vertices_.feed(1, land.surround.normals.name());
+    draw_range(vertices_, indices, range);
+}
+
+}  // namespace quadrat::render::passes

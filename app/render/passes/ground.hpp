@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "render/gl/buffer.hpp"
+#include "render/gl/program.hpp"
+#include "render/gl/slices.hpp"
+#include "render/gl/texture.hpp"
+#include "render/gl/vertex_array.hpp"
+#include "render/passes/blocks.hpp"
+#include "scene/scene.hpp"
+
+namespace quadrat::render::passes {
+
+// A heightfield's vertices; which of its triangles are drawn is chosen every frame.
+struct GridOnGpu {
+    gl::Buffer places;   // GridPlace a sample
+    gl::Buffer normals;  // four signed bytes a sample; the surround's only
+    std::optional<Blocks> blocks;
+    float cell_m = 1;
+    float middle_column = 0;
+};
+
+struct LandOnGpu {
+    GridOnGpu land;
+    GridOnGpu surround;
+    gl::Texture2D albedo;
+    gl::Texture2D light;
+    gl::Texture2D grain;
+    float side_m = 0;
+    bool has_water = false;
+};
+
+// Adds the slices that fill land, which must stay where it is until they are done.
+void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<const scene::Scene>& scene);
+
+// A run of indices in the frame's index stream.
+struct IndexRange {
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+
+// The land's square: what it is made of, times the light baked for it, in the air before it.
+class GroundPass {
+  public:
+    GroundPass();
+    void draw(const LandOnGpu& land, const gl::StreamBuffer& indices, IndexRange range) const;
+
+  private:
+    gl::Program program_;
+    gl::VertexArray vertices_;
+};
+
+// The country around it, to the horizon.
+class SurroundPass {
+  public:
+    SurroundPass();
+    void draw(const LandOnGpu& land, const gl::StreamBuffer& indices, IndexRange range) const;
+
+  private:
+    gl::Program program_;
+    gl::VertexArray vertices_;
+};
+
+}  // namespace quadrat::render::passes

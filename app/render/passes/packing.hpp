@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+// Vertex attributes in bytes: what a normal, a share or a colour loses by it is not seen.
+namespace quadrat::render::passes {
+
+struct PackedNormal {
+    std::int8_t x, y, z, w;
+};
+
+inline std::int8_t signed_byte(float value) {
+    return static_cast<std::int8_t>(std::lround(std::clamp(value, -1.0F, 1.0F) * 127.0F));
+}
+inline std::uint8_t unsigned_byte(float value) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
+}
+inline PackedNormal packed_normal(glm::vec3 unit) {
+    return {signed_byte(unit.x), signed_byte(unit.y), signed_byte(unit.z), 0};
+}
+
+}  // namespace quadrat::render::passes

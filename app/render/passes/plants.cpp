@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/plants.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <span>
+
+#include "render/passes/packing.hpp"
+
+namespace quadrat::render::passes {
+namespace {
+
+struct WoodPlace {
+    glm::vec3 position_m;
+    std::uint8_t age;
+    std::uint8_t sway;
+    std::uint16_t unused;
+};
+struct LeafPlace {
+    glm::vec3 site_m;
+    glm::vec3 corner_m;
+    std::uint8_t age;
+    std::uint8_t sway;
+    std::uint16_t rank;
+};
+struct LeafSurface {
+    PackedNormal normal;
+    std::uint8_t root_red, root_green, root_blue, shade;
+};
+
+constexpr std::size_t kPieceBytes = 128U << 10U;
+
+float entry(const std::vector<float>& values, std::size_t i, float missing) {
+    return i < values.size() ? values[i] : missing;
+}
+
+// Three sides that taper to a point: what is left of a stem behind far leaves.
+scene::Wood pole(const scene::Species& species) {
+    scene::Wood wood;
+    const float top_m = 0.75F * species.height_m;
+    for (int side = 0; side < 3; ++side) {
+        const float turn = 2.0944F * static_cast<float>(side);
+        const glm::vec3 outward{std::cos(turn), 0, -std::sin(turn)};
+        for (const float up : {0.0F, 1.0F}) {
+            wood.mesh.positions_m.push_back(outward * species.trunk_radius_m * (1.1F - 0.9F * up) +
+                                            glm::vec3{0, up * top_m, 0});
+            wood.mesh.normals.push_back(outward);
+            wood.ages.push_back(up * 0.6F);
+            wood.sways.push_back(up * 0.3F);
+        }
+        const auto low = static_cast<std::uint32_t>(2 * side);
+        const auto next = static_cast<std::uint32_t>(2 * ((side + 1) % 3));
+        wood.mesh.indices.insert(wood.mesh.indices.end(), {low, next, low + 1, low + 1, next, next + 1});
+    }
+    return wood;
+}
+
+void add_wood(gl::Slices& slices, WoodOnGpu& wood, const std::shared_ptr<const scene::Wood>& source) {
+    const std::size_t vertices = source->mesh.positions_m.size();
+    const std::size_t indices = source->mesh.indices.size();
+    wood.index_count = indices;
+    slices.add(0, [&wood, vertices, indices] {
+        wood.places = gl::Buffer{GL_ARRAY_BUFFER, vertices * sizeof(WoodPlace)};
+        wood.normals = gl::Buffer{GL_ARRAY_BUFFER, vertices * sizeof(PackedNormal)};
+        wood.indices = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, indices * sizeof(std::uint32_t)};
+    });
+    slices.add_pieces(vertices, kPieceBytes / sizeof(WoodPlace), sizeof(WoodPlace) + sizeof(PackedNormal),
+                      [&wood, source](std::size_t first, std::size_t count) {
+                          std::vector<WoodPlace> places(count);
+                          std::vector<PackedNormal> normals(count);
+                          for (std::size_t i = 0; i < count; ++i) {
+                              places[i] = {source->mesh.positions_m[first + i],
+                                           unsigned_byte(entry(source->ages, first + i, 0)),
+                                           unsigned_byte(entry(source->sways, first + i, 0)), 0};
+                              normals[i] = packed_normal(source->mesh.normals[first + i]);
+                          }
+                          wood.places.write<WoodPlace>(first, places);
+                          wood.normals.write<PackedNormal>(first, normals);
+                      });
+    slices.add_pieces(indices, kPieceBytes / sizeof(std::uint32_t), sizeof(std::uint32_t),
+                      [&wood, source](std::size_t first, std::size_t count) {
+                          wood.indices.write<std::uint32_t>(first,
+                                                            std::span{source->mesh.indices}.subspan(first, count));
+                      });
+}
+
+LeafSurface surface_of(const scene::Leaves::Vertex& v) {
+    const auto root = [](float linear) { return unsigned_byte(std::sqrt(std::max(linear, 0.0F))); };
+    return {packed_normal(v.normal), root(v.colour.r), root(v.colour.g), root(v.colour.b), unsigned_byte(v.shade)};
+}
+
+// A blade's vertices follow one another, so the place in the order is the blade's own.
+std::uint16_t rank_of(const scene::Leaves& leaves, std::size_t vertex) {
+    const std::size_t per_blade =
+        std::max<std::size_t>(leaves.vertices.size() / std::max<std::size_t>(leaves.blades, 1), 1);
+    const double rank = static_cast<double>(vertex / per_blade) / static_cast<double>(leaves.blades);
+    return static_cast<std::uint16_t>(std::clamp(rank, 0.0, 1.0) * 65535.0);
+}
+
+void write_leaves(SpeciesOnGpu& species, const scene::Leaves& leaves, std::size_t first, std::size_t count) {
+    std::vector<LeafPlace> places(count);
+    std::vector<LeafSurface> surfaces(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const scene::Leaves::Vertex& v = leaves.vertices[first + i];
+        places[i] = {v.site_m, v.corner_m, unsigned_byte(v.age), unsigned_byte(v.sway), rank_of(leaves, first + i)};
+        surfaces[i] = surface_of(v);
+    }
+    species.leaf_places.write<LeafPlace>(first, places);
+    species.leaf_surfaces.write<LeafSurface>(first, surfaces);
+}
+
+void add_leaves(gl::Slices& slices, SpeciesOnGpu& species, const std::shared_ptr<const scene::Leaves>& source) {
+    const std::size_t vertices = source->vertices.size();
+    const std::size_t indices = source->indices.size();
+    species.indices_per_blade = source->indices_per_blade();
+    if (source->blades == 0) return;
+    slices.add(0, [&species, vertices, indices] {
+        species.leaf_places = gl::Buffer{GL_ARRAY_BUFFER, vertices * sizeof(LeafPlace)};
+        species.leaf_surfaces = gl::Buffer{GL_ARRAY_BUFFER, vertices * sizeof(LeafSurface)};
+        species.leaf_indices = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, indices * sizeof(std::uint32_t)};
+    });
+    slices.add_pieces(
+        vertices, kPieceBytes / sizeof(LeafPlace), sizeof(LeafPlace) + sizeof(LeafSurface),
+        [&species, source](std::size_t first, std::size_t count) { write_leaves(species, *source, first, count); });
+    slices.add_pieces(indices, kPieceBytes / sizeof(std::uint32_t), sizeof(std::uint32_t),
+                      [&species, source](std::size_t first, std::size_t count) {
+                          species.leaf_indices.write<std::uint32_t>(first,
+                                                                    std::span{source->indices}.subspan(first, count));
+                      });
+}
+
+float reach_of(const scene::Species& species) {
+    float reach = species.crown_radius_m;
+    for (const scene::Wood& wood : species.wood)
+        for (const glm::vec3& p : wood.mesh.positions_m) reach = std::max(reach, std::hypot(p.x, p.z));
+    return reach;
+}
+
+Kind kind_of(const scene::Species& species) {
+    Kind kind;
+    kind.height_m = species.height_m;
+    kind.radius_m = reach_of(species);
+    for (const scene::Wood& wood : species.wood) kind.wood_triangles.push_back(wood.mesh.triangle_count());
+    kind.blades = species.leaves.blades;
+    kind.triangles_per_blade = species.leaves.indices_per_blade() / 3;
+    return kind;
+}
+
+void add_species(gl::Slices& slices, FloraOnGpu& flora, std::size_t index,
+                 const std::shared_ptr<const scene::Flora>& source) {
+    const scene::Species& from = source->species[index];
+    SpeciesOnGpu& species = flora.species[index];
+    species.bark_colour = from.bark_colour;
+    species.height_m = from.height_m;
+    flora.kinds[index] = kind_of(from);
+    std::vector<std::shared_ptr<const scene::Wood>> levels;
+    for (const scene::Wood& wood : from.wood) levels.emplace_back(source, &wood);
+    const bool is_tree = !levels.empty() && levels.back()->mesh.triangle_count() > 12;
+    if (is_tree && from.leaves.blades > 0) {
+        levels.push_back(std::make_shared<scene::Wood>(pole(from)));
+        flora.kinds[index].wood_triangles.push_back(levels.back()->mesh.triangle_count());
+    }
+    species.wood.resize(levels.size());
+    for (std::size_t level = 0; level < levels.size(); ++level) add_wood(slices, species.wood[level], levels[level]);
+    add_leaves(slices, species, {source, &from.leaves});
+}
+
+const std::initializer_list<gl::Attribute> kInstanceAttributes{
+    {8, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Instance, root_scale)},
+    {9, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Instance, turn_sun_tint)},
+    {10, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Instance, grown_share_wind)}};
+
+void draw_instances(std::size_t index_count, std::size_t instances) {
+    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(index_count), GL_UNSIGNED_INT, nullptr,
+                            static_cast<GLsizei>(instances));
+}
+
+}  // namespace
+
+void add_flora(gl::Slices& slices, FloraOnGpu& flora, const std::shared_ptr<const scene::Flora>& source) {
+    flora.species.resize(source->species.size());
+    flora.kinds.resize(source->species.size());
+    for (std::size_t i = 0; i < source->species.size(); ++i) add_species(slices, flora, i, source);
+}
+
+PlantsPass::PlantsPass()
+    : wood_("wood.vert", "lit.frag"),
+      leaves_("leaves.vert", "lit.frag"),
+      wood_vertices_{{0,
+                      sizeof(WoodPlace),
+                      gl::Advance::PerVertex,
+                      {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(WoodPlace, position_m)},
+                       {1, 2, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(WoodPlace, age)}}},
+                     {1, sizeof(PackedNormal), gl::Advance::PerVertex, {{2, 4, GL_BYTE, gl::Numbers::Normalised, 0}}},
+                     {2, sizeof(Instance), gl::Advance::PerInstance, kInstanceAttributes}},
+      leaf_vertices_{{0,
+                      sizeof(LeafPlace),
+                      gl::Advance::PerVertex,
+                      {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(LeafPlace, site_m)},
+                       {1, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(LeafPlace, corner_m)},
+                       {2, 2, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(LeafPlace, age)},
+                       {3, 1, GL_UNSIGNED_SHORT, gl::Numbers::Normalised, offsetof(LeafPlace, rank)}}},
+                     {1,
+                      sizeof(LeafSurface),
+                      gl::Advance::PerVertex,
+                      {{4, 4, GL_BYTE, gl::Numbers::Normalised, offsetof(LeafSurface, normal)},
+                       {5, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(LeafSurface, root_red)}}},
+                     {2, sizeof(Instance), gl::Advance::PerInstance, kInstanceAttributes}} {}
+
+void PlantsPass::draw_wood(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
+    const WoodOnGpu& wood = species.wood[batch.level];
+    glUniform4f(0, species.bark_colour.r, species.bark_colour.g, species.bark_colour.b, 1 / species.height_m);
+    wood_vertices_.feed(0, wood.places.name());
+    wood_vertices_.feed(1, wood.normals.name());
+    wood_vertices_.feed(2, instances, batch.first * sizeof(Instance));
+    wood_vertices_.feed_indices(wood.indices.name());
+    draw_instances(wood.index_count, batch.count);
+}
+
+void PlantsPass::draw_leaves(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
+    leaf_vertices_.feed(0, species.leaf_places.name());
+    leaf_vertices_.feed(1, species.leaf_surfaces.name());
+    leaf_vertices_.feed(2, instances, batch.first * sizeof(Instance));
+    leaf_vertices_.feed_indices(species.leaf_indices.name());
+    draw_instances(batch.blades * species.indices_per_blade, batch.count);
+}
+
+std::size_t PlantsPass::draw(const FloraOnGpu& flora, const std::vector<Batch>& batches,
+                             const gl::StreamBuffer& instances) const {
+    // Leaves first: they hide most of the wood, and what is hidden need not be shaded.
+    glDisable(GL_CULL_FACE);
+    leaves_.use();
+    leaf_vertices_.bind();
+    for (const Batch& batch : batches)
+        if (batch.part == Batch::Part::Leaves) draw_leaves(flora.species[batch.species], batch, instances.name());
+    glEnable(GL_CULL_FACE);
+    wood_.use();
+    wood_vertices_.bind();
+    for (const Batch& batch : batches)
+        if (batch.part == Batch::Part::Wood) draw_wood(flora.species[batch.species], batch, instances.name());
+    return batches.size();
+}
+
+}  // namespace quadrat::render::passes

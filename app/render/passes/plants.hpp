@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "render/gl/buffer.hpp"
+#include "render/gl/program.hpp"
+#include "render/gl/slices.hpp"
+#include "render/gl/vertex_array.hpp"
+#include "render/passes/crowd.hpp"
+#include "scene/flora.hpp"
+
+namespace quadrat::render::passes {
+
+struct WoodOnGpu {
+    gl::Buffer places;   // what moves a vertex: read by the binner too
+    gl::Buffer normals;  // what only lights it
+    gl::Buffer indices;
+    std::size_t index_count = 0;
+};
+
+struct SpeciesOnGpu {
+    std::vector<WoodOnGpu> wood;  // finest first; the last is a bare pole of six triangles for species with leaves
+    gl::Buffer leaf_places;
+    gl::Buffer leaf_surfaces;
+    gl::Buffer leaf_indices;
+    std::size_t indices_per_blade = 0;
+    glm::vec3 bark_colour{0.2F};
+    float height_m = 1;
+};
+
+struct FloraOnGpu {
+    std::vector<SpeciesOnGpu> species;
+    std::vector<Kind> kinds;
+};
+
+// Adds the slices that fill flora, which must stay where it is until they are done.
+void add_flora(gl::Slices& slices, FloraOnGpu& flora, const std::shared_ptr<const scene::Flora>& source);
+
+// Trees and undergrowth: wood and leaves of every batch, instanced.
+class PlantsPass {
+  public:
+    PlantsPass();
+    // Returns the number of draw calls.
+    std::size_t draw(const FloraOnGpu& flora, const std::vector<Batch>& batches,
+                     const gl::StreamBuffer& instances) const;
+
+  private:
+    void draw_wood(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const;
+    void draw_leaves(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const;
+
+    gl::Program wood_;
+    gl::Program leaves_;
+    gl::VertexArray wood_vertices_;
+    gl::VertexArray leaf_vertices_;
+};
+
+}  // namespace quadrat::render::passes

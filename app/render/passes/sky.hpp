@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <memory>
+
+#include "render/gl/buffer.hpp"
+#include "render/gl/program.hpp"
+#include "render/gl/slices.hpp"
+#include "render/gl/texture.hpp"
+#include "render/gl/vertex_array.hpp"
+#include "scene/sky.hpp"
+
+namespace quadrat::render::passes {
+
+struct SkyOnGpu {
+    gl::Texture2D dome;
+    std::array<gl::Texture2D, 2> clouds;  // r: density, g: lit
+    gl::Texture2D mirror;                 // dome and clouds' mean as calm water shows them: x / (1 + y), z / (1 + y)
+};
+
+// Adds the slices that fill sky, which must stay where it is until they are done.
+void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scene::Sky>& source);
+
+// Dome, sun and two layers of cloud, behind all else.
+class SkyPass {
+  public:
+    SkyPass();
+    void draw(const SkyOnGpu& sky) const;
+    std::size_t triangles() const { return index_count_ / 3; }
+
+  private:
+    gl::Program program_;
+    gl::VertexArray vertices_;
+    gl::Buffer dome_;
+    gl::Buffer indices_;
+    std::size_t index_count_ = 0;
+};
+
+}  // namespace quadrat::render::passes

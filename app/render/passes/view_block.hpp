@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <cstddef>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+namespace quadrat::render::passes {
+
+// What every pass knows of its view: the std140 mirror of shaders/common/view.glsl, which says what each number is.
+struct ViewBlock {
+    glm::mat4 clip_from_world{1};
+    glm::vec4 eye_seconds{0};
+    glm::vec4 to_sun{0};
+    glm::vec4 sunlight{1};
+    glm::vec4 light_above{0};
+    glm::vec4 light_around{0};
+    glm::vec4 light_below{0};
+    glm::vec4 haze_colour{0};
+    glm::vec4 haze_sunward{0};
+    glm::vec4 far_colour{0};
+    glm::vec4 shallow_colour{0};
+    glm::vec4 deep_colour{0};
+    glm::vec4 sun_colour{0};
+    std::array<glm::vec4, 2> cloud_place{};
+    std::array<glm::vec4, 2> cloud_sunlit{};
+    std::array<glm::vec4, 2> cloud_shaded{};
+};
+
+// Views lie in one buffer at multiples of what a Raspberry Pi aligns uniform blocks to.
+inline constexpr std::size_t kViewBlockBytes = (sizeof(ViewBlock) + 255) / 256 * 256;
+inline constexpr unsigned kViewBinding = 0;
+
+}  // namespace quadrat::render::passes

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/water.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <numbers>
+#include <vector>
+
+#include "base/seed.hpp"
+#include "render/gl/picture_upload.hpp"
+#include "render/passes/packing.hpp"
+
+namespace quadrat::render::passes {
+namespace {
+
+constexpr int kSectors = 32;
+constexpr int kRippleSide = 128;
+constexpr int kWaves = 28;
+
+std::vector<float> ring_radii_m() { return {0, 6, 20, 50, 110, 220, 420, 750, 1300, 2200, 3600, 5600, 8000, 11500}; }
+
+std::vector<glm::vec2> ring_vertices() {
+    std::vector<glm::vec2> vertices;
+    for (const float radius_m : ring_radii_m()) {
+        for (int sector = 0; sector < kSectors; ++sector) {
+            const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(sector) / kSectors;
+            vertices.emplace_back(radius_m * std::cos(turn), radius_m * std::sin(turn));
+        }
+    }
+    return vertices;
+}
+
+std::vector<std::uint16_t> ring_indices() {
+    std::vector<std::uint16_t> indices;
+    const int rings = static_cast<int>(ring_radii_m().size());
+    for (int ring = 0; ring + 1 < rings; ++ring) {
+        for (int sector = 0; sector < kSectors; ++sector) {
+            const int next = (sector + 1) % kSectors;
+            const int inner = ring * kSectors;
+            const int outer = inner + kSectors;
+            // Counter-clockwise from above, where z points down the page.
+            for (const int i :
+                 {inner + sector, inner + next, outer + sector, inner + next, outer + next, outer + sector})
+                indices.push_back(static_cast<std::uint16_t>(i));
+        }
+    }
+    return indices;
+}
+
+// Slopes of a sum of sine waves that each fit the tile a whole number of times: it tiles without a seam. Long waves
+// are steeper, as on a lake in a breeze.
+struct Wave {
+    glm::vec2 turns;  // across and down the tile
+    float phase;
+    float steepness;
+};
+
+std::array<Wave, kWaves> waves() {
+    std::array<Wave, kWaves> all{};
+    for (std::uint64_t i = 0; i < kWaves; ++i) {
+        base::RandomStream stream{base::Seed{0x52'69'70'70'6c'65}.child(i)};
+        const float length = 1.5F + 14.0F * stream.unit_f();
+        const float bearing = 0.5F + 0.75F * stream.normal();
+        all[i].turns = {std::round(length * std::cos(bearing)), std::round(length * std::sin(bearing))};
+        all[i].phase = 6.2832F * stream.unit_f();
+        all[i].steepness = 1.0F / std::sqrt(std::max(glm::length(all[i].turns), 1.0F));
+    }
+    return all;
+}
+
+mesh::Image ripple_slopes() {
+    mesh::Image image(kRippleSide, kRippleSide, 2);
+    const auto all = waves();
+    for (int y = 0; y < kRippleSide; ++y) {
+        for (int x = 0; x < kRippleSide; ++x) {
+            const glm::vec2 at = glm::vec2{static_cast<float>(x), static_cast<float>(y)} * (6.2831853F / kRippleSide);
+            glm::vec2 slope{0};
+            for (const Wave& wave : all) {
+                const float length = std::max(glm::length(wave.turns), 1.0F);
+                slope += wave.turns / length * wave.steepness * std::cos(glm::dot(wave.turns, at) + wave.phase);
+            }
+            image.pixel(x, y)[0] = unsigned_byte(0.5F + 0.11F * slope.x);
+            image.pixel(x, y)[1] = unsigned_byte(0.5F + 0.11F * slope.y);
+        }
+    }
+    return image;
+}
+
+}  // namespace
+
+WaterPass::WaterPass()
+    : program_("water.vert", "water.frag"),
+      vertices_{{0, sizeof(glm::vec2), gl::Advance::PerVertex, {{0, 2, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}}} {
+    const auto vertices = ring_vertices();
+    const auto indices = ring_indices();
+    rings_ = gl::Buffer{GL_ARRAY_BUFFER, vertices.size() * sizeof(glm::vec2)};
+    rings_.write<glm::vec2>(0, vertices);
+    indices_ = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof(std::uint16_t)};
+    indices_.write<std::uint16_t>(0, indices);
+    index_count_ = indices.size();
+    gl::Slices slices;
+    gl::add_picture(slices, ripples_, std::make_shared<mesh::Image>(ripple_slopes()), gl::Meaning::Plain,
+                    gl::Wrap::Repeat, gl::Wrap::Repeat);
+    while (!slices.advance(std::size_t{1} << 20U)) continue;
+}
+
+void WaterPass::draw(const gl::Texture2D& baked_light, const gl::Texture2D& mirror) const {
+    program_.use();
+    baked_light.bind(0);
+    ripples_.bind(1);
+    mirror.bind(2);
+    vertices_.bind();
+    vertices_.feed(0, rings_.name());
+    vertices_.feed_indices(indices_.name());
+    // The shore shows through shallow water; depth is still written, for the sky comes later.
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(index_count_), GL_UNSIGNED_SHORT, nullptr);
+    glDisable(GL_BLEND);
+}
+
+}  // namespace quadrat::render::passes

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "render/gl/buffer.hpp"
+#include "render/gl/program.hpp"
+#include "render/gl/texture.hpp"
+#include "render/gl/vertex_array.hpp"
+
+namespace quadrat::render::passes {
+
+// The sea at y = 0, from under the eye to the horizon.
+class WaterPass {
+  public:
+    WaterPass();
+    // baked_light: its alpha is the depth; mirror: the sky from above.
+    void draw(const gl::Texture2D& baked_light, const gl::Texture2D& mirror) const;
+    std::size_t triangles() const { return index_count_ / 3; }
+
+  private:
+    gl::Program program_;
+    gl::VertexArray vertices_;
+    gl::Buffer rings_;
+    gl::Buffer indices_;
+    gl::Texture2D ripples_;
+    std::size_t index_count_ = 0;
+};
+
+}  // namespace quadrat::render::passes

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/renderer.hpp"
+
+#include <epoxy/gl.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/error.hpp"
+#include "render/gl/picture_upload.hpp"
+#include "render/gpu_scene.hpp"
+#include "render/passes/crowd.hpp"
+#include "render/passes/signs.hpp"
+#include "render/passes/water.hpp"
+#include "render/upload.hpp"
+#include "render/view.hpp"
+
+namespace quadrat::render {
+namespace {
+
+// Visible triangles of a whole frame at alpha 1 that a Raspberry Pi 4 draws in time.
+constexpr float kTriangleBudget = 240'000;
+constexpr std::size_t kFewestPlantTriangles = 4'000;
+
+void require_gles_31() {
+    const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+    if (!version) throw base::InputError("no OpenGL context is current: open a display before the renderer");
+    const bool is_es = !epoxy_is_desktop_gl();
+    if (is_es && epoxy_gl_version() >= 31) return;
+    throw base::InputError(fmt::format("{}: this GPU offers {}; the exhibit needs OpenGL ES 3.1",
+                                       reinterpret_cast<const char*>(glGetString(GL_RENDERER)), version));
+}
+
+// One view's share of the frame: what is drawn of its scene.
+struct Selection {
+    passes::ViewBlock block;
+    passes::IndexRange ground;
+    passes::IndexRange surround;
+    std::vector<passes::Batch> batches;
+    std::size_t triangles = 0;
+};
+
+}  // namespace
+
+struct Renderer::Parts {
+    passes::GroundPass ground;
+    passes::SurroundPass surround;
+    passes::PlantsPass plants;
+    passes::WaterPass water;
+    passes::SkyPass sky;
+    passes::SignsPass signs;
+    gl::StreamBuffer blocks{GL_UNIFORM_BUFFER};
+    gl::StreamBuffer indices{GL_ELEMENT_ARRAY_BUFFER};
+    gl::StreamBuffer instances{GL_ARRAY_BUFFER};
+    std::shared_ptr<FloraShelf> floras = std::make_shared<FloraShelf>();
+    std::vector<std::uint32_t> frame_indices;  // kept from frame to frame for its memory only
+    std::vector<passes::Instance> frame_instances;
+
+    Selection select(const View& view, const Frame& frame);
+    void fill(const std::vector<Selection>& selections);
+    void draw_view(const View& view, const Selection& selection, std::size_t slot, Drawn& drawn);
+    void draw_signs(const Frame& frame);
+};
+
+Selection Renderer::Parts::select(const View& view, const Frame& frame) {
+    const GpuScene& scene = *view.scene;
+    const float aspect =
+        static_cast<float>(view.viewport.width) / static_cast<float>(std::max(view.viewport.height, 1));
+    const glm::mat4 clip_from_world = scene::clip_from_view(view.camera, aspect) * scene::view_from_world(view.camera);
+    const passes::Frustum frustum(clip_from_world);
+    Selection s;
+    s.block = block_of(view, clip_from_world, frame.seconds);
+    const float alpha = std::max(frame.detail.alpha, 0.01F);
+    const float scale = pixels_per_radian(view);
+    const passes::Blocks::Wish wish{view.camera.eye_m, scale, 14 / std::sqrt(alpha)};
+    const auto chosen = [&](const passes::GridOnGpu& grid) {
+        const std::size_t first = frame_indices.size();
+        if (grid.blocks) s.triangles += grid.blocks->select(frustum, wish, frame_indices);
+        return passes::IndexRange{first, frame_indices.size() - first};
+    };
+    s.ground = chosen(scene.land.land);
+    s.surround = chosen(scene.land.surround);
+
+    passes::Gathering gathering;
+    gathering.eye_m = view.camera.eye_m;
+    gathering.pixels_per_radian = scale;
+    gathering.growth = view.growth;
+    gathering.seconds = frame.seconds;
+    gathering.fineness = alpha;
+    const auto budget = static_cast<std::size_t>(kTriangleBudget * alpha / static_cast<float>(frame.views.size()));
+    gathering.triangle_budget = std::max(budget, s.triangles + kFewestPlantTriangles) - s.triangles;
+    passes::Crowd crowd = passes::gather(scene.plants, scene.flora->kinds, frustum, gathering, frame_instances);
+    s.triangles += crowd.triangles;
+    s.batches = std::move(crowd.batches);
+    return s;
+}
+
+void Renderer::Parts::fill(const std::vector<Selection>& selections) {
+    std::vector<std::byte> bytes(selections.size() * passes::kViewBlockBytes);
+    for (std::size_t i = 0; i < selections.size(); ++i)
+        std::memcpy(bytes.data() + i * passes::kViewBlockBytes, &selections[i].block, sizeof(passes::ViewBlock));
+    blocks.fill<std::byte>(bytes);
+    indices.fill<std::uint32_t>(frame_indices);
+    instances.fill<passes::Instance>(frame_instances);
+}
+
+void Renderer::Parts::draw_view(const View& view, const Selection& selection, std::size_t slot, Drawn& drawn) {
+    const GpuScene& scene = *view.scene;
+    glViewport(view.viewport.x, view.viewport.y, view.viewport.width, view.viewport.height);
+    glScissor(view.viewport.x, view.viewport.y, view.viewport.width, view.viewport.height);
+    gl::bind_uniforms(blocks, passes::kViewBinding, slot * passes::kViewBlockBytes, passes::kViewBlockBytes);
+    drawn.draw_calls += plants.draw(*scene.flora, selection.batches, instances);
+    ground.draw(scene.land, indices, selection.ground);
+    surround.draw(scene.land, indices, selection.surround);
+    drawn.draw_calls += 3;
+    drawn.triangles += selection.triangles + sky.triangles();
+    if (scene.land.has_water) {
+        water.draw(scene.land.light, scene.sky.mirror);
+        drawn.triangles += water.triangles();
+        ++drawn.draw_calls;
+    }
+    sky.draw(scene.sky);
+}
+
+void Renderer::Parts::draw_signs(const Frame& frame) {
+    std::vector<passes::FlatSign> flat;
+    for (const Sign& sign : frame.signs) {
+        flat.push_back({{sign.place.x, sign.place.y},
+                        {sign.place.width, sign.place.height},
+                        sign.texture ? &sign.texture->picture : nullptr,
+                        sign.colour,
+                        sign.corner_radius_px,
+                        sign.border_px});
+    }
+    glViewport(0, 0, frame.size.x, frame.size.y);
+    signs.draw(flat, frame.size);
+}
+
+Renderer::Renderer() {
+    require_gles_31();
+    parts_ = std::make_unique<Parts>();
+}
+
+Renderer::~Renderer() = default;
+
+std::unique_ptr<Upload> Renderer::begin_upload(std::shared_ptr<const scene::Scene> scene) {
+    return make_upload(std::move(scene), parts_->floras);
+}
+
+std::shared_ptr<const Texture> Renderer::texture(const mesh::Image& premultiplied_rgba) {
+    auto texture = std::make_shared<Texture>();
+    gl::Slices slices;
+    gl::add_picture(slices, texture->picture, std::make_shared<mesh::Image>(premultiplied_rgba), gl::Meaning::Plain,
+                    gl::Wrap::Clamp, gl::Wrap::Clamp);
+    while (!slices.advance(std::size_t{1} << 22U)) continue;
+    return texture;
+}
+
+Drawn Renderer::draw(const Frame& frame) {
+    Parts& parts = *parts_;
+    parts.frame_indices.clear();
+    parts.frame_instances.clear();
+    std::vector<Selection> selections;
+    for (const View& view : frame.views) selections.push_back(parts.select(view, frame));
+    parts.fill(selections);
+
+    // A tiler keeps the whole frame on its chip when colour, depth and stencil are cleared first, in one go.
+    glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
+    glDisable(GL_SCISSOR_TEST);
+    glDepthMask(GL_TRUE);
+    glClearColor(0.05F, 0.055F, 0.06F, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    glEnable(GL_SCISSOR_TEST);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    glDepthFunc(GL_LEQUAL);
+    Drawn drawn;
+    for (std::size_t i = 0; i < frame.views.size(); ++i) parts.draw_view(frame.views[i], selections[i], i, drawn);
+    glDisable(GL_SCISSOR_TEST);
+    parts.draw_signs(frame);
+    drawn.draw_calls += frame.signs.size();
+    const bool is_window = frame.framebuffer == 0;
+    const GLenum unneeded[2] = {static_cast<GLenum>(is_window ? GL_DEPTH : GL_DEPTH_ATTACHMENT),
+                                static_cast<GLenum>(is_window ? GL_STENCIL : GL_STENCIL_ATTACHMENT)};
+    glInvalidateFramebuffer(GL_FRAMEBUFFER, 2, unneeded);
+    glBindVertexArray(0);
+    return drawn;
+}
+
+}  // namespace quadrat::render
