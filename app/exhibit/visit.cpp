@@ -139,12 +139,15 @@ void press_in_finale(Turn& turn) {
     end_visit(turn, Ending::Finished, NextVisit::Prepared);
 }
 
+bool listens_to_holding(const State& state) {
+    return state.screen == Screen::Ask || (state.screen == Screen::Breed && state.after_breed == Screen::Ask);
+}
+
 void press(Turn& turn, Choice button) {
     State& state = turn.state;
     turn.wishes.emplace_back(Acknowledge{button});
     state.last_press = turn.now;
-    if (button != Choice::Back && (state.screen == Screen::Ask || state.screen == Screen::Breed))
-        state.held = Held{button, turn.now};
+    if (button != Choice::Back && listens_to_holding(state)) state.held = Held{button, turn.now};
     switch (state.screen) {
         case Screen::Attract:
             return begin_visit(turn);
@@ -194,9 +197,7 @@ std::optional<Instant> screen_deadline(const State& state, const Timings& timing
 
 // A press held long asks for the Finale once there is something to show.
 std::optional<Instant> hold_deadline(const State& state, const Timings& timings) {
-    const bool is_listening =
-        state.screen == Screen::Ask || (state.screen == Screen::Breed && state.after_breed == Screen::Ask);
-    if (!state.held || state.rounds == 0 || !is_listening) return std::nullopt;
+    if (!state.held || state.rounds == 0 || !listens_to_holding(state)) return std::nullopt;
     return state.held->since + timings.long_press;
 }
 

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// What holds of every visit, whatever is pressed and whenever.
+#include <gtest/gtest.h>
+
+#include "base/seed.hpp"
+#include "exhibit/visit.hpp"
+
+namespace quadrat::exhibit {
+namespace {
+
+using genome::Aspect;
+using genome::kAspects;
+
+struct Moment {
+    Event event;
+    Instant now;
+};
+
+Event random_event(base::RandomStream& chance, int generation) {
+    const auto button = static_cast<Choice>(chance.below(5));
+    switch (chance.below(8)) {
+        case 0:
+            return Tick{};
+        case 1:
+            return GenerationReady{generation - static_cast<int>(chance.below(2))};
+        case 2:
+            return Released{button};
+        case 3:
+            return GenerationReady{generation};
+        default:
+            return Pressed{button};
+    }
+}
+
+// Mostly a hurried visitor; now and then a long silence, a hold, or no time at all.
+Instant random_pause(base::RandomStream& chance) {
+    constexpr std::array<std::chrono::milliseconds, 5> kLongest{
+        std::chrono::milliseconds{0}, std::chrono::milliseconds{350}, std::chrono::milliseconds{900},
+        std::chrono::milliseconds{2'500}, std::chrono::milliseconds{30'000}};
+    return std::chrono::milliseconds(chance.below(static_cast<std::uint32_t>(kLongest[chance.below(5)].count()) + 1U));
+}
+
+void expect_consistent(const State& state, const Timings& timings) {
+    const bool is_visiting = state.screen != Screen::Attract;
+    for (const Aspect aspect : kAspects) {
+        ASSERT_LT(state.answers[aspect].value_or(0), genome::kCandidates);
+        if (state.screen == Screen::Ask || state.screen == Screen::StillThere) {
+            ASSERT_EQ(state.answers[aspect].has_value(), aspect < state.question) << "every question before this one";
+        }
+    }
+    if (state.screen == Screen::Attract || state.screen == Screen::Finale) {
+        ASSERT_EQ(state.answers, genome::Pick{});
+        ASSERT_FALSE(state.held);
+    }
+    if (!is_visiting) {
+        ASSERT_EQ(state.rounds, 0);
+        ASSERT_TRUE(state.past_answers.empty());
+    }
+    ASSERT_GE(state.rounds, 0);
+    ASSERT_LE(state.rounds, timings.rounds);
+    ASSERT_EQ(state.past_answers.size(), static_cast<std::size_t>(state.rounds));
+    for (const genome::Pick& pick : state.past_answers)
+        for (const Aspect aspect : kAspects) ASSERT_TRUE(pick[aspect]) << "a round that was bred was answered";
+    if (state.screen == Screen::Breed) {
+        ASSERT_FALSE(state.is_ready);
+    }
+    if (state.screen == Screen::Ask || state.screen == Screen::StillThere) {
+        ASSERT_TRUE(state.is_ready);
+    }
+    if (state.screen == Screen::Finale) {
+        ASSERT_GE(state.rounds, 1);
+    }
+    ASSERT_EQ(next_deadline(state, timings).has_value(), is_visiting) << "only Attract may last for ever";
+}
+
+int count_of_generations(const std::vector<Wish>& wishes) {
+    int count = 0;
+    for (const Wish& wish : wishes)
+        count += std::holds_alternative<PrepareVisit>(wish) || std::holds_alternative<GrowNext>(wish) ||
+                 std::holds_alternative<UndoRound>(wish) || std::holds_alternative<GrowFinale>(wish);
+    return count;
+}
+
+void expect_right_wishes(const State& before, const Event& event, const Step& step) {
+    int acknowledged = 0;
+    int began = 0;
+    int ended = 0;
+    for (const Wish& wish : step.wishes) {
+        if (const auto* acknowledge = std::get_if<Acknowledge>(&wish)) {
+            ++acknowledged;
+            ASSERT_EQ(acknowledge->button, std::get<Pressed>(event).button);
+        }
+        began += std::holds_alternative<BeginVisit>(wish);
+        ended += std::holds_alternative<EndVisit>(wish);
+    }
+    ASSERT_EQ(acknowledged, std::holds_alternative<Pressed>(event) ? 1 : 0);
+    ASSERT_EQ(began, before.screen == Screen::Attract && step.state.screen != Screen::Attract);
+    ASSERT_EQ(ended, before.screen != Screen::Attract && step.state.screen == Screen::Attract);
+    ASSERT_EQ(step.state.generation - before.generation, count_of_generations(step.wishes));
+}
+
+class AnyVisit : public testing::TestWithParam<std::uint64_t> {};
+INSTANTIATE_TEST_SUITE_P(Seeds, AnyVisit, testing::Range<std::uint64_t>(1, 6));
+
+TEST_P(AnyVisit, OfAHundredThousandEventsStaysConsistentAndAcknowledgesEveryPress) {
+    const Timings timings;
+    base::RandomStream chance(base::Seed{GetParam()});
+    Instant now{0};
+    State state = opening(now).state;
+    std::array<int, 5> seen{};
+    for (int i = 0; i < 100'000; ++i) {
+        now += random_pause(chance);
+        const Event event = random_event(chance, state.generation);
+        const Step step = next(state, event, now, timings);
+        ASSERT_EQ(step, next(state, event, now, timings)) << "the same again";
+        expect_right_wishes(state, event, step);
+        expect_consistent(step.state, timings);
+        if (testing::Test::HasFatalFailure()) FAIL() << "event " << i;
+        state = step.state;
+        ++seen.at(static_cast<std::size_t>(state.screen));
+    }
+    for (const int count : seen) EXPECT_GT(count, 50) << "the walk has been everywhere";
+}
+
+TEST_P(AnyVisit, DoesNotChangeWhileTimeStandsStill) {
+    const Timings timings;
+    base::RandomStream chance(base::Seed{GetParam()});
+    Instant now{0};
+    State state = opening(now).state;
+    for (int i = 0; i < 20'000; ++i) {
+        now += random_pause(chance);
+        // Whatever was due happens now; after that, another look at the same clock finds nothing to do.
+        for (int due = 0; due < 3; ++due) state = next(state, Tick{}, now, timings).state;
+        const Step again = next(state, Tick{}, now, timings);
+        ASSERT_EQ(again.state, state);
+        ASSERT_TRUE(again.wishes.empty());
+        const Step earlier = next(state, Tick{}, now - std::chrono::hours(1), timings);
+        ASSERT_EQ(earlier.state, state) << "nor does a clock that runs back change anything";
+        state = next(state, random_event(chance, state.generation), now, timings).state;
+    }
+}
+
+TEST_P(AnyVisit, ChangesAtItsDeadlineAndNotANanosecondBefore) {
+    const Timings timings;
+    base::RandomStream chance(base::Seed{GetParam()});
+    Instant now{0};
+    State state = opening(now).state;
+    int deadlines = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        now += random_pause(chance);
+        state = next(state, random_event(chance, state.generation), now, timings).state;
+        const auto deadline = next_deadline(state, timings);
+        if (!deadline || *deadline <= now) continue;
+        const Step early = next(state, Tick{}, *deadline - Instant{1}, timings);
+        ASSERT_EQ(early.state, state);
+        ASSERT_TRUE(early.wishes.empty());
+        ASSERT_NE(next(state, Tick{}, *deadline, timings).state, state);
+        ++deadlines;
+    }
+    EXPECT_GT(deadlines, 1'000);
+}
+
+TEST_P(AnyVisit, EndsInAttractWhenNobodyPressesAnyMore) {
+    const Timings timings;
+    base::RandomStream chance(base::Seed{GetParam()});
+    Instant now{0};
+    State state = opening(now).state;
+    for (int i = 0; i < 5'000; ++i) {
+        now += random_pause(chance);
+        state = next(state, random_event(chance, state.generation), now, timings).state;
+        const bool does_growing_work = chance.below(2) == 0;
+        State left = state;
+        int steps = 0;
+        for (; left.screen != Screen::Attract; ++steps) {
+            ASSERT_LT(steps, 10) << "going round in circles";
+            const Event event = does_growing_work && left.screen == Screen::Breed
+                                    ? Event(GenerationReady{left.generation})
+                                    : Event(Tick{});
+            left = next(left, event, next_deadline(left, timings).value(), timings).state;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace quadrat::exhibit
