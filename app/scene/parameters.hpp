@@ -11,7 +11,7 @@ struct TreeParameters {
     float branch_angle_deg = 40;
     float trunk_contraction = 0.88F;
     float branch_contraction = 0.74F;
-    float leaf_length_m = 0.3F;
+    float leaf_length_m = 0.46F;
     float spacing_m = 9;
 };
 
