@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "display/kms/screen_keeper.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/log.hpp"
+
+namespace quadrat::display {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Instant kUnseenFrame = 100ms;
+constexpr Instant kLookAtTheClock = 50ms;  // how long a wait for a flip may go without checking its deadlines
+constexpr Instant kBusyPause = 5ms;
+
+template <typename... Visitors>
+struct Overloaded : Visitors... {
+    using Visitors::operator()...;
+};
+template <typename... Visitors>
+Overloaded(Visitors...) -> Overloaded<Visitors...>;
+
+}  // namespace
+
+void ScreenKeeper::attend() {
+    take_news(0ns);
+    feed(event::Tick{});
+}
+
+Presented ScreenKeeper::present() {
+    ++frame_;
+    attend();
+    if (state_.phase == Phase::Running)
+        show_frame();
+    else
+        take_news(kUnseenFrame);
+    return told();
+}
+
+// Actions answer with events, so events queue: each is seen by the state that the one before it left.
+void ScreenKeeper::feed(ScreenEvent event) {
+    queue_.push_back(std::move(event));
+    if (is_feeding_) return;
+    is_feeding_ = true;
+    for (std::size_t i = 0; i < queue_.size(); ++i) {
+        const ScreenEvent next_event = queue_[i];
+        ScreenNext next = screen_next(state_, next_event, hardware_.now());
+        state_ = std::move(next.state);
+        for (const ScreenAction& action : next.actions) perform(action);
+    }
+    queue_.clear();
+    is_feeding_ = false;
+}
+
+void ScreenKeeper::perform(const ScreenAction& wanted) {
+    std::visit(Overloaded{[this](const action::Probe&) { feed(event::Probed{hardware_.probe()}); },
+                          [this](const action::Glance&) {
+                              if (const auto moved = hardware_.glance()) feed(*moved);
+                          },
+                          [this](const action::Disable&) { hardware_.disable(); },
+                          [this](const action::Modeset& modeset) {
+                              feed(event::ModesetEnded{hardware_.modeset(modeset.rung)});
+                          },
+                          [this](const action::CloseCard&) { hardware_.close_card(); },
+                          [](const action::Say& say) {
+                              base::log::log(say.is_warning ? spdlog::level::warn : spdlog::level::info, say.text);
+                          }},
+               wanted);
+}
+
+void ScreenKeeper::take_news(Instant at_most) {
+    for (const News& news : hardware_.wait(at_most))
+        std::visit(Overloaded{[this](const FlipShown& shown) {
+                                  if (!state_.flip_since) return;  // of a screen that was lost meanwhile
+                                  shown_at_ = sane_flip_time(shown_at_, shown.at, hardware_.now());
+                                  shown_frame_ = frame_in_flight_;
+                                  feed(event::FlipEnded{});
+                              },
+                              [this](const auto& moved) { feed(moved); }},
+                   news);
+}
+
+void ScreenKeeper::wait_for_flip() {
+    while (state_.phase == Phase::Running && state_.flip_since) {
+        take_news(kLookAtTheClock);
+        if (state_.flip_since) feed(event::Tick{});
+    }
+}
+
+void ScreenKeeper::show_frame() {
+    wait_for_flip();
+    while (state_.phase == Phase::Running) {
+        const std::optional<Refusal> refusal = hardware_.flip();
+        if (!refusal) return feed(event::ContextLost{});
+        if (*refusal == Refusal::None) {
+            frame_in_flight_ = frame_;
+            return feed(event::FlipStarted{});
+        }
+        feed(event::FlipRefused{*refusal});
+        if (state_.phase == Phase::Running) take_news(kBusyPause);
+    }
+}
+
+Presented ScreenKeeper::told() const {
+    return {outcome_of(state_.phase), shown_frame_, shown_at_,
+            state_.phase == Phase::Running ? hardware_.period() : Instant{0}, state_.reason};
+}
+
+}  // namespace quadrat::display
