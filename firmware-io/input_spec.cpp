@@ -128,6 +128,8 @@ HidSpec parse_hid(std::string_view text) {
 }
 
 InputSpec parse(std::string_view spec) {
+    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; };
+    if (std::any_of(spec.begin(), spec.end(), is_control)) refuse("it has control characters; write it on one line");
     const std::size_t colon = spec.find(':');
     const std::string_view kind = spec.substr(0, colon);
     const std::string_view rest = colon == std::string_view::npos ? std::string_view{} : spec.substr(colon + 1);
