@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <algorithm>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -30,6 +32,11 @@ bool is_damage(const SqliteError& error) {
         default:
             return false;
     }
+}
+
+std::string one_line(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
 }
 
 // A name that is free, and what will follow it for -wal and -shm.
@@ -86,6 +93,7 @@ Archive::Opened Archive::open_file(const fs::path& file, WallTime now, const Ret
         Archive archive(std::move(connection), retention);
         archive.require_whole();
         note_start(archive.connection_, now);
+        archive.connection_.trust_file();
         return Opened{std::move(archive), is_new ? Condition::Fresh : Condition::Continued,
                       fmt::format("{}: {}", file.string(), is_new ? "a new state file" : "the state file is whole")};
     });
@@ -121,10 +129,10 @@ Archive::Opened Archive::open(const fs::path& directory, WallTime now, const Ret
         try {
             return open_file(file, now, retention);
         } catch (const DamageError& damage) {
-            return replace(file, damage.what(), now, retention);
+            return replace(file, one_line(damage.what()), now, retention);
         }
     } catch (const SqliteError& trouble) {
-        return open_in_memory(file, trouble.what(), now, retention);
+        return open_in_memory(file, one_line(trouble.what()), now, retention);
     }
 }
 

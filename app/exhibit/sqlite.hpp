@@ -58,6 +58,10 @@ class Connection {
     std::int64_t last_row() const;
     bool is_in_transaction() const;
 
+    // A connection leaves the log beside the file as it found it, since the file may turn out to be damaged. Once it is
+    // known to be whole, closing may write the log into it.
+    void trust_file();
+
   private:
     struct Close {
         void operator()(sqlite3* database) const;
