@@ -85,7 +85,7 @@ Finding permission_finding(const char* kind, const char* prefix, const char* gro
     for (const fs::path& path : entries_of("/dev")) {
         if (!path.filename().string().starts_with(prefix)) continue;
         ++seen;
-        if (!is_accessible(path)) closed += " " + path.string();
+        if (!is_accessible(path)) closed += fmt::format(" {}", path.string());
     }
     if (seen == 0) return {"buttons", Health::Good, fmt::format("this machine has no {}", kind), ""};
     if (closed.empty()) return {"buttons", Health::Good, fmt::format("{}: {} may be used", kind, seen), ""};

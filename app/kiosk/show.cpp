@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kiosk/show.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/error.hpp"
@@ -62,7 +64,7 @@ bool Show::resume(const exhibit::Generation& kept, Instant now) {
     try {
         breeding::Breeder breeder(breeder_options_);
         if (breeder.name() != kept.breeder)
-            throw base::InputError("the breeder is another one now (" + std::string(breeder.name()) + ")");
+            throw base::InputError(fmt::format("the breeder is {} now, and was {}", breeder.name(), kept.breeder));
         breeder.believe(kept.belief, "state");
         session_.emplace(std::move(breeder), kept.seed);
         if (session_->offer() != kept.offer)

@@ -9,7 +9,7 @@
 namespace quadrat::tests {
 
 struct SourceFile {
-    std::string path;   // from the repository's root, with slashes
+    std::string path;  // from the repository's root, with slashes
     std::string text;
 };
 

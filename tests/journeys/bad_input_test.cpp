@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bad input: one line on stderr that names the place, exit status 2, and nothing overwritten.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "journeys/quadrat_program.hpp"
+
+namespace {
+
+using namespace quadrat::tests;
+
+struct BadInput {
+    const char* name;
+    std::vector<std::string> arguments;
+    std::vector<std::string> said;  // all of these stand in the one line
+};
+
+void PrintTo(const BadInput& bad, std::ostream* os) { *os << bad.name; }
+
+class Refused : public testing::TestWithParam<BadInput> {};
+
+void make_inputs(const TemporaryFolder& folder) {
+    folder.write("bad.script", "at 2s press A\nat 3s prod B\n");
+    folder.write("bad.toml", "[visit]\nrounds = \"six\"\n");
+    folder.write("unknown.toml", "[visit]\nturns = 6\n");
+    folder.write("broken.toml", "[visit\nrounds = 6\n");
+    folder.write("broken.json", "{\"quadrat\":\"scene\",\n \"version\":1,,}");
+    folder.write("unknown.json", R"({"quadrat":"scene","version":1,"parameters":{"tree.colour":1}})");
+    folder.write("range.json", R"({"quadrat":"scene","version":1,"parameters":{"tree.branch_angle_deg":200}})");
+    folder.write("version.json", R"({"quadrat":"scene","version":99,"parameters":{}})");
+    folder.write("bare.png", std::string("\x89PNG\r\n\x1a\n", 8));
+    folder.write("out.png", "keep me");
+    folder.write("out.obj", "keep me");
+}
+
+TEST_P(Refused, InOneLineThatNamesThePlaceAndNothingIsOverwritten) {
+    const TemporaryFolder folder;
+    make_inputs(folder);
+    const Ended ended = run(quadrat(GetParam().arguments), folder);
+    EXPECT_EQ(ended.status, 2) << ended.err;
+    const auto lines = lines_of(ended.err);
+    ASSERT_FALSE(lines.empty());
+    EXPECT_EQ(count_of(ended.err, "quadrat: "), 1U) << ended.err;
+    for (const std::string& part : GetParam().said)
+        EXPECT_NE(lines.back().find(part), std::string::npos) << lines.back() << "\n does not say: " << part;
+    EXPECT_EQ(contents_of(folder / "out.png"), "keep me");
+    EXPECT_EQ(contents_of(folder / "out.obj"), "keep me");
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        EXPECT_FALSE(entry.path().filename().string().starts_with(".out")) << "left behind: " << entry.path();
+}
+
+const std::vector<std::string> kRun{"run", "--display", "headless", "--size", "160x90", "--state", "state"};
+
+std::vector<std::string> run_with(std::vector<std::string> more) {
+    more.insert(more.begin(), kRun.begin(), kRun.end());
+    return more;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    BadInput, Refused,
+    testing::Values(
+        BadInput{"Script", run_with({"--input", "script:bad.script"}), {"bad.script:2", "prod"}},
+        BadInput{"MissingScript", run_with({"--input", "script:none.script"}), {"none.script"}},
+        BadInput{"InputSpec", run_with({"--input", "telepathy:"}), {"telepathy"}},
+        BadInput{
+            "ConfigurationType", run_with({"--config", "bad.toml"}), {"bad.toml:2", "visit.rounds", "whole number"}},
+        BadInput{
+            "ConfigurationKey", run_with({"--config", "unknown.toml"}), {"unknown.toml:2", "visit.turns", "rounds"}},
+        BadInput{"ConfigurationSyntax", run_with({"--config", "broken.toml"}), {"broken.toml:1"}},
+        BadInput{"MissingConfiguration", run_with({"--config", "none.toml"}), {"none.toml"}},
+        BadInput{"Size", {"run", "--display", "headless", "--size", "12x"}, {"12x"}},
+        BadInput{"Rounds", run_with({"--rounds", "0"}), {"rounds"}},
+        BadInput{"SceneSyntax", {"render", "broken.json", "-o", "out.png"}, {"broken.json:2"}},
+        BadInput{"SceneParameter", {"render", "unknown.json", "-o", "out.png"}, {"unknown.json", "tree.colour"}},
+        BadInput{"SceneRange", {"render", "range.json", "-o", "out.png"}, {"tree.branch_angle_deg", "200", "60"}},
+        BadInput{"SceneVersion", {"render", "version.json", "-o", "out.png"}, {"version.json", "99", "1"}},
+        BadInput{"SceneSeed", {"render", "seed:x", "-o", "out.png"}, {"seed:x"}},
+        BadInput{"BrokenPicture", {"render", "bare.png", "-o", "out.png"}, {"bare.png"}},
+        BadInput{"MissingScene", {"render", "none.json", "-o", "out.png"}, {"none.json"}},
+        BadInput{"Camera", {"render", "seed:1", "-o", "out.png", "--camera", "up"}, {"--camera up"}},
+        BadInput{"PictureFormat", {"render", "seed:1", "-o", "out.xyz", "--size", "64x64"}, {"out.xyz"}},
+        BadInput{"ExportFormat", {"export", "seed:1", "-o", "out.stl", "--what", "tree"}, {"out.stl", ".obj"}},
+        BadInput{"ExportWhat", {"export", "seed:1", "-o", "out.obj", "--what", "cow"}, {"cow"}},
+        BadInput{"BreedGenome", {"breed", "--stdio", "--genome", "mouse"}, {"mouse"}},
+        BadInput{"BreedLock", {"breed", "--stdio", "--lock", "sea"}, {"sea"}},
+        BadInput{"BreedRate", {"breed", "--stdio", "--learning-rate", "2"}, {"2"}},
+        BadInput{"Subcommand", {"dance"}, {"dance"}}, BadInput{"NoSubcommand", {}, {"subcommand"}}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "journeys/quadrat_program.hpp"
+
+namespace {
+
+using namespace quadrat::tests;
+
+bool are_same_pixels(const std::filesystem::path& a, const std::filesystem::path& b) {
+    const OIIO::ImageBuf one(a.string());
+    const OIIO::ImageBuf other(b.string());
+    return OIIO::ImageBufAlgo::compare(one, other, 0, 0).maxerror == 0;
+}
+
+TEST(Render, APictureCarriesItsSceneAndIsDrawnAgainPixelForPixel) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run(quadrat({"render", "seed:3", "-o", "a.png", "--size", "320x180", "--time", "9"}), folder).status, 0);
+    ASSERT_EQ(run(quadrat({"render", "a.png", "-o", "b.png"}), folder).status, 0);
+    EXPECT_TRUE(are_same_pixels(folder / "a.png", folder / "b.png"));
+    ASSERT_EQ(run(quadrat({"render", "seed:4", "-o", "c.png", "--size", "320x180"}), folder).status, 0);
+    EXPECT_FALSE(are_same_pixels(folder / "a.png", folder / "c.png"));
+}
+
+TEST(Render, WritesExrInLinearLight) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run(quadrat({"render", "seed:3", "-o", "a.exr", "--size", "160x90"}), folder).status, 0);
+    const OIIO::ImageBuf picture((folder / "a.exr").string());
+    EXPECT_EQ(picture.spec().width, 160);
+    EXPECT_EQ(picture.spec().format, OIIO::TypeDesc::HALF);
+}
+
+TEST(Export, WritesTreesAndLandForOtherTools) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run(quadrat({"export", "seed:5", "-o", "tree.obj", "--what", "tree"}), folder).status, 0);
+    const std::string obj = contents_of(folder / "tree.obj");
+    EXPECT_GT(count_of(obj, "\nv "), 500U);
+    EXPECT_GT(count_of(obj, "\nf "), 500U);
+    ASSERT_EQ(run(quadrat({"export", "seed:5", "-o", "land.glb", "--what", "land"}), folder).status, 0);
+    const std::string glb = contents_of(folder / "land.glb");
+    EXPECT_EQ(glb.substr(0, 4), "glTF");
+    std::uint32_t length = 0;
+    std::memcpy(&length, glb.data() + 8, sizeof length);
+    EXPECT_EQ(length, glb.size());
+    ASSERT_EQ(run(quadrat({"export", "seed:5", "-o", "land.exr", "--what", "land"}), folder).status, 0);
+    EXPECT_GT(OIIO::ImageBuf((folder / "land.exr").string()).spec().width, 256);
+}
+
+TEST(Breed, AnotherProgramCanPlayAndSameSeedAndPicksGiveTheSameBytes) {
+    const TemporaryFolder folder;
+    std::string picks;
+    for (int i = 0; i < 40; ++i)
+        picks += nlohmann::json{{"pick", {{"trees", i % 4}, {"sky", (i / 4) % 4}}}}.dump() + "\n";
+    picks += "{\"undo\":true}\nnonsense\n{\"lock\":\"land\"}\n{\"quit\":true}\n";
+    const auto command = quadrat({"breed", "--stdio", "--seed", "7"});
+    const Ended first = run(command, folder, picks);
+    ASSERT_EQ(first.status, 0) << first.err;
+    const auto lines = lines_of(first.out);
+    ASSERT_EQ(lines.size(), 2U + 43U);  // hello, the first offer, and one line for each line but quit
+    EXPECT_EQ(nlohmann::json::parse(lines[0])["type"], "hello");
+    EXPECT_EQ(nlohmann::json::parse(lines[0])["parameters"].size(), 21U);
+    EXPECT_EQ(nlohmann::json::parse(lines[1])["round"], 1);
+    EXPECT_EQ(nlohmann::json::parse(lines[41])["round"], 41);
+    EXPECT_EQ(nlohmann::json::parse(lines[42])["round"], 40);
+    EXPECT_EQ(lines[42], lines[40]);
+    EXPECT_EQ(nlohmann::json::parse(lines[43])["type"], "error");
+    for (const double p : nlohmann::json::parse(lines[41])["state"]["land"]) EXPECT_EQ(p, 0.5);
+    EXPECT_EQ(run(command, folder, picks).out, first.out);
+}
+
+TEST(Bench, PrintsItsResultsAsJson) {
+    const TemporaryFolder folder;
+    const Ended ended = run(quadrat({"bench", "frame", "--json", "--size", "320x180", "--frames", "3"}), folder);
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    const auto json = nlohmann::json::parse(ended.out);
+    std::map<std::string, double> values;
+    for (const auto& result : json["results"]) values[result["name"]] = result["value"];
+    for (const char* name : {"frame.median_ms", "frame.p99_ms", "frame.cpu_ms", "frame.triangles",
+                             "start.first_frame_ms", "memory.peak_mb"})
+        EXPECT_GT(values[name], 0) << name;
+}
+
+TEST(Doctor, LooksAtEveryPartAndSaysWhatToDo) {
+    const TemporaryFolder folder;
+    const Ended ended = run(quadrat({"doctor", "--state", "state"}), folder);
+    EXPECT_TRUE(ended.status == 0 || ended.status == 1) << ended.err;
+    for (const char* subject : {"gpu", "screen", "buttons", "state", "clock"})
+        EXPECT_NE(ended.out.find(subject), std::string::npos) << subject;
+    EXPECT_FALSE(std::filesystem::exists(folder / "state")) << "the doctor only looks";
+}
+
+TEST(Help, IsThereForEverySubcommand) {
+    const TemporaryFolder folder;
+    for (const char* command : {"run", "breed", "render", "export", "bench", "doctor"}) {
+        const Ended ended = run(quadrat({command, "--help"}), folder);
+        EXPECT_EQ(ended.status, 0) << command;
+        EXPECT_GT(ended.out.size(), 200U) << command;
+    }
+    EXPECT_EQ(run(quadrat({"--help"}), folder).status, 0);
+}
+
+}  // namespace

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "journeys/quadrat_program.hpp"
+
+namespace {
+
+using namespace quadrat::tests;
+
+// One answer to each question of a round, pressed by a hand that is in no hurry.
+std::string round_of(const std::string& a, const std::string& b, const std::string& c) {
+    return "after 1500ms press " + a + "\nafter 1500ms press " + b + "\nafter 1500ms press " + c + "\n";
+}
+
+// 30 presses that count or not: bounces, a chord, a silence long enough for "Still there?", a Back.
+std::string lively_visit() {
+    return "# a whole visit\n"
+           "at 2s press A\n" +                               // 1: wakes the exhibit
+           round_of("B", "C", "D") +                         // 2-4
+           "after 1500ms bounce A 12 edges over 8ms\n"       // 5
+           "after 1500ms press B\n"                          // 6
+           "after 1500ms press Back\n"                       // 7: takes the answer back
+           "after 1500ms press C\n"                          // 8
+           "after 1500ms press D\n" +                        // 9
+           round_of("A", "A", "A") +                         // 10-12
+           "wait 30s\n"                                      // silence: "Still there?"
+           "press D\n"                                       // 13: still here, no answer
+           "after 1500ms chord A+B\n" +                      // 14, 15: the first of the two is the answer
+           "after 1500ms press C\nafter 1500ms press C\n" +  // 16, 17
+           round_of("D", "D", "D") +                         // 18-20
+           round_of("B", "A", "B") +                         // 21-23
+           "after 9s press A\n"                              // 24: in the finale: back to the start
+           "after 3s press B\n" +                            // 25: another visitor
+           round_of("A", "B", "C") +                         // 26-28
+           "after 1500ms press D\nafter 1500ms press D\n";   // 29, 30; then they walk away
+}
+
+struct Row {
+    std::string ending;
+    int rounds = 0;
+};
+
+class Database {
+  public:
+    explicit Database(const std::filesystem::path& file) {
+        sqlite3_open_v2(file.c_str(), &db_, SQLITE_OPEN_READONLY, nullptr);
+    }
+    ~Database() { sqlite3_close(db_); }
+    Database(const Database&) = delete;
+    Database& operator=(const Database&) = delete;
+    int number(const std::string& sql) {
+        sqlite3_stmt* statement = nullptr;
+        int value = -1;
+        if (sqlite3_prepare_v2(db_, sql.c_str(), -1, &statement, nullptr) == SQLITE_OK &&
+            sqlite3_step(statement) == SQLITE_ROW)
+            value = sqlite3_column_int(statement, 0);
+        sqlite3_finalize(statement);
+        return value;
+    }
+
+  private:
+    sqlite3* db_ = nullptr;
+};
+
+Ended play(const TemporaryFolder& folder, const std::vector<std::string>& more) {
+    folder.write("visit.script", lively_visit());
+    std::vector<std::string> command{
+        "run",     "--display", "headless",  "--size",   "320x180", "--input", "script:visit.script",
+        "--state", "state",     "--capture", "pictures", "--seed",  "7"};
+    command.insert(command.end(), more.begin(), more.end());
+    return run(quadrat(command), folder);
+}
+
+TEST(Visit, ThirtyPressesPlayAWholeVisitAndLeaveStatePicturesAndLogAsTheyShould) {
+    const TemporaryFolder folder;
+    const Ended ended = play(folder, {});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+
+    // The log: every press was heard once, bounces and all.
+    EXPECT_EQ(count_of(ended.err, " press "), 30U) << ended.err;
+    EXPECT_EQ(count_of(ended.err, "a visit begins"), 2U);
+    EXPECT_EQ(count_of(ended.err, "the visit ends with its finale, after 6 rounds"), 1U) << ended.err;
+    EXPECT_EQ(count_of(ended.err, "the visit ends unanswered"), 1U) << ended.err;
+    EXPECT_EQ(count_of(ended.err, " error "), 0U);
+
+    // The pictures: six generations of the first visit, its finale, the first two of the second, and the sheet.
+    for (const char* name :
+         {"generation-01.png", "generation-06.png", "finale-01.png", "generation-08.png", "contact-sheet.png"})
+        EXPECT_GT(std::filesystem::file_size(folder / "pictures" / name), 5000U) << name;
+    EXPECT_FALSE(std::filesystem::exists(folder / "pictures" / "generation-09.png"));
+    EXPECT_NE(ended.out.find("contact-sheet.png"), std::string::npos);
+
+    // The state on disk: both visits and their generations, the last one whole.
+    Database database(folder / "state" / "quadrat.db");
+    EXPECT_EQ(database.number("PRAGMA integrity_check"), 0);  // the text "ok" reads as 0, a missing table as -1
+    EXPECT_EQ(database.number("SELECT count(*) FROM visits"), 2);
+    EXPECT_GE(database.number("SELECT count(*) FROM generations"), 8);
+}
+
+TEST(Visit, TheSameScriptAndSeedLeaveTheSamePictures) {
+    const TemporaryFolder one;
+    const TemporaryFolder other;
+    ASSERT_EQ(play(one, {"--rounds", "1"}).status, 0);
+    ASSERT_EQ(play(other, {"--rounds", "1"}).status, 0);
+    const std::string first = contents_of(one / "pictures" / "generation-01.png");
+    EXPECT_GT(first.size(), 5000U);
+    EXPECT_EQ(first, contents_of(other / "pictures" / "generation-01.png"));
+    EXPECT_EQ(contents_of(one / "pictures" / "finale-01.png"), contents_of(other / "pictures" / "finale-01.png"));
+}
+
+TEST(Visit, WithoutScreenAndButtonsAVisitorIsPlayedAndPicturesAreLeft) {
+    const TemporaryFolder folder;
+    const Ended ended = run(
+        quadrat({"run", "--display", "headless", "--size", "320x180", "--rounds", "2", "--state", "state"}), folder);
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_EQ(count_of(ended.err, "a visitor of 2 rounds is played"), 1U) << ended.err;
+    for (const char* name : {"generation-01.png", "generation-02.png", "finale-01.png", "contact-sheet.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder / "quadrat-pictures" / name)) << name;
+    EXPECT_NE(ended.out.find("quadrat-pictures"), std::string::npos);
+}
+
+}  // namespace
