@@ -10,21 +10,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path scratch() {
-    static const fs::path directory = [] {
+// A folder under TMPDIR, gone when the program ends.
+struct Scratch {
+    fs::path directory;
+
+    Scratch() {
         std::string name = (fs::temp_directory_path() / "quadrat-fuzz-XXXXXX").string();
         if (::mkdtemp(name.data()) == nullptr) std::abort();
-        std::atexit([] { fs::remove_all(scratch()); });
-        return fs::path(name);
-    }();
-    return directory;
-}
+        directory = name;
+    }
+    ~Scratch() { fs::remove_all(directory); }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+};
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     using namespace quadrat::exhibit;
-    const fs::path directory = scratch() / "state";
+    static const Scratch scratch;
+    const fs::path directory = scratch.directory / "state";
     fs::remove_all(directory);
     fs::create_directory(directory);
     std::ofstream(directory / "quadrat.db", std::ios::binary)
