@@ -65,7 +65,8 @@ std::uint8_t srgb_byte(float linear) {
         }
         return t;
     }();
-    const float root = std::sqrt(std::clamp(linear, 0.0F, 1.0F));
+    // Written so that what is not a number is black.
+    const float root = linear > 0.0F ? std::sqrt(std::min(linear, 1.0F)) : 0.0F;
     return table[static_cast<std::size_t>(root * 4096.0F + 0.5F)];
 }
 

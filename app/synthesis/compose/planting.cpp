@@ -298,9 +298,9 @@ std::vector<scene::Plant> plant_land(const scene::Land& land, const scene::Flora
         frame_view(trees, land, flora, kinds, flight, seed);
     }
     std::vector<Candidate> shrubs =
-        undergrowth(land, flora, kinds.shrubs, flight, trees, 4.5F, 150.0F, seed.child("shrubs"));
+        undergrowth(land, flora, kinds.shrubs, flight, trees, 5.5F, 150.0F, seed.child("shrubs"));
     std::vector<Candidate> herbs =
-        undergrowth(land, flora, kinds.herbs, flight, trees, 0.85F, 46.0F, seed.child("herbs"));
+        undergrowth(land, flora, kinds.herbs, flight, trees, 0.62F, 40.0F, seed.child("herbs"));
     keep_most_seen(shrubs, flight, kMostUndergrowth / 6);
     keep_most_seen(herbs, flight, kMostUndergrowth - shrubs.size());
 

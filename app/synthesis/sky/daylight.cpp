@@ -53,7 +53,8 @@ Daylight::Daylight(const scene::SkyParameters& p) {
 
     glm::vec3 sun = clear_air(p.sun_elevation_deg);
     sun = warmed(sun / std::pow(brightest(sun), 0.8F), 0.75F * p.sun_warmth);
-    sunlight_ = sun * (p.sun_strength * 1.02F);
+    // Exposed for the hour: what a low sun lights aslant is not left in the dark.
+    sunlight_ = sun * (p.sun_strength * (1.02F + 0.55F * lowness_));
     sun_colour_ = sun / brightest(sun);
 
     // Of a high sun, then of a low one; sRGB as one would mix them.
@@ -86,7 +87,8 @@ glm::vec3 Daylight::radiance(const glm::vec3& direction) const {
     const float toward_sun = glm::dot(direction, sun_);
     const glm::vec2 flat{direction.x, direction.z};
     const glm::vec2 flat_sun{sun_.x, sun_.z};
-    const float side = glm::dot(flat, flat_sun) / std::max(glm::length(flat) * glm::length(flat_sun), 1.0e-4F);
+    const float side = std::clamp(
+        glm::dot(flat, flat_sun) / std::max(glm::length(flat) * glm::length(flat_sun), 1.0e-4F), -1.0F, 1.0F);
     const float halo = 0.30F * forward_scatter(toward_sun, 0.55F) + 0.55F * forward_scatter(toward_sun, 0.86F);
     colour += glow_ * (halo * (0.55F + 0.45F * haziness_));
     // A low sun lights the air along the horizon beneath it, and leaves rose above the earth's shadow opposite.

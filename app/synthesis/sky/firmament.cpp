@@ -64,8 +64,8 @@ glm::vec3 tinted(const glm::vec3& colour, float warmth) {
 void light_from_sky(scene::Sky& sky, const Daylight& daylight, const scene::SkyParameters& p) {
     const glm::vec3 high = 0.5F * (mean_radiance(daylight, 75) + mean_radiance(daylight, 45));
     const glm::vec3 low = 0.5F * (mean_radiance(daylight, 22) + mean_radiance(daylight, 6));
-    sky.light_above = tinted(high, p.ambient_warmth) * (0.80F * p.ambient_strength);
-    sky.light_around = tinted(low, p.ambient_warmth) * (0.52F * p.ambient_strength);
+    sky.light_above = tinted(high, p.ambient_warmth) * (p.ambient_strength * (0.80F + 0.18F * daylight.lowness()));
+    sky.light_around = tinted(low, p.ambient_warmth) * (p.ambient_strength * (0.52F + 0.10F * daylight.lowness()));
     const glm::vec3 ground{0.20F, 0.18F, 0.13F};
     sky.light_below = ground * (sky.sunlight * (0.35F + 0.65F * sky.sun_direction.y) + sky.light_above);
 }
@@ -74,7 +74,7 @@ void paint_layer(scene::CloudLayer& layer, CloudImages images, const Daylight& d
     layer.density = std::move(images.density);
     layer.lit = std::move(images.lit);
     const float low = daylight.lowness();
-    layer.sunlit = glm::vec3{0.62F} * sky.sunlight + 0.34F * sky.light_above + 0.10F * low * daylight.sun_colour();
+    layer.sunlit = glm::vec3{0.62F - 0.16F * low} * sky.sunlight + 0.34F * sky.light_above + 0.10F * low * daylight.sun_colour();
     layer.sunlit = layer.sunlit / (0.72F + 0.30F * layer.sunlit);
     layer.shaded = 0.55F * sky.light_above + 0.35F * sky.light_around + glm::vec3{0.06F} * sky.sunlight;
 }

@@ -98,7 +98,8 @@ std::vector<Site> shuffled_sites(const TreeSkeleton& skeleton, const FoliageOpti
     sites.reserve(options.blades);
     for (std::size_t i = 0; i < options.blades; ++i) {
         base::RandomStream random{seed.child("site").child(i)};
-        const LeafSite& at = skeleton.sites[i % skeleton.sites.size()];
+        const std::size_t count = skeleton.sites.size();
+        const LeafSite& at = skeleton.sites[options.blades < count ? i * count / options.blades : i % count];
         sites.push_back({at.at_m + options.scatter_m * random.unit_f() * any_direction(random), at.along, at.path_m});
     }
     base::RandomStream random{seed.child("shuffle")};
@@ -108,6 +109,20 @@ std::vector<Site> shuffled_sites(const TreeSkeleton& skeleton, const FoliageOpti
 }
 
 }  // namespace
+
+void add_spike(scene::Leaves& leaves, const BladeShape& b, const scene::Leaves::Vertex& common) {
+    const auto first = static_cast<std::uint32_t>(leaves.vertices.size());
+    const glm::vec3 across = glm::cross(b.along, b.face);
+    for (const glm::vec3& corner :
+         {-b.half_width_m * across, b.half_width_m * across, b.length_m * b.along + b.bow_m * b.face}) {
+        scene::Leaves::Vertex vertex = common;
+        vertex.site_m = b.site_m;
+        vertex.corner_m = corner;
+        leaves.vertices.push_back(vertex);
+    }
+    leaves.indices.insert(leaves.indices.end(), {first, first + 1, first + 2});
+    ++leaves.blades;
+}
 
 void add_blade(scene::Leaves& leaves, const BladeShape& b, const scene::Leaves::Vertex& common) {
     const auto first = static_cast<std::uint32_t>(leaves.vertices.size());

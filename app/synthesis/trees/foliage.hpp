@@ -35,4 +35,7 @@ struct BladeShape {
 };
 void add_blade(scene::Leaves& leaves, const BladeShape& blade, const scene::Leaves::Vertex& common);
 
+// One triangle from a foot of the blade's width to its tip: grass.
+void add_spike(scene::Leaves& leaves, const BladeShape& blade, const scene::Leaves::Vertex& common);
+
 }  // namespace quadrat::synthesis::trees

@@ -67,25 +67,24 @@ TreeSkeleton bush_skeleton(float height_m, base::Seed seed) {
 }  // namespace
 
 scene::Species grass_tuft(const glm::vec3& colour, float height_m, base::Seed seed) {
-    scene::Species species = herb("grass", height_m, 0.45F * height_m);
-    constexpr int kBlades = 9;
+    scene::Species species = herb("grass", height_m, 0.8F * height_m);
+    constexpr int kBlades = 14;
     for (int i = 0; i < kBlades; ++i) {
         base::RandomStream random{seed.child(static_cast<std::uint64_t>(i))};
         const float bearing = kGoldenAngle_rad * static_cast<float>(i) + random.between(-0.5F, 0.5F);
         const glm::vec3 out = flat_direction(bearing);
         BladeShape blade;
-        blade.site_m = 0.16F * height_m * random.unit_f() * out;
-        blade.along = glm::normalize(random.between(0.15F, 0.75F) * out + glm::vec3{0, 1, 0});
-        const glm::vec3 face = out - glm::dot(out, blade.along) * blade.along;
-        blade.face = glm::normalize(face);
-        blade.length_m = height_m * random.between(0.65F, 1.1F);
-        blade.half_width_m = 0.050F * blade.length_m;
-        blade.fold_m = 0.3F * blade.half_width_m;
-        blade.bow_m = 0.32F * blade.length_m * random.unit_f();
-        const glm::vec3 normal = glm::normalize(glm::vec3{0, 1, 0} + 0.45F * out);
-        add_blade(species.leaves, blade,
+        blade.site_m = 0.75F * height_m * std::sqrt(random.unit_f()) * out;
+        blade.along = glm::normalize(random.between(0.05F, 0.55F) * out + glm::vec3{0, 1, 0});
+        const glm::vec3 around = flat_direction(random.between(0, kTurn_rad));
+        blade.face = glm::normalize(around - glm::dot(around, blade.along) * blade.along);
+        blade.length_m = height_m * random.between(0.5F, 1.1F);
+        blade.half_width_m = 0.055F * height_m;
+        blade.bow_m = 0.15F * blade.length_m * random.unit_f();
+        const glm::vec3 normal = glm::normalize(glm::vec3{0, 1, 0} + 0.3F * out);
+        add_spike(species.leaves, blade,
                   vertex_of(scene::shifted_colour(colour, random.between(0.9F, 1.12F)), normal,
-                            0.6F + 0.3F * random.unit_f(), random.between(0.78F, 1.0F)));
+                            0.6F + 0.3F * random.unit_f(), random.between(0.8F, 1.0F)));
     }
     return species;
 }
@@ -152,10 +151,10 @@ scene::Species bush(const glm::vec3& leaf, const glm::vec3& second, const glm::v
     species.wood.push_back(mesh_limbs(skeleton, {.trunk_sides = 3, .limb_sides = 3}));
     species.wood.push_back(mesh_limbs(skeleton, {.trunk_sides = 3, .limb_sides = 3, .node_stride = 2}));
     species.leaves = make_foliage(skeleton,
-                                  {.blades = 150,
-                                   .length_m = 0.24F * height_m,
+                                  {.blades = 230,
+                                   .length_m = 0.15F * height_m,
                                    .width = 0.55F,
-                                   .scatter_m = 0.24F * height_m,
+                                   .scatter_m = 0.3F * height_m,
                                    .droop = 0.05F,
                                    .colour = leaf,
                                    .second = second},
