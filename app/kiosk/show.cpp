@@ -197,9 +197,9 @@ const Act* Show::waiting_for_upload() {
     if (!waiting_->act) {
         auto scenes = grower_.take();
         if (!scenes) return nullptr;
-        waiting_->act = Act{std::move(*scenes), waiting_->recipes, ++acts_, {}};
+        waiting_->act = std::make_unique<Act>(Act{std::move(*scenes), waiting_->recipes, ++acts_, {}});
     }
-    return &*waiting_->act;
+    return waiting_->act.get();
 }
 
 void Show::uploaded(Instant now) {

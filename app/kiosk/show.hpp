@@ -2,6 +2,7 @@
 #pragma once
 #include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "breeding/session.hpp"
@@ -65,7 +66,7 @@ class Show {
         Keeper::Ticket kept = 0;
         std::vector<genome::Recipe> recipes;
         bool is_finale = false;
-        std::optional<Act> act;  // once it has grown
+        std::unique_ptr<Act> act;  // once it has grown
     };
 
     void step(exhibit::Step step, Instant now);
