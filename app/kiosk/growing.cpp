@@ -91,7 +91,7 @@ std::shared_ptr<const scene::Scene> grow(const genome::Recipe& recipe, const sce
 struct Grower::Parts {
     explicit Parts(const GrowerOptions& options_)
         : options(options_),
-          arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic, 0),
+          arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic),
           observer(arena),
           worker([this](const std::stop_token& stop) { work(stop); }) {}
 

@@ -117,7 +117,6 @@ int run(const Options& options) {
     if (!options.log_file.empty()) base::open_log(base::LogDetail::Normal, options.log_file);
     const Configuration asked = configuration_for(options);
     const auto screen = display::open_display(display_options(asked));
-    base::log::info("display: {}; {}", screen->description(), screen->why());
 
     Configuration configuration = asked;
     const bool is_demonstration = needs_a_visitor(asked, *screen);

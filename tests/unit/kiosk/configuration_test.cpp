@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/configuration.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "kiosk/show.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+using testing::HasSubstr;
+
+std::string refusal_of(const std::string& toml) {
+    try {
+        configuration_from(toml, "site.toml");
+    } catch (const base::InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Configuration, TheFileThatIsDeliveredSaysTheDefaults) {
+    const Configuration delivered = read_configuration(QUADRAT_SOURCE_DIR "/deploy/quadrat.toml");
+    const Configuration standard;
+    EXPECT_EQ(delivered.screen.display, standard.screen.display);
+    EXPECT_EQ(delivered.inputs, standard.inputs);
+    EXPECT_EQ(delivered.visit.rounds, standard.visit.rounds);
+    EXPECT_EQ(delivered.visit.patience_s, standard.visit.patience_s);
+    EXPECT_EQ(delivered.visit.countdown_s, standard.visit.countdown_s);
+    EXPECT_EQ(delivered.visit.finale_s, standard.visit.finale_s);
+    EXPECT_EQ(delivered.visit.long_press_s, standard.visit.long_press_s);
+    EXPECT_EQ(delivered.breeding.breeder, standard.breeding.breeder);
+    EXPECT_EQ(delivered.breeding.learning_rate, standard.breeding.learning_rate);
+    EXPECT_EQ(delivered.breeding.mutation, standard.breeding.mutation);
+    EXPECT_EQ(delivered.picture.alpha, standard.picture.alpha);
+    EXPECT_EQ(delivered.picture.flight_s, standard.picture.flight_s);
+    for (const auto& [key, words] : delivered.texts) EXPECT_EQ(words, text(standard, key)) << key;
+    EXPECT_EQ(delivered.texts.size(), 8U);
+}
+
+TEST(Configuration, ReadsWhatTheSiteDecides) {
+    const Configuration c = configuration_from(
+        "[screen]\nrotation_deg = 90\nmirrored = true\n[buttons]\ninputs = [\"hid:\", \"keyboard\"]\n"
+        "[visit]\nrounds = 3\npatience_s = 12.5\n[breeding]\nmutation_form = \"random\"\nlocked = [\"sky\"]\n"
+        "[text]\n\"ask.trees\" = \"Welche Bäume?\"\n",
+        "site.toml");
+    EXPECT_EQ(c.screen.rotation_deg, 90);
+    EXPECT_TRUE(c.screen.is_mirrored);
+    EXPECT_THAT(c.inputs, testing::ElementsAre("hid:", "keyboard"));
+    EXPECT_EQ(timings_of(c).rounds, 3);
+    EXPECT_EQ(timings_of(c).patience, std::chrono::milliseconds(12500));
+    EXPECT_EQ(breeder_options_of(c).pbil.mutation_form, breeding::MutationForm::Random);
+    EXPECT_EQ(text(c, "ask.trees"), "Welche Bäume?");
+    EXPECT_EQ(text(c, "ask.sky"), "Which has the best sky?");
+}
+
+TEST(Configuration, RefusesInOneLineWithTheLineTheKeyAndWhatWouldBeRight) {
+    EXPECT_THAT(refusal_of("[visit]\nrounds = 900\n"), HasSubstr("site.toml:2: visit.rounds is 900; it must lie"));
+    EXPECT_THAT(refusal_of("[visit]\n\npatience_s = true\n"),
+                HasSubstr("site.toml:3: visit.patience_s is not a number"));
+    EXPECT_THAT(refusal_of("[screen]\ndisplay = \"tv\"\n"), HasSubstr("one of auto, kms, window, headless"));
+    EXPECT_THAT(refusal_of("[screen]\nrotation_deg = 45\n"), HasSubstr("0, 90, 180 or 270"));
+    EXPECT_THAT(refusal_of("[buttons]\ninputs = \"hid:\"\n"), HasSubstr("is not a list"));
+    EXPECT_THAT(refusal_of("[vist]\nrounds = 3\n"), HasSubstr("vist is not known; there are"));
+    EXPECT_THAT(refusal_of("[text]\nhello = \"x\"\n"), HasSubstr("text.hello is not known"));
+    EXPECT_THAT(refusal_of("visit = 3\n"), HasSubstr("write [visit]"));
+    EXPECT_THAT(refusal_of("[visit]\nrounds = nan\n"), HasSubstr("visit.rounds"));
+    EXPECT_THAT(refusal_of("[visit]\npatience_s = nan\n"), HasSubstr("must lie between"));
+    EXPECT_THAT(refusal_of("[visit\n"), HasSubstr("site.toml:1:"));
+}
+
+}  // namespace
+}  // namespace quadrat::kiosk
