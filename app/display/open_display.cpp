@@ -7,6 +7,7 @@
 #include "base/log.hpp"
 #include "display/display.hpp"
 #include "display/headless/headless_display.hpp"
+#include "display/kms/kms_display.hpp"
 #include "display/options.hpp"
 #include "display/window/window_display.hpp"
 
@@ -19,7 +20,8 @@ bool is_set(const char* variable) {
 }
 
 std::unique_ptr<Display> open_what_works(const DisplayOptions& options) {
-    std::string why_not_kms = "not built";
+    std::string why_not_kms;
+    if (auto screen = open_kms_if_there_is_a_screen(options, why_not_kms)) return screen;
     std::string why_not_window = "neither DISPLAY nor WAYLAND_DISPLAY is set";
     if (is_set("DISPLAY") || is_set("WAYLAND_DISPLAY")) {
         try {
