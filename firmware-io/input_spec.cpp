@@ -121,8 +121,10 @@ HidSpec parse_hid(std::string_view text) {
             spec.selector.path = setting.value;
         else if (setting.key == "port")
             spec.selector.port = setting.value;
+        else if (setting.key == "map")
+            spec.mappings_file = setting.value;
         else if (!set_debounce(setting, spec.debounce))
-            refuse(quoted(setting.key) + " is not a setting; write path, port, debounce or form");
+            refuse(quoted(setting.key) + " is not a setting; write path, port, map, debounce or form");
     }
     return spec;
 }

@@ -17,6 +17,7 @@ struct ScriptSpec {
 struct HidSpec {
     hid::HidSelector selector;
     DebounceOptions debounce;
+    std::string mappings_file;  // "" for none
 };
 using InputSpec = std::variant<KeyboardSpec, ScriptSpec, HidSpec, gpio::Wiring>;
 
@@ -26,8 +27,9 @@ using InputSpec = std::variant<KeyboardSpec, ScriptSpec, HidSpec, gpio::Wiring>;
 //   hid:                                  the likeliest device
 //   hid:0079:0006  hid:path=/dev/hidraw3  hid:port=usb-0000:00:14.0-1.2
 //   gpio:A=GPIO17,B=GPIO27,C=/dev/gpiochip0:22,lampA=GPIO5     with pull=up|down|none, active=low|high
-// hid and gpio take also debounce=5ms and form=first-edge|integrator; parts are separated by commas.
-// Pure, for any bytes. Throws std::invalid_argument, one line: the spec, what is wrong and what would be right.
+// hid takes map=FILE, what was learned about the site's devices (hid/mapping.hpp); hid and gpio take also debounce=5ms
+// and form=first-edge|integrator; parts are separated by commas. Pure, for any bytes. Throws std::invalid_argument, one
+// line: the spec, what is wrong and what would be right.
 InputSpec parse_input_spec(std::string_view spec);
 
 // The source itself. Missing hardware is no error here (see ButtonSource); an unreadable script is.

@@ -16,7 +16,10 @@ struct Open {
         return std::make_unique<scripted::ScriptedButtons>(scripted::read_script(spec.file));
     }
     std::unique_ptr<ButtonSource> operator()(const HidSpec& spec) const {
-        return std::make_unique<hid::HidButtons>(std::make_unique<hid::Hidraw>(), spec.selector, spec.debounce);
+        auto mappings =
+            spec.mappings_file.empty() ? std::vector<hid::HidMapping>{} : hid::read_mappings(spec.mappings_file);
+        return std::make_unique<hid::HidButtons>(std::make_unique<hid::Hidraw>(), spec.selector, spec.debounce,
+                                                 std::move(mappings));
     }
     std::unique_ptr<ButtonSource> operator()(const gpio::Wiring& wiring) const {
         return std::make_unique<gpio::GpioButtons>(gpio::open_libgpiod(), wiring);

@@ -80,6 +80,12 @@ std::optional<Instant> parse_duration(std::string_view text) {
     return Instant{ns};
 }
 
+std::string one_word(std::string_view text) {
+    std::string word;
+    for (const char c : text) word += c > ' ' && c <= '~' && c != '#' ? c : '_';
+    return word;
+}
+
 std::string quoted(std::string_view text) {
     constexpr std::size_t kMost = 40;
     std::string out = "\"";

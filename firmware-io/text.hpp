@@ -28,4 +28,7 @@ std::optional<Instant> parse_duration(std::string_view text);
 // Between quotation marks, fit for one line of an error: cut after 40 bytes, what is not printable ASCII as '?'.
 std::string quoted(std::string_view text);
 
+// What a device calls itself, as one word of a text file: anything but printable ASCII, and '#', becomes '_'.
+std::string one_word(std::string_view text);
+
 }  // namespace quadrat::firmware_io

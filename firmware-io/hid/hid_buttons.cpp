@@ -12,6 +12,7 @@ using namespace std::chrono_literals;
 constexpr Instant kRetryEvery = 1s;
 constexpr Instant kSettling = 200ms;
 constexpr int kMostReportsPerPoll = 256;        // four times the kernel's ring: a flood must not keep the frame waiting
+constexpr int kTaught = 100;                    // likelier than any that was not
 constexpr std::size_t kLongestReport = 16'385;  // with its report ID
 
 // " 0079:0006"
@@ -51,8 +52,9 @@ std::string to_string(const HidSelector& selector) {
     return text;
 }
 
-HidButtons::HidButtons(std::unique_ptr<HidHost> host, HidSelector selector, DebounceOptions debounce)
-    : host_{std::move(host)}, selector_{std::move(selector)}, debouncer_{debounce} {
+HidButtons::HidButtons(std::unique_ptr<HidHost> host, HidSelector selector, DebounceOptions debounce,
+                       std::vector<HidMapping> mappings)
+    : host_{std::move(host)}, selector_{std::move(selector)}, mappings_{std::move(mappings)}, debouncer_{debounce} {
     status_ = {Presence::Absent, to_string(selector_) + " has not been looked for yet"};
 }
 
@@ -61,12 +63,15 @@ std::vector<HidButtons::Candidate> HidButtons::candidates() {
     for (HidDeviceFacts& device : host_->devices()) {
         if (!is_meant(selector_, device)) continue;
         HidLayout layout = parse_descriptor(device.descriptor);
-        Bindings bindings = default_bindings(layout);
-        if (!bindings.empty()) found.push_back({std::move(device), std::move(layout), std::move(bindings)});
+        const HidMapping* mapping = mapping_of(mappings_, device.identity);
+        Bindings bindings = mapping != nullptr ? mapping->bindings : Bindings{};
+        std::erase_if(bindings, [&](const Binding& binding) { return !can_send(layout, binding.signal); });
+        const int is_likely = bindings.empty() ? likelihood(layout) : kTaught;
+        if (bindings.empty()) bindings = default_bindings(layout);
+        if (!bindings.empty()) found.push_back({std::move(device), std::move(layout), std::move(bindings), is_likely});
     }
-    std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
-        return likelihood(a.layout) > likelihood(b.layout);
-    });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.likelihood > b.likelihood; });
     return found;
 }
 

@@ -4,6 +4,7 @@
 #include "firmware-io/debounce.hpp"
 #include "firmware-io/hid/bindings.hpp"
 #include "firmware-io/hid/hid_host.hpp"
+#include "firmware-io/hid/mapping.hpp"
 #include "firmware-io/hid/report_reader.hpp"
 
 namespace quadrat::firmware_io::hid {
@@ -23,7 +24,9 @@ std::string to_string(const HidSelector& selector);  // "HID device 0079:0006 at
 // press. (A device that reports nothing until something changes cannot be asked: that call may block for seconds.)
 class HidButtons final : public ButtonSource {
   public:
-    HidButtons(std::unique_ptr<HidHost> host, HidSelector selector, DebounceOptions debounce = {});
+    // A device with a mapping is preferred to others, and its mapping to the default bindings.
+    HidButtons(std::unique_ptr<HidHost> host, HidSelector selector, DebounceOptions debounce = {},
+               std::vector<HidMapping> mappings = {});
 
     std::vector<ButtonEdge> poll(Instant now) override;
     SourceStatus status() const override { return status_; }
@@ -35,6 +38,7 @@ class HidButtons final : public ButtonSource {
         HidDeviceFacts device;
         HidLayout layout;
         Bindings bindings;
+        int likelihood;
     };
     std::vector<Candidate> candidates();
     void open(Instant now);
@@ -44,6 +48,7 @@ class HidButtons final : public ButtonSource {
 
     std::unique_ptr<HidHost> host_;
     HidSelector selector_;
+    std::vector<HidMapping> mappings_;
     Debouncer debouncer_;
     std::unique_ptr<HidStream> stream_;  // null while absent
     ReportReader reader_{HidLayout{}};

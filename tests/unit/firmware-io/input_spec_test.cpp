@@ -60,7 +60,7 @@ TEST(InputSpec, ErrorsNameTheSpecTheTroubleAndTheRemedy) {
     EXPECT_THAT(error_of("gpio:A=GPIO17,pull=sideways"), HasSubstr("up, down or none"));
     EXPECT_THAT(error_of("hid:79"), HasSubstr("hid:0079:0006"));
     EXPECT_THAT(error_of("hid:12345:1"), HasSubstr("hid:0079:0006"));
-    EXPECT_THAT(error_of("hid:0079:0006,speed=3"), HasSubstr("path, port, debounce or form"));
+    EXPECT_THAT(error_of("hid:0079:0006,speed=3"), HasSubstr("path, port, map, debounce or form"));
     EXPECT_THAT(error_of("script:"), HasSubstr("script:FILE"));
     EXPECT_EQ(error_of("gpio:A=X\nY,B=X\nY").find('\n'), std::string::npos);
 }
