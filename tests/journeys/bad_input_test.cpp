@@ -37,7 +37,7 @@ void make_inputs(const TemporaryFolder& folder) {
 TEST_P(Refused, InOneLineThatNamesThePlaceAndNothingIsOverwritten) {
     const TemporaryFolder folder;
     make_inputs(folder);
-    const Ended ended = run(quadrat(GetParam().arguments), folder);
+    const Ended ended = run(program(GetParam().arguments), folder);
     EXPECT_EQ(ended.status, 2) << ended.err;
     const auto lines = lines_of(ended.err);
     ASSERT_FALSE(lines.empty());
@@ -86,6 +86,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"BreedLock", {"breed", "--stdio", "--lock", "sea"}, {"sea"}},
         BadInput{"BreedRate", {"breed", "--stdio", "--learning-rate", "2"}, {"2"}},
         BadInput{"Subcommand", {"dance"}, {"dance"}}, BadInput{"NoSubcommand", {}, {"subcommand"}}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& bad) { return std::string(bad.param.name); });
 
 }  // namespace

@@ -19,16 +19,16 @@ bool are_same_pixels(const std::filesystem::path& a, const std::filesystem::path
 
 TEST(Render, APictureCarriesItsSceneAndIsDrawnAgainPixelForPixel) {
     const TemporaryFolder folder;
-    ASSERT_EQ(run(quadrat({"render", "seed:3", "-o", "a.png", "--size", "320x180", "--time", "9"}), folder).status, 0);
-    ASSERT_EQ(run(quadrat({"render", "a.png", "-o", "b.png"}), folder).status, 0);
+    ASSERT_EQ(run(program({"render", "seed:3", "-o", "a.png", "--size", "320x180", "--time", "9"}), folder).status, 0);
+    ASSERT_EQ(run(program({"render", "a.png", "-o", "b.png"}), folder).status, 0);
     EXPECT_TRUE(are_same_pixels(folder / "a.png", folder / "b.png"));
-    ASSERT_EQ(run(quadrat({"render", "seed:4", "-o", "c.png", "--size", "320x180"}), folder).status, 0);
+    ASSERT_EQ(run(program({"render", "seed:4", "-o", "c.png", "--size", "320x180"}), folder).status, 0);
     EXPECT_FALSE(are_same_pixels(folder / "a.png", folder / "c.png"));
 }
 
 TEST(Render, WritesExrInLinearLight) {
     const TemporaryFolder folder;
-    ASSERT_EQ(run(quadrat({"render", "seed:3", "-o", "a.exr", "--size", "160x90"}), folder).status, 0);
+    ASSERT_EQ(run(program({"render", "seed:3", "-o", "a.exr", "--size", "160x90"}), folder).status, 0);
     const OIIO::ImageBuf picture((folder / "a.exr").string());
     EXPECT_EQ(picture.spec().width, 160);
     EXPECT_EQ(picture.spec().format, OIIO::TypeDesc::HALF);
@@ -36,17 +36,17 @@ TEST(Render, WritesExrInLinearLight) {
 
 TEST(Export, WritesTreesAndLandForOtherTools) {
     const TemporaryFolder folder;
-    ASSERT_EQ(run(quadrat({"export", "seed:5", "-o", "tree.obj", "--what", "tree"}), folder).status, 0);
+    ASSERT_EQ(run(program({"export", "seed:5", "-o", "tree.obj", "--what", "tree"}), folder).status, 0);
     const std::string obj = contents_of(folder / "tree.obj");
     EXPECT_GT(count_of(obj, "\nv "), 500U);
     EXPECT_GT(count_of(obj, "\nf "), 500U);
-    ASSERT_EQ(run(quadrat({"export", "seed:5", "-o", "land.glb", "--what", "land"}), folder).status, 0);
+    ASSERT_EQ(run(program({"export", "seed:5", "-o", "land.glb", "--what", "land"}), folder).status, 0);
     const std::string glb = contents_of(folder / "land.glb");
     EXPECT_EQ(glb.substr(0, 4), "glTF");
     std::uint32_t length = 0;
     std::memcpy(&length, glb.data() + 8, sizeof length);
     EXPECT_EQ(length, glb.size());
-    ASSERT_EQ(run(quadrat({"export", "seed:5", "-o", "land.exr", "--what", "land"}), folder).status, 0);
+    ASSERT_EQ(run(program({"export", "seed:5", "-o", "land.exr", "--what", "land"}), folder).status, 0);
     EXPECT_GT(OIIO::ImageBuf((folder / "land.exr").string()).spec().width, 256);
 }
 
@@ -56,7 +56,7 @@ TEST(Breed, AnotherProgramCanPlayAndSameSeedAndPicksGiveTheSameBytes) {
     for (int i = 0; i < 40; ++i)
         picks += nlohmann::json{{"pick", {{"trees", i % 4}, {"sky", (i / 4) % 4}}}}.dump() + "\n";
     picks += "{\"undo\":true}\nnonsense\n{\"lock\":\"land\"}\n{\"quit\":true}\n";
-    const auto command = quadrat({"breed", "--stdio", "--seed", "7"});
+    const auto command = program({"breed", "--stdio", "--seed", "7"});
     const Ended first = run(command, folder, picks);
     ASSERT_EQ(first.status, 0) << first.err;
     const auto lines = lines_of(first.out);
@@ -74,7 +74,7 @@ TEST(Breed, AnotherProgramCanPlayAndSameSeedAndPicksGiveTheSameBytes) {
 
 TEST(Bench, PrintsItsResultsAsJson) {
     const TemporaryFolder folder;
-    const Ended ended = run(quadrat({"bench", "frame", "--json", "--size", "320x180", "--frames", "3"}), folder);
+    const Ended ended = run(program({"bench", "frame", "--json", "--size", "320x180", "--frames", "3"}), folder);
     ASSERT_EQ(ended.status, 0) << ended.err;
     const auto json = nlohmann::json::parse(ended.out);
     std::map<std::string, double> values;
@@ -86,7 +86,7 @@ TEST(Bench, PrintsItsResultsAsJson) {
 
 TEST(Doctor, LooksAtEveryPartAndSaysWhatToDo) {
     const TemporaryFolder folder;
-    const Ended ended = run(quadrat({"doctor", "--state", "state"}), folder);
+    const Ended ended = run(program({"doctor", "--state", "state"}), folder);
     EXPECT_TRUE(ended.status == 0 || ended.status == 1) << ended.err;
     for (const char* subject : {"gpu", "screen", "buttons", "state", "clock"})
         EXPECT_NE(ended.out.find(subject), std::string::npos) << subject;
@@ -96,11 +96,11 @@ TEST(Doctor, LooksAtEveryPartAndSaysWhatToDo) {
 TEST(Help, IsThereForEverySubcommand) {
     const TemporaryFolder folder;
     for (const char* command : {"run", "breed", "render", "export", "bench", "doctor"}) {
-        const Ended ended = run(quadrat({command, "--help"}), folder);
+        const Ended ended = run(program({command, "--help"}), folder);
         EXPECT_EQ(ended.status, 0) << command;
         EXPECT_GT(ended.out.size(), 200U) << command;
     }
-    EXPECT_EQ(run(quadrat({"--help"}), folder).status, 0);
+    EXPECT_EQ(run(program({"--help"}), folder).status, 0);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ std::string endless_visit() {
 }
 
 std::vector<std::string> exhibit_command() {
-    return quadrat({"run", "--display", "headless", "--size", "64x64", "--input", "script:visit.script", "--state",
+    return program({"run", "--display", "headless", "--size", "64x64", "--input", "script:visit.script", "--state",
                     "state", "--capture", "pictures", "--seed", "5"});
 }
 

@@ -8,7 +8,7 @@
 
 namespace quadrat::tests {
 
-inline std::vector<std::string> quadrat(std::vector<std::string> arguments) {
+inline std::vector<std::string> program(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), QUADRAT_BINARY);
     return arguments;
 }

@@ -39,10 +39,6 @@ std::string lively_visit() {
            "after 1500ms press D\nafter 1500ms press D\n";   // 29, 30; then they walk away
 }
 
-struct Row {
-    std::string ending;
-    int rounds = 0;
-};
 
 class Database {
   public:
@@ -72,7 +68,7 @@ Ended play(const TemporaryFolder& folder, const std::vector<std::string>& more) 
         "run",     "--display", "headless",  "--size",   "320x180", "--input", "script:visit.script",
         "--state", "state",     "--capture", "pictures", "--seed",  "7"};
     command.insert(command.end(), more.begin(), more.end());
-    return run(quadrat(command), folder);
+    return run(program(command), folder);
 }
 
 TEST(Visit, ThirtyPressesPlayAWholeVisitAndLeaveStatePicturesAndLogAsTheyShould) {
@@ -115,7 +111,7 @@ TEST(Visit, TheSameScriptAndSeedLeaveTheSamePictures) {
 TEST(Visit, WithoutScreenAndButtonsAVisitorIsPlayedAndPicturesAreLeft) {
     const TemporaryFolder folder;
     const Ended ended = run(
-        quadrat({"run", "--display", "headless", "--size", "320x180", "--rounds", "2", "--state", "state"}), folder);
+        program({"run", "--display", "headless", "--size", "320x180", "--rounds", "2", "--state", "state"}), folder);
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_EQ(count_of(ended.err, "a visitor of 2 rounds is played"), 1U) << ended.err;
     for (const char* name : {"generation-01.png", "generation-02.png", "finale-01.png", "contact-sheet.png"})
