@@ -19,7 +19,7 @@ struct LandParameters {
     float relief_m = 110;
     float gain = 0.44F;
     float feature_size_m = 420;
-    float sea_level = 0.22F;  // share of the relief under water
+    float sea_level = 0.22F;  // share of the land under water
 };
 
 struct SkyParameters {

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "scene/colour.hpp"
 #include "synthesis/land/ground.hpp"
@@ -20,15 +22,15 @@ constexpr int kSurroundSamples = 257;
 constexpr float kSeam_m = 72.0F;   // over which the land comes to meet the surround
 constexpr float kBelow_m = 40.0F;  // of the surround under the land
 
-template <typename Height>
-mesh::Field field_of(int samples, float cell_m, const Height& height_m) {
+mesh::Field field_of(const Terrain& terrain, int samples, float cell_m) {
     mesh::Field field(samples, samples);
     const float half = 0.5F * static_cast<float>(samples - 1);
+    std::vector<float> xs_m(samples);
+    for (int i = 0; i < samples; ++i) xs_m[i] = (static_cast<float>(i) - half) * cell_m;
     oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, samples, 8), [&](const auto& rows) {
         for (int row = rows.begin(); row != rows.end(); ++row)
-            for (int column = 0; column < samples; ++column)
-                field.at(column, row) =
-                    height_m((static_cast<float>(column) - half) * cell_m, (static_cast<float>(row) - half) * cell_m);
+            terrain.heights_m(xs_m, xs_m[row], cell_m,
+                              std::span(field.samples).subspan(field.index(0, row), xs_m.size()));
     });
     return field;
 }
@@ -74,10 +76,8 @@ scene::Land make_land(const scene::LandParameters& parameters, base::Seed seed, 
     const Terrain terrain(parameters, seed);
     land.cell_m = kSide_m / static_cast<float>(fineness.land_samples - 1);
     land.surround_cell_m = kSurroundCell_m;
-    land.height_m = field_of(fineness.land_samples, land.cell_m,
-                             [&](float x, float z) { return terrain.height_m(x, z, land.cell_m); });
-    land.surround_m = field_of(kSurroundSamples, kSurroundCell_m,
-                               [&](float x, float z) { return terrain.height_m(x, z, kSurroundCell_m); });
+    land.height_m = field_of(terrain, fineness.land_samples, land.cell_m);
+    land.surround_m = field_of(terrain, kSurroundSamples, kSurroundCell_m);
     meet_surround(land.height_m, land.cell_m, land.surround_m);
     sink_under_land(land.surround_m);
 

@@ -5,7 +5,10 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "scene/colour.hpp"
 #include "synthesis/noise/gradient.hpp"
@@ -13,55 +16,141 @@
 namespace quadrat::synthesis::land {
 namespace {
 
-float smooth(float low, float high, float x) {
-    const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
+constexpr int kGrainSide = 256;  // pixels of the repeating fine variation
+
+// Written with min and max, so that whole rows of it become vector instructions.
+inline float unit(float x) { return std::min(std::max(x, 0.0F), 1.0F); }
+inline float smooth(float low, float high, float x) {
+    const float t = unit((x - low) * (1.0F / (high - low)));
     return t * t * (3.0F - 2.0F * t);
 }
 
-// The palette in OKLab, so that a pixel is one weighted sum and one way back.
-struct LabPalette {
-    glm::vec3 lush, dry, heath, soil, scree, rock_light, rock_dark, sand, snow;
-
-    explicit LabPalette(const Palette& p)
-        : lush(scene::oklab_from_linear(p.lush)),
-          dry(scene::oklab_from_linear(p.dry)),
-          heath(scene::oklab_from_linear(p.heath)),
-          soil(scene::oklab_from_linear(p.soil)),
-          scree(scene::oklab_from_linear(p.scree)),
-          rock_light(scene::oklab_from_linear(p.rock_light)),
-          rock_dark(scene::oklab_from_linear(p.rock_dark)),
-          sand(scene::oklab_from_linear(p.sand)),
-          snow(scene::oklab_from_linear(p.snow)) {}
+// What the ground's colour hangs on, a value a pixel of one row.
+struct Row {
+    explicit Row(std::size_t width) {
+        for (auto* values : {&height_m, &slope, &hollow, &patch, &grain, &l, &a, &b}) values->resize(width);
+    }
+    std::vector<float> height_m;
+    std::vector<float> slope;    // rise over run
+    std::vector<float> hollow;   // more than 0 in hollows, less than 0 on ridges
+    std::vector<float> patch;    // quiet large patches, about -1 to 1
+    std::vector<float> grain;    // fine variation, about -1 to 1
+    std::vector<float> l, a, b;  // OKLab
 };
 
-struct Place {
-    float height_m;
-    float slope;   // rise over run
-    float hollow;  // more than 0 in hollows, less than 0 on ridges
-    float patch;   // quiet large patches, -1 to 1
-    float grain;   // fine variation, -1 to 1
+// Toward a colour of the palette by a weight a pixel.
+template <typename Weight>
+void mix_in(Row& row, const glm::vec3& lab, const Weight& weight) {
+    const std::size_t width = row.l.size();
+    for (std::size_t i = 0; i < width; ++i) {
+        const float w = weight(i);
+        row.l[i] += w * (lab.x - row.l[i]);
+        row.a[i] += w * (lab.y - row.a[i]);
+        row.b[i] += w * (lab.z - row.b[i]);
+    }
+}
+
+// A soft wave of period 2 in place of a sine: -1 to 1.
+inline float wave(float x) {
+    const float turns = x - 2.0F * static_cast<float>(static_cast<std::int32_t>(0.5F * x + 4096.0F) - 4096);
+    const float t = std::abs(turns - 1.0F);
+    return 2.0F * t * t * (3.0F - 2.0F * t) - 1.0F;
+}
+
+void paint(Row& r, const Palette& palette, float snow_line_m) {
+    const auto lab = [](const glm::vec3& c) { return scene::oklab_from_linear(c); };
+    const glm::vec3 dry = lab(palette.dry);
+    std::fill(r.l.begin(), r.l.end(), dry.x);
+    std::fill(r.a.begin(), r.a.end(), dry.y);
+    std::fill(r.b.begin(), r.b.end(), dry.z);
+    const float* h = r.height_m.data();
+    const float* s = r.slope.data();
+    const float* p = r.patch.data();
+    const float* g = r.grain.data();
+    const float* hollow = r.hollow.data();
+    mix_in(r, lab(palette.lush), [=](std::size_t i) { return smooth(-0.9F, 0.9F, 1.5F * hollow[i] + 0.9F * p[i]); });
+    mix_in(r, lab(palette.heath), [=](std::size_t i) { return 0.75F * smooth(0.25F, 0.7F, 0.3F * g[i] - p[i]); });
+    const auto steep = [=](std::size_t i, float wander) { return s[i] + wander * (0.5F * p[i] + 0.35F * g[i]); };
+    mix_in(r, lab(palette.soil), [=](std::size_t i) { return smooth(0.42F, 0.66F, steep(i, 0.16F)); });
+    mix_in(r, lab(palette.scree), [=](std::size_t i) { return smooth(0.58F, 0.80F, steep(i, 0.12F)); });
+    const auto strata = [=](std::size_t i) { return 0.5F + 0.5F * wave(0.134F * h[i] + p[i] + 0.25F * g[i]); };
+    const auto rock = [=](std::size_t i) { return smooth(0.74F, 1.05F, steep(i, 0.10F)); };
+    mix_in(r, lab(palette.rock_dark), rock);
+    mix_in(r, lab(palette.rock_light), [=](std::size_t i) { return rock(i) * strata(i); });
+    mix_in(r, lab(palette.sand), [=](std::size_t i) {
+        const float top_m = 1.6F + 1.2F * p[i];
+        return (1.0F - smooth(0.0F, 1.4F, h[i] - top_m)) * (1.0F - smooth(0.5F, 0.8F, s[i]));
+    });
+    mix_in(r, lab(palette.snow), [=](std::size_t i) {
+        return smooth(-10.0F, 16.0F, h[i] - snow_line_m + 7.0F * p[i] + 5.0F * g[i]) *
+               (1.0F - smooth(0.75F, 1.1F, s[i]));
+    });
+    for (std::size_t i = 0; i < r.l.size(); ++i) r.l[i] *= 1.0F + 0.035F * g[i];
+}
+
+void write_row(const Row& r, std::uint8_t* pixel) {
+    for (std::size_t i = 0; i < r.l.size(); ++i, pixel += 4) {
+        const glm::vec3 c = scene::linear_from_oklab({r.l[i], r.a[i], r.b[i]});
+        pixel[0] = scene::srgb_byte(c.x);
+        pixel[1] = scene::srgb_byte(c.y);
+        pixel[2] = scene::srgb_byte(c.z);
+        pixel[3] = static_cast<std::uint8_t>(255.0F * (1.0F - smooth(0.15F, 0.9F, r.height_m[i])));
+    }
+}
+
+// Slope and hollowness at the land's own samples, from which pixels are interpolated.
+struct Relief {
+    mesh::Field slope;
+    mesh::Field hollow;
+
+    Relief(const mesh::Field& height_m, float cell_m)
+        : slope(height_m.columns, height_m.rows), hollow(height_m.columns, height_m.rows) {
+        const int last = height_m.columns - 1;
+        const int reach = std::max(1, static_cast<int>(18.0F / cell_m + 0.5F));
+        oneapi::tbb::parallel_for(0, height_m.rows, [&](int row) {
+            const auto at = [&](int column, int line) {
+                return height_m.at(std::clamp(column, 0, last), std::clamp(line, 0, last));
+            };
+            for (int column = 0; column <= last; ++column) {
+                const float dx = at(column + 1, row) - at(column - 1, row);
+                const float dz = at(column, row + 1) - at(column, row - 1);
+                slope.at(column, row) = std::sqrt(dx * dx + dz * dz) / (2.0F * cell_m);
+                const float around = 0.25F * (at(column - reach, row) + at(column + reach, row) +
+                                              at(column, row - reach) + at(column, row + reach));
+                hollow.at(column, row) = std::min(std::max((around - at(column, row)) / 3.5F, -1.0F), 1.0F);
+            }
+        });
+    }
 };
 
-glm::vec3 mix(const glm::vec3& a, const glm::vec3& b, float t) { return a + (b - a) * t; }
+mesh::Field grain_tile(base::Seed seed) {
+    mesh::Field tile(kGrainSide, kGrainSide);
+    const noise::Key key(seed.child("grain"));
+    std::vector<float> us(kGrainSide);
+    for (int x = 0; x < kGrainSide; ++x) us[x] = 42.0F * static_cast<float>(x) / kGrainSide;
+    for (int y = 0; y < kGrainSide; ++y) {
+        const std::vector<float> vs(kGrainSide, us[y]);
+        noise::fbm_tiled(key, us, vs, std::span(tile.samples).subspan(tile.index(0, y), us.size()), 42, {.count = 2});
+    }
+    for (float& g : tile.samples) g *= 1.6F;
+    return tile;
+}
 
-glm::vec3 ground_colour_lab(const LabPalette& lab, const Place& place, float snow_line_m) {
-    const float wander = 0.5F * place.patch + 0.35F * place.grain;
-    glm::vec3 c = mix(lab.dry, lab.lush, smooth(-0.9F, 0.9F, 1.5F * place.hollow + 0.9F * place.patch));
-    c = mix(c, lab.heath, 0.75F * smooth(0.25F, 0.7F, place.patch * -1.0F + 0.3F * place.grain));
-    c = mix(c, lab.soil, smooth(0.42F, 0.66F, place.slope + 0.16F * wander));
-    c = mix(c, lab.scree, smooth(0.58F, 0.80F, place.slope + 0.12F * wander));
-    const float strata = std::sin(place.height_m * 0.42F + 3.0F * place.patch + 0.8F * place.grain);
-    const glm::vec3 rock = mix(lab.rock_dark, lab.rock_light, 0.5F + 0.5F * strata);
-    c = mix(c, rock, smooth(0.74F, 1.05F, place.slope + 0.10F * wander));
-    const float beach_top_m = 1.6F + 1.2F * place.patch;
-    const float beach =
-        (1.0F - smooth(beach_top_m, beach_top_m + 1.4F, place.height_m)) * (1.0F - smooth(0.5F, 0.8F, place.slope));
-    c = mix(c, lab.sand, beach);
-    const float snow = smooth(snow_line_m - 10.0F, snow_line_m + 16.0F, place.height_m + 14.0F * wander) *
-                       (1.0F - smooth(0.75F, 1.1F, place.slope));
-    c = mix(c, lab.snow, snow);
-    c.x *= 1.0F + 0.035F * place.grain;
-    return c;
+// One row of pixels from a field, bilinear; per_px samples a pixel.
+void interpolate(const mesh::Field& field, float row_at, float per_px, std::span<float> out) {
+    const float y = std::clamp(row_at, 0.0F, static_cast<float>(field.rows - 1));
+    const int y0 = std::min(static_cast<int>(y), field.rows - 2);
+    const float ty = y - static_cast<float>(y0);
+    const float* above = field.samples.data() + field.index(0, y0);
+    const float* below = above + field.columns;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const float x = (static_cast<float>(i) + 0.5F) * per_px;
+        const int x0 = std::min(static_cast<int>(x), field.columns - 2);
+        const float tx = x - static_cast<float>(x0);
+        const float left = above[x0] + ty * (below[x0] - above[x0]);
+        const float right = above[x0 + 1] + ty * (below[x0 + 1] - above[x0 + 1]);
+        out[i] = left + tx * (right - left);
+    }
 }
 
 }  // namespace
@@ -69,39 +158,30 @@ glm::vec3 ground_colour_lab(const LabPalette& lab, const Place& place, float sno
 mesh::Image ground_albedo(const mesh::Field& height_m, float cell_m, const Palette& palette, float snow_line_m,
                           base::Seed seed, int side_px) {
     mesh::Image image(side_px, side_px, 4);
-    const LabPalette lab(palette);
     const noise::Key patches(seed.child("patches"));
-    const noise::Key grains(seed.child("grain"));
-    const float samples_per_px = static_cast<float>(height_m.columns - 1) / static_cast<float>(side_px);
-    const float px_m = samples_per_px * cell_m;
-    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, side_px, 16), [&](const auto& rows) {
+    const mesh::Field grain = grain_tile(seed);
+    const Relief relief(height_m, cell_m);
+    const float per_px = static_cast<float>(height_m.columns - 1) / static_cast<float>(side_px);
+    const float patches_per_px = per_px * cell_m / 70.0F;
+    const auto width = static_cast<std::size_t>(side_px);
+    std::vector<float> us(width);
+    for (std::size_t i = 0; i < width; ++i) us[i] = static_cast<float>(i) * patches_per_px;
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, side_px, 32), [&](const auto& rows) {
+        Row r(width);
+        std::vector<float> vs(width);
         for (int y = rows.begin(); y != rows.end(); ++y) {
-            const float row = (static_cast<float>(y) + 0.5F) * samples_per_px;
-            for (int x = 0; x < side_px; ++x) {
-                const float column = (static_cast<float>(x) + 0.5F) * samples_per_px;
-                const float h = mesh::sample(height_m, column, row);
-                const float west = mesh::sample(height_m, column - 1, row);
-                const float east = mesh::sample(height_m, column + 1, row);
-                const float north = mesh::sample(height_m, column, row - 1);
-                const float south = mesh::sample(height_m, column, row + 1);
-                const float wide =
-                    0.25F * (mesh::sample(height_m, column - 9, row) + mesh::sample(height_m, column + 9, row) +
-                             mesh::sample(height_m, column, row - 9) + mesh::sample(height_m, column, row + 9));
-                const float run_m = 2.0F * cell_m;
-                const float dx = (east - west) / run_m;
-                const float dz = (south - north) / run_m;
-                const float x_m = static_cast<float>(x) * px_m;
-                const float z_m = static_cast<float>(y) * px_m;
-                const Place place{h, std::sqrt(dx * dx + dz * dz), std::clamp((wide - h) / 3.5F, -1.0F, 1.0F),
-                                  1.6F * noise::fbm(patches, x_m / 70.0F, z_m / 70.0F, {.count = 3, .gain = 0.45F}),
-                                  1.6F * noise::fbm(grains, x_m / 6.0F, z_m / 6.0F, {.count = 2, .gain = 0.5F})};
-                const glm::vec3 c = scene::linear_from_oklab(ground_colour_lab(lab, place, snow_line_m));
-                std::uint8_t* pixel = image.pixel(x, y);
-                pixel[0] = scene::srgb_byte(c.x);
-                pixel[1] = scene::srgb_byte(c.y);
-                pixel[2] = scene::srgb_byte(c.z);
-                pixel[3] = static_cast<std::uint8_t>(255.0F * (1.0F - smooth(0.15F, 0.9F, h)));
+            const float row_at = (static_cast<float>(y) + 0.5F) * per_px;
+            interpolate(height_m, row_at, per_px, r.height_m);
+            interpolate(relief.slope, row_at, per_px, r.slope);
+            interpolate(relief.hollow, row_at, per_px, r.hollow);
+            std::fill(vs.begin(), vs.end(), static_cast<float>(y) * patches_per_px);
+            noise::fbm(patches, us, vs, r.patch, {.count = 3, .gain = 0.45F});
+            for (std::size_t i = 0; i < width; ++i) {
+                r.patch[i] *= 1.6F;
+                r.grain[i] = grain.at(static_cast<int>(i % kGrainSide), y % kGrainSide);
             }
+            paint(r, palette, snow_line_m);
+            write_row(r, image.pixel(0, y));
         }
     });
     return image;
@@ -111,14 +191,22 @@ mesh::Image ground_detail(base::Seed seed, int side_px) {
     mesh::Image image(side_px, side_px, 1);
     const noise::Key blades(seed.child("detail"));
     const noise::Key tufts(seed.child("tufts"));
+    const auto width = static_cast<std::size_t>(side_px);
+    std::vector<float> coarse_at(width);
+    std::vector<float> fine_at(width);
+    for (std::size_t i = 0; i < width; ++i) {
+        coarse_at[i] = 6.0F * static_cast<float>(i) / static_cast<float>(side_px);
+        fine_at[i] = 4.0F * coarse_at[i];
+    }
+    std::vector<float> coarse(width);
+    std::vector<float> fine(width);
     for (int y = 0; y < side_px; ++y) {
-        for (int x = 0; x < side_px; ++x) {
-            const float u = static_cast<float>(x) / static_cast<float>(side_px);
-            const float v = static_cast<float>(y) / static_cast<float>(side_px);
-            const float n = noise::fbm_tiled(tufts, 6 * u, 6 * v, 6, {.count = 3, .gain = 0.6F}) +
-                            0.7F * noise::fbm_tiled(blades, 24 * u, 24 * v, 24, {.count = 2, .gain = 0.7F});
-            image.pixel(x, y)[0] = static_cast<std::uint8_t>(std::clamp(128.0F + 70.0F * n, 0.0F, 255.0F));
-        }
+        noise::fbm_tiled(tufts, coarse_at, std::vector<float>(width, coarse_at[y]), coarse, 6,
+                         {.count = 3, .gain = 0.6F});
+        noise::fbm_tiled(blades, fine_at, std::vector<float>(width, fine_at[y]), fine, 24, {.count = 2, .gain = 0.7F});
+        for (int x = 0; x < side_px; ++x)
+            image.pixel(x, y)[0] =
+                static_cast<std::uint8_t>(std::clamp(128.0F + 70.0F * coarse[x] + 49.0F * fine[x], 0.0F, 255.0F));
     }
     return image;
 }

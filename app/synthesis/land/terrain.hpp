@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <span>
+
 #include "base/seed.hpp"
 #include "scene/parameters.hpp"
 #include "synthesis/noise/gradient.hpp"
@@ -13,14 +15,13 @@ class Terrain {
   public:
     Terrain(const scene::LandParameters& parameters, base::Seed seed);
 
-    float height_m(float x_m, float z_m) const;  // above the sea's surface
-
-    // The same, smoothed to what a grid of this cell can hold.
-    float height_m(float x_m, float z_m, float cell_m) const;
+    // Heights above the sea's surface along a row of places, no finer than a grid of this cell can hold.
+    void heights_m(std::span<const float> xs_m, float z_m, float cell_m, std::span<float> out) const;
 
   private:
-    float composed(float u, float v) const;
-    float ranges_m(float x_m, float z_m) const;
+    void add_ranges(std::span<const float> xs_m, float z_m, std::span<float> out) const;
+    void above_lowest_m(std::span<const float> xs_m, float z_m, float cell_m, std::span<float> out) const;
+    float sea_level_m() const;
 
     scene::LandParameters parameters_;
     noise::Key hills_;
@@ -29,7 +30,7 @@ class Terrain {
     float rugged_ = 0;  // 0 rolling to 1 ridged
     float noise_relief_m_ = 0;
     float form_relief_m_ = 0;
-    float sea_m_ = 0;  // the sea's surface above the country's lowest ground
+    float sea_m_ = 0;  // the sea's surface
     float valley_phase_ = 0;
 };
 

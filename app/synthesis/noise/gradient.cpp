@@ -1,107 +1,106 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/noise/gradient.hpp"
 
+#include <cassert>
 #include <cmath>
+
+#include "synthesis/noise/gradient_kernel.hpp"
 
 namespace quadrat::synthesis::noise {
 namespace {
 
-std::uint32_t lattice_hash(Key key, std::int32_t x, std::int32_t y) {
-    std::uint32_t h =
-        key.value ^ (static_cast<std::uint32_t>(x) * 0x8DA6B343U) ^ (static_cast<std::uint32_t>(y) * 0xD8163841U);
-    h ^= h >> 15U;
-    h *= 0x2C1B3C6DU;
-    h ^= h >> 12U;
-    h *= 0x297A2D39U;
-    h ^= h >> 15U;
-    return h;
-}
+using kernel::kPrimeX;
+using kernel::kPrimeY;
 
-// The gradient's components are uniform over [-1, 1): its covariance is round, and two shifts make it.
-float corner(std::uint32_t hash, float dx, float dy) {
-    const float gx = static_cast<float>(static_cast<std::int32_t>(hash & 0xFFFFU) - 32768) * (1.0F / 32768.0F);
-    const float gy = static_cast<float>(static_cast<std::int32_t>(hash >> 16U) - 32768) * (1.0F / 32768.0F);
+// The kernel of gradient_kernel.hpp for one point, operation for operation.
+float corner(std::uint32_t primed, float dx, float dy) {
+    std::uint32_t h = primed * kernel::kMixer;
+    h ^= h >> 15U;
+    const auto gx = static_cast<float>(static_cast<std::int32_t>(h << 16U));
+    const auto gy = static_cast<float>(static_cast<std::int32_t>(h));
     return gx * dx + gy * dy;
 }
 
 float fade(float t) { return t * t * t * (t * (t * 6.0F - 15.0F) + 10.0F); }
 
-constexpr float kScale = 1.5F;  // brings the deviation to about 0.3
+struct Cell {
+    std::uint32_t x0, x1, y0, y1;
+    float dx, dy;
+};
 
-float blend(float n00, float n10, float n01, float n11, float dx, float dy) {
-    const float u = fade(dx);
+float blend(std::uint32_t key, const Cell& c) {
+    const float n00 = corner(key ^ c.y0 ^ c.x0, c.dx, c.dy);
+    const float n10 = corner(key ^ c.y0 ^ c.x1, c.dx - 1.0F, c.dy);
+    const float n01 = corner(key ^ c.y1 ^ c.x0, c.dx, c.dy - 1.0F);
+    const float n11 = corner(key ^ c.y1 ^ c.x1, c.dx - 1.0F, c.dy - 1.0F);
+    const float u = fade(c.dx);
     const float above = n00 + u * (n10 - n00);
     const float below = n01 + u * (n11 - n01);
-    return kScale * (above + fade(dy) * (below - above));
+    return kernel::kScale * kernel::kUnit * (above + fade(c.dy) * (below - above));
 }
 
-int wrapped(int i, int period) {
-    const int r = i % period;
-    return r < 0 ? r + period : r;
+float gradient_at(std::uint32_t key, float x, float y) {
+    const float fx = std::floor(x);
+    const float fy = std::floor(y);
+    const std::uint32_t x0 = static_cast<std::uint32_t>(static_cast<std::int32_t>(fx)) * kPrimeX;
+    const std::uint32_t y0 = static_cast<std::uint32_t>(static_cast<std::int32_t>(fy)) * kPrimeY;
+    return blend(key, {x0, x0 + kPrimeX, y0, y0 + kPrimeY, x - fx, y - fy});
 }
 
-float shaped(float n, float ridged) { return n + ridged * (1.0F - 2.0F * std::abs(n) - n); }
+kernel::Sum sum_of(Key key, const Octaves& octaves, int period) {
+    float total = 0;
+    float amplitude = 1;
+    for (int i = 0; i < octaves.count; ++i) {
+        total += amplitude;
+        amplitude *= octaves.gain;
+    }
+    return {key.value, octaves.count, octaves.gain, octaves.ridged, octaves.lacunarity, total > 0 ? 1.0F / total : 0.0F,
+            period};
+}
 
-// A turn by 36.87 degrees, exact in its digits (3-4-5), between octaves.
-constexpr float kCos = 0.8F;
-constexpr float kSin = 0.6F;
+void run(const kernel::Sum& sum, std::span<const float> xs, std::span<const float> ys, std::span<float> out) {
+    assert(xs.size() == out.size() && ys.size() == out.size());
+#if defined(__x86_64__)
+    static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
+    if (has_avx2) return kernel::run_avx2(sum, xs.data(), ys.data(), out.data(), out.size());
+#endif
+    kernel::Kernel<xsimd::default_arch>::run(sum, xs.data(), ys.data(), out.data(), out.size());
+}
 
 }  // namespace
 
-float gradient(Key key, float x, float y) {
-    const float fx = std::floor(x);
-    const float fy = std::floor(y);
-    const int ix = static_cast<int>(fx);
-    const int iy = static_cast<int>(fy);
-    const float dx = x - fx;
-    const float dy = y - fy;
-    return blend(corner(lattice_hash(key, ix, iy), dx, dy), corner(lattice_hash(key, ix + 1, iy), dx - 1, dy),
-                 corner(lattice_hash(key, ix, iy + 1), dx, dy - 1),
-                 corner(lattice_hash(key, ix + 1, iy + 1), dx - 1, dy - 1), dx, dy);
-}
-
-float gradient_tiled(Key key, float x, float y, int period) {
-    const float fx = std::floor(x);
-    const float fy = std::floor(y);
-    const int x0 = wrapped(static_cast<int>(fx), period);
-    const int y0 = wrapped(static_cast<int>(fy), period);
-    const int x1 = x0 + 1 == period ? 0 : x0 + 1;
-    const int y1 = y0 + 1 == period ? 0 : y0 + 1;
-    const float dx = x - fx;
-    const float dy = y - fy;
-    return blend(corner(lattice_hash(key, x0, y0), dx, dy), corner(lattice_hash(key, x1, y0), dx - 1, dy),
-                 corner(lattice_hash(key, x0, y1), dx, dy - 1), corner(lattice_hash(key, x1, y1), dx - 1, dy - 1), dx,
-                 dy);
-}
+float gradient(Key key, float x, float y) { return gradient_at(key.value, x, y); }
 
 float fbm(Key key, float x, float y, const Octaves& octaves) {
+    const kernel::Sum s = sum_of(key, octaves, 0);
     float sum = 0;
     float amplitude = 1;
-    float total = 0;
-    for (int i = 0; i < octaves.count; ++i) {
-        sum += amplitude * shaped(gradient(key.octave(i), x, y), octaves.ridged);
-        total += amplitude;
-        amplitude *= octaves.gain;
-        const float turned_x = octaves.lacunarity * (kCos * x - kSin * y);
-        y = octaves.lacunarity * (kSin * x + kCos * y);
-        x = turned_x;
+    std::uint32_t octave_key = s.key;
+    for (int i = 0; i < s.count; ++i) {
+        octave_key += kernel::kOctaveStep;
+        const float n = gradient_at(octave_key, x, y);
+        sum = sum + amplitude * (n + s.ridged * (1.0F - 2.0F * std::abs(n) - n));
+        amplitude *= s.gain;
+        const float turned = s.lacunarity * (kernel::kCos * x - kernel::kSin * y);
+        y = s.lacunarity * (kernel::kSin * x + kernel::kCos * y);
+        x = turned;
     }
-    return total > 0 ? sum / total : 0;
+    return s.scale * sum;
+}
+
+void fbm(Key key, std::span<const float> xs, std::span<const float> ys, std::span<float> out, const Octaves& octaves) {
+    run(sum_of(key, octaves, 0), xs, ys, out);
 }
 
 float fbm_tiled(Key key, float x, float y, int period, const Octaves& octaves) {
-    float sum = 0;
-    float amplitude = 1;
-    float total = 0;
-    int scale = 1;
-    for (int i = 0; i < octaves.count; ++i) {
-        const auto f = static_cast<float>(scale);
-        sum += amplitude * shaped(gradient_tiled(key.octave(i), x * f, y * f, period * scale), octaves.ridged);
-        total += amplitude;
-        amplitude *= octaves.gain;
-        scale *= 2;
-    }
-    return total > 0 ? sum / total : 0;
+    float out = 0;
+    run(sum_of(key, octaves, period), {&x, 1}, {&y, 1}, {&out, 1});
+    return out;
+}
+
+void fbm_tiled(Key key, std::span<const float> xs, std::span<const float> ys, std::span<float> out, int period,
+               const Octaves& octaves) {
+    run(sum_of(key, octaves, period), xs, ys, out);
 }
 
 }  // namespace quadrat::synthesis::noise

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <span>
 
 #include "base/seed.hpp"
 
 // Gradient noise on the integer lattice (Perlin 1985, 2002), with a gradient hashed for each lattice point instead of a
 // permutation table, and the sums of octaves that fractal land and clouds are made of (Musgrave in "Texturing and
-// Modeling", 1994). Mean 0.
+// Modeling", 1994). Mean 0. One point or many at once: the same bits.
 namespace quadrat::synthesis::noise {
 
 // One field of noise. Fields of different keys are unrelated.
@@ -15,14 +16,10 @@ struct Key {
 
     explicit Key(base::Seed seed) : value(static_cast<std::uint32_t>(seed.value ^ (seed.value >> 32U))) {}
     explicit constexpr Key(std::uint32_t v) : value(v) {}
-    constexpr Key octave(int index) const { return Key{value + 0x9E3779B9U * static_cast<std::uint32_t>(index + 1)}; }
 };
 
 // In about [-1, 1], deviation about 0.3; 0 at lattice points. |x|, |y| < 2^22.
 float gradient(Key key, float x, float y);
-
-// Repeats after period lattice cells in both directions; period > 0.
-float gradient_tiled(Key key, float x, float y, int period);
 
 struct Octaves {
     int count = 6;
@@ -31,11 +28,15 @@ struct Octaves {
     float lacunarity = 2;  // frequency of an octave to the one before
 };
 
-// Sum of octaves, divided by the sum of their amplitudes: in [-1, 1]. Each octave is turned against the one before, so
-// that the lattice's directions do not add up.
+// Sum of octaves, divided by the sum of their amplitudes: in about [-1, 1]. Each octave is turned against the one
+// before, so that the lattice's directions do not add up.
 float fbm(Key key, float x, float y, const Octaves& octaves);
+void fbm(Key key, std::span<const float> xs, std::span<const float> ys, std::span<float> out, const Octaves& octaves);
 
-// Repeats after period cells of the first octave. Not turned.
+// Repeats after period > 0 cells of the first octave; lacunarity is 2 and octaves are not turned. Coordinates lie in
+// [0, period).
 float fbm_tiled(Key key, float x, float y, int period, const Octaves& octaves);
+void fbm_tiled(Key key, std::span<const float> xs, std::span<const float> ys, std::span<float> out, int period,
+               const Octaves& octaves);
 
 }  // namespace quadrat::synthesis::noise

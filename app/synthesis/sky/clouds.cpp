@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "mesh/field.hpp"
 #include "synthesis/noise/gradient.hpp"
@@ -30,18 +32,16 @@ std::uint8_t byte_of(float unit) { return static_cast<std::uint8_t>(255.0F * std
 mesh::Field cloud_depth(const CloudShape& shape, base::Seed seed) {
     mesh::Field depth(shape.side_px, shape.side_px);
     const noise::Key key(seed);
-    const noise::Key warp(seed.child("warp"));
     const auto side = static_cast<float>(shape.side_px);
     const float threshold = 0.62F - 1.12F * shape.cover;
     const float steepness = 1.5F + 7.0F * shape.sharpness * shape.sharpness;
+    std::vector<float> us(shape.side_px);
+    for (int x = 0; x < shape.side_px; ++x) us[x] = static_cast<float>(shape.masses) * static_cast<float>(x) / side;
     for_rows(shape.side_px, [&](int y) {
-        for (int x = 0; x < shape.side_px; ++x) {
-            const float u = static_cast<float>(shape.masses) * static_cast<float>(x) / side;
-            const float v = static_cast<float>(shape.masses) * shape.stretch * static_cast<float>(y) / side;
-            const float n = 2.2F * noise::fbm_tiled(key, u, v, shape.masses * static_cast<int>(shape.stretch),
-                                                    {.count = shape.octaves, .gain = 0.52F});
-            depth.at(x, y) = std::max(0.0F, (n - threshold) * steepness);
-        }
+        const std::vector<float> vs(us.size(), static_cast<float>(shape.masses) * static_cast<float>(y) / side);
+        const auto row = std::span(depth.samples).subspan(depth.index(0, y), us.size());
+        noise::fbm_tiled(key, us, vs, row, shape.masses, {.count = shape.octaves, .gain = 0.52F});
+        for (float& d : row) d = std::max(0.0F, (2.2F * d - threshold) * steepness);
     });
     return depth;
 }

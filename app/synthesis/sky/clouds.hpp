@@ -13,7 +13,6 @@ struct CloudShape {
     int octaves = 6;
     float cover = 0.45F;  // 0 clear to 1 overcast
     float sharpness = 0.5F;
-    float stretch = 1;  // across the tile's x: more than 1 draws out streaks; a whole number
 };
 
 struct CloudImages {

@@ -74,7 +74,8 @@ void paint_layer(scene::CloudLayer& layer, CloudImages images, const Daylight& d
     layer.density = std::move(images.density);
     layer.lit = std::move(images.lit);
     const float low = daylight.lowness();
-    layer.sunlit = glm::vec3{0.62F - 0.16F * low} * sky.sunlight + 0.34F * sky.light_above + 0.10F * low * daylight.sun_colour();
+    layer.sunlit =
+        glm::vec3{0.62F - 0.16F * low} * sky.sunlight + 0.34F * sky.light_above + 0.10F * low * daylight.sun_colour();
     layer.sunlit = layer.sunlit / (0.72F + 0.30F * layer.sunlit);
     layer.shaded = 0.55F * sky.light_above + 0.35F * sky.light_around + glm::vec3{0.06F} * sky.sunlight;
 }

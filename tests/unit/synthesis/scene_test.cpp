@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+
+#include "synthesis/compose/track.hpp"
+#include "unit/synthesis/scenes.hpp"
+
+namespace {
+
+using namespace quadrat;
+using namespace quadrat::synthesis;
+using tests::grow;
+using tests::kCoarse;
+
+bool are_same(const scene::Species& a, const scene::Species& b) {
+    bool same = a.name == b.name && a.wood.size() == b.wood.size() && a.leaves.indices == b.leaves.indices &&
+                a.leaves.vertices.size() == b.leaves.vertices.size() && a.height_m == b.height_m;
+    for (std::size_t i = 0; same && i < a.wood.size(); ++i) same = a.wood[i].mesh == b.wood[i].mesh;
+    return same && std::memcmp(a.leaves.vertices.data(), b.leaves.vertices.data(),
+                               a.leaves.vertices.size() * sizeof(scene::Leaves::Vertex)) == 0;
+}
+
+bool are_same(const scene::Plant& a, const scene::Plant& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+bool are_same(const scene::Sky& a, const scene::Sky& b) {
+    return a.dome == b.dome && a.clouds[0].density == b.clouds[0].density && a.clouds[0].lit == b.clouds[0].lit &&
+           a.clouds[1].density == b.clouds[1].density && a.clouds[0].tile_m == b.clouds[0].tile_m &&
+           a.sunlight == b.sunlight && a.light_above == b.light_above && a.haze_colour == b.haze_colour &&
+           a.haze_distance_m == b.haze_distance_m;
+}
+
+bool are_same(const scene::Land& a, const scene::Land& b) {
+    return a.height_m == b.height_m && a.surround_m == b.surround_m && a.albedo == b.albedo && a.detail == b.detail;
+}
+
+bool are_same(const scene::Flora& a, const scene::Flora& b) {
+    bool same = a.species.size() == b.species.size() && a.spacing_m == b.spacing_m;
+    for (std::size_t i = 0; same && i < a.species.size(); ++i) same = are_same(a.species[i], b.species[i]);
+    return same;
+}
+
+bool are_same(const scene::Scene& a, const scene::Scene& b) {
+    bool same = are_same(*a.flora, *b.flora) && are_same(*a.land, *b.land) && are_same(*a.sky, *b.sky) &&
+                a.light.ground == b.light.ground && a.plants.size() == b.plants.size() &&
+                a.track.cameras.size() == b.track.cameras.size();
+    for (std::size_t i = 0; same && i < a.plants.size(); ++i) same = are_same(a.plants[i], b.plants[i]);
+    for (std::size_t i = 0; same && i < a.track.cameras.size(); ++i)
+        same = a.track.cameras[i].eye_m == b.track.cameras[i].eye_m &&
+               a.track.cameras[i].target_m == b.track.cameras[i].target_m;
+    return same;
+}
+
+TEST(Scene, IsTheSameBitForBitOnAnyNumberOfThreads) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
+        const scene::Fineness fineness{.land_samples = 257, .light_px = 128, .albedo_px = 256};
+        oneapi::tbb::global_control threads(oneapi::tbb::global_control::max_allowed_parallelism, 5);
+        scene::Scene one;
+        scene::Scene five;
+        oneapi::tbb::task_arena(1).execute([&] { one = grow(recipe, fineness); });
+        oneapi::tbb::task_arena(5).execute([&] { five = grow(recipe, fineness); });
+        EXPECT_TRUE(are_same(one, five)) << seed;
+    }
+}
+
+TEST(Scene, OfAnyGenomeIsFiniteAndAPlaceOneCouldStandIn) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
+        const scene::SceneParameters p = scene::realise(recipe.values);
+        const scene::Land land = grow_land(p.land, recipe.seeds[genome::Aspect::Land], kCoarse);
+        int dry = 0;
+        for (const float h : land.height_m.samples) {
+            ASSERT_TRUE(std::isfinite(h) && std::abs(h) < 1500) << seed;
+            dry += h > 0;
+        }
+        EXPECT_GT(dry, static_cast<int>(land.height_m.samples.size()) / 6) << seed;
+        for (const float h : land.surround_m.samples) ASSERT_TRUE(std::isfinite(h) && std::abs(h) < 2500) << seed;
+    }
+}
+
+TEST(Scene, OfAnyGenomeKeepsItsPlantsOnDryLandAndApart) {
+    for (std::uint64_t seed = 0; seed < 24; ++seed) {
+        const scene::Scene s = grow(genome::random_recipe(base::Seed{seed}));
+        std::vector<const scene::Plant*> trees;
+        for (const scene::Plant& plant : s.plants) {
+            ASSERT_LT(plant.species, s.flora->species.size());
+            ASSERT_TRUE(std::isfinite(plant.root_m.x + plant.root_m.y + plant.root_m.z + plant.sun + plant.scale));
+            ASSERT_TRUE(plant.sun >= 0 && plant.sun <= 1);
+            EXPECT_GT(plant.root_m.y, 0) << seed;
+            EXPECT_NEAR(plant.root_m.y, scene::ground_height_m(*s.land, {plant.root_m.x, plant.root_m.z}), 1e-3);
+            EXPECT_LE(std::max(std::abs(plant.root_m.x), std::abs(plant.root_m.z)), 0.5F * s.land->side_m());
+            if (s.flora->species[plant.species].storey == scene::Storey::Tree) trees.push_back(&plant);
+        }
+        EXPECT_LE(trees.size(), 900U);
+        for (std::size_t i = 0; i < trees.size(); ++i) {
+            for (std::size_t k = 0; k < i; ++k) {
+                const float reach = s.flora->species[trees[i]->species].trunk_radius_m * trees[i]->scale +
+                                    s.flora->species[trees[k]->species].trunk_radius_m * trees[k]->scale;
+                ASSERT_GT(glm::distance(trees[i]->root_m, trees[k]->root_m), reach) << seed;
+            }
+        }
+    }
+}
+
+TEST(Scene, SortsItsPlantsBySpecies) {
+    const scene::Scene s = grow(genome::random_recipe(base::Seed{9}));
+    ASSERT_GT(s.plants.size(), 100U);
+    for (std::size_t i = 1; i < s.plants.size(); ++i) EXPECT_LE(s.plants[i - 1].species, s.plants[i].species);
+}
+
+TEST(Scene, FliesOverGroundAndWaterAllTheWayAndThroughNoCrown) {
+    for (std::uint64_t seed = 0; seed < 24; ++seed) {
+        const scene::Scene s = grow(genome::random_recipe(base::Seed{seed}));
+        for (float t = 0; t <= 0.5F * s.track.period_s; t += 0.25F) {
+            const scene::Camera camera = scene::camera_at(s.track, t);
+            const float ground_m = scene::ground_height_m(*s.land, {camera.eye_m.x, camera.eye_m.z});
+            ASSERT_GE(camera.eye_m.y, ground_m + 1.7F) << seed << " at " << t;
+            ASSERT_GE(camera.eye_m.y, 2.5F) << seed;
+            for (const scene::Plant& plant : s.plants) {
+                const scene::Species& species = s.flora->species[plant.species];
+                if (species.storey != scene::Storey::Tree) continue;
+                const float aside =
+                    glm::length(glm::vec2{plant.root_m.x - camera.eye_m.x, plant.root_m.z - camera.eye_m.z});
+                ASSERT_GT(aside, 0.8F * species.crown_radius_m * plant.scale) << seed;
+            }
+        }
+    }
+}
+
+TEST(Scene, FliesTheSameWayInPlanOverEveryLand) {
+    const scene::Scene a = grow(genome::random_recipe(base::Seed{1}));
+    genome::Recipe other = genome::random_recipe(base::Seed{2});
+    other.flight = genome::random_recipe(base::Seed{1}).flight;
+    const scene::Scene b = grow(other);
+    ASSERT_EQ(a.track.cameras.size(), b.track.cameras.size());
+    for (std::size_t i = 0; i < a.track.cameras.size(); ++i) {
+        EXPECT_EQ(a.track.cameras[i].eye_m.x, b.track.cameras[i].eye_m.x);
+        EXPECT_EQ(a.track.cameras[i].eye_m.z, b.track.cameras[i].eye_m.z);
+        EXPECT_EQ(a.track.cameras[i].target_m.x, b.track.cameras[i].target_m.x);
+    }
+}
+
+TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
+    const base::Seed seed{11};
+    const scene::SceneParameters plain = scene::realise(genome::ParameterValues{});
+    const scene::Flora flora = grow_trees(plain.trees, seed);
+    const scene::Land land = grow_land(plain.land, seed, kCoarse);
+    const scene::Sky sky = grow_sky(plain.sky, seed);
+    for (const genome::Parameter& parameter : genome::parameter_table()) {
+        genome::ParameterValues values;
+        const bool is_high = parameter.default_value > 0.5F * (parameter.min + parameter.max);
+        values.set(parameter.id, is_high ? parameter.min : parameter.max);
+        const scene::SceneParameters p = scene::realise(values);
+        switch (parameter.aspect) {
+            case genome::Aspect::Trees:
+                EXPECT_FALSE(are_same(grow_trees(p.trees, seed), flora)) << parameter.name;
+                break;
+            case genome::Aspect::Land:
+                EXPECT_FALSE(are_same(grow_land(p.land, seed, kCoarse), land)) << parameter.name;
+                break;
+            case genome::Aspect::Sky:
+                EXPECT_FALSE(are_same(grow_sky(p.sky, seed), sky)) << parameter.name;
+                break;
+        }
+    }
+}
+
+TEST(Land, ContinuesIntoItsSurroundWithoutAStep) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
+        const scene::Land land =
+            grow_land(scene::realise(recipe.values).land, recipe.seeds[genome::Aspect::Land], kCoarse);
+        const float half_m = 0.5F * land.side_m();
+        const auto surround_m = [&](float x, float z) {
+            const float half = 0.5F * static_cast<float>(land.surround_m.columns - 1);
+            return mesh::sample(land.surround_m, x / land.surround_cell_m + half, z / land.surround_cell_m + half);
+        };
+        for (float along = -half_m; along <= half_m; along += land.cell_m) {
+            for (const float side : {-half_m, half_m}) {
+                EXPECT_NEAR(scene::ground_height_m(land, {along, side}), surround_m(along, side), 0.01F);
+                EXPECT_NEAR(scene::ground_height_m(land, {side, along}), surround_m(side, along), 0.01F);
+            }
+        }
+        for (float x = -half_m + 96; x < half_m - 96; x += 64)
+            EXPECT_LT(surround_m(x, x), scene::ground_height_m(land, {x, x}) + 25) << seed;
+    }
+}
+
+TEST(Sky, HasAUnitSunAboveTheHorizonAndFinitePositiveLight) {
+    for (std::uint64_t seed = 0; seed < 24; ++seed) {
+        const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
+        const scene::Sky sky = grow_sky(scene::realise(recipe.values).sky, recipe.seeds[genome::Aspect::Sky]);
+        EXPECT_NEAR(glm::length(sky.sun_direction), 1, 1e-5);
+        EXPECT_GT(sky.sun_direction.y, 0);
+        for (const glm::vec3& c : {sky.sunlight, sky.light_above, sky.light_around, sky.light_below, sky.haze_colour,
+                                   sky.haze_sunward, sky.clouds[0].sunlit, sky.clouds[1].shaded}) {
+            for (int i = 0; i < 3; ++i) ASSERT_TRUE(std::isfinite(c[i]) && c[i] > 0 && c[i] < 3) << seed;
+        }
+    }
+}
+
+}  // namespace
