@@ -43,6 +43,7 @@ std::unique_ptr<Display> open(const DisplayOptions& options) {
         case Kind::Headless:
             return open_headless(options, "headless, as asked for");
         case Kind::Kms:
+            return open_kms(options, "the screen itself, as asked for");
         case Kind::Auto:
             break;
     }

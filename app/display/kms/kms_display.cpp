@@ -20,7 +20,7 @@ class KmsDisplay final : public Display {
     KmsDisplay(const DisplayOptions& options, std::string why)
         : Display(std::move(why)), options_(options), hardware_(options), keeper_(hardware_) {
         keeper_.attend();
-        prepare();
+        canvas_ = dressed(hardware_.canvas());
     }
     // Off before the card is closed, and the card closed before the console comes back, which then draws itself anew.
     ~KmsDisplay() override { hardware_.disable(); }
@@ -28,7 +28,9 @@ class KmsDisplay final : public Display {
     Phase phase() const { return keeper_.state().phase; }
     const std::string& reason() const { return keeper_.state().reason; }
     bool is_denied() const { return hardware_.is_denied(); }
+    // As soon as there is a card, screen or not: what is typed on a keyboard encoder is not for a shell.
     void take_console() {
+        if (console_ || phase() == Phase::NoCard) return;
         console_.emplace(Console::take());
         if (!console_->problem().empty()) base::log::warn("screen: {}", console_->problem());
     }
@@ -38,17 +40,17 @@ class KmsDisplay final : public Display {
     Canvas canvas() const override { return canvas_; }
     Canvas begin_frame() override {
         keeper_.attend();
-        prepare();
-        return canvas_;
+        take_console();
+        return canvas_ = dressed(hardware_.canvas());
     }
     Presented present() override { return keeper_.present(); }
     void set_power(Power power) override { keeper_.set_power(power); }
 
   private:
-    void prepare() {
-        canvas_ = hardware_.canvas();
-        canvas_.rotation = options_.rotation;
-        canvas_.mirroring = options_.mirroring;
+    Canvas dressed(Canvas canvas) const {
+        canvas.rotation = options_.rotation;
+        canvas.mirroring = options_.mirroring;
+        return canvas;
     }
 
     DisplayOptions options_;

@@ -17,9 +17,15 @@ constexpr std::size_t kSmallerRungs = 2;
 long area(const ScreenMode& mode) { return static_cast<long>(mode.size.width) * mode.size.height; }
 
 // Within full HD whichever way the panel stands.
+bool is_modest(Size size) {
+    const auto [shorter, longer] = std::minmax(size.width, size.height);
+    return longer <= 1920 && shorter <= 1080;
+}
 bool is_modest(const ScreenMode& mode) {
-    const auto [shorter, longer] = std::minmax(mode.size.width, mode.size.height);
-    return longer <= 1920 && shorter <= 1080 && mode.refresh_hz <= kHighestHz && !mode.is_interlaced;
+    return is_modest(mode.size) && mode.refresh_hz <= kHighestHz && !mode.is_interlaced;
+}
+bool is_no_more_work_than_full_hd(const ScreenMode& mode) {
+    return static_cast<double>(area(mode)) * mode.refresh_hz <= 1920.0 * 1080.0 * kHighestHz;
 }
 
 template <typename Key>
@@ -40,11 +46,21 @@ std::optional<std::size_t> configured(std::span<const ScreenMode> modes, const W
     });
 }
 
-std::optional<std::size_t> by_itself(std::span<const ScreenMode> modes) {
-    const auto preferred = best_of(modes, [](const ScreenMode& mode) -> std::optional<int> {
-        return mode.is_preferred && is_modest(mode) ? std::optional{1} : std::nullopt;
+// A panel is sharp at its own size only, so that counts for more than 60 Hz: the fastest mode of that size up to 60,
+// or, where all are faster, the slowest that is no more work than full HD.
+std::optional<std::size_t> at_native_size(std::span<const ScreenMode> modes) {
+    const auto native =
+        std::find_if(modes.begin(), modes.end(), [](const ScreenMode& mode) { return mode.is_preferred; });
+    if (native == modes.end() || !is_modest(native->size)) return std::nullopt;
+    return best_of(modes, [&native](const ScreenMode& mode) -> std::optional<std::tuple<bool, double, bool>> {
+        if (mode.size != native->size || mode.is_interlaced || !is_no_more_work_than_full_hd(mode)) return std::nullopt;
+        const bool is_calm = mode.refresh_hz <= kHighestHz;
+        return std::tuple{is_calm, is_calm ? mode.refresh_hz : -mode.refresh_hz, mode.is_preferred};
     });
-    if (preferred) return preferred;
+}
+
+std::optional<std::size_t> by_itself(std::span<const ScreenMode> modes) {
+    if (const auto native = at_native_size(modes)) return native;
     const auto largest = best_of(modes, [](const ScreenMode& mode) -> std::optional<std::pair<long, double>> {
         return is_modest(mode) ? std::optional{std::pair{area(mode), mode.refresh_hz}} : std::nullopt;
     });

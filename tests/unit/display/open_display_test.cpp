@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "display/display.hpp"
+#include "display/kms/drm_card.hpp"
 #include "unit/display/drawing.hpp"
 #include "unit/display/virtual_desktop.hpp"
 
@@ -67,6 +68,20 @@ TEST(OpenDisplay, AWindowWithoutASizeTakesTheWholeMonitor) {
     options.kind = Kind::Window;
     const auto display = open_display(options);
     EXPECT_EQ(display->begin_frame().size, (Size{1280, 800}));
+}
+
+TEST(OpenDisplay, KmsAskedForWaitsWithoutACardInsteadOfTakingAnotherDisplay) {
+    if (!card_paths().empty()) GTEST_SKIP() << "this machine has a card, which is not for tests to take";
+    DisplayOptions options = automatic();
+    options.kind = Kind::Kms;
+    const auto display = open_display(options);
+    EXPECT_EQ(display->kind(), "kms");
+    EXPECT_EQ(display->begin_frame().context, 0U);
+    const Presented told = display->present();
+    EXPECT_EQ(told.outcome, Outcome::NoScreen);
+    EXPECT_THAT(told.reason, HasSubstr("/dev/dri"));
+    display->set_power(Power::Off);
+    EXPECT_EQ(display->present().outcome, Outcome::Off);
 }
 
 TEST(OpenDisplay, HeadlessGoesUpToTheLargestSideAndDrawsToItsFarCorner) {
