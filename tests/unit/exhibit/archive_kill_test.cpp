@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pulled plug, as near as a process can come to one: SIGKILL at any moment, a thousand times, on one file.
+// A pulled plug, as near as a process can come to one: SIGKILL at any moment. Ten files, a hundred
+// kills each: a thousand, in tests short enough for a sanitizer on a busy machine.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -61,13 +62,16 @@ int last_told(int told, int before) {
     return round;
 }
 
-TEST_F(ArchiveOnDisk, LosesNoToldRoundInAThousandKillsAtRandomMoments) {
+class KilledArchive : public ArchiveOnDisk, public testing::WithParamInterface<std::uint64_t> {};
+INSTANTIATE_TEST_SUITE_P(Files, KilledArchive, testing::Range<std::uint64_t>(0, 10));
+
+TEST_P(KilledArchive, LosesNoToldRoundInAHundredKillsAtRandomMoments) {
     // What a killed process has written is there whether or not it was flushed, so memory does, and takes seconds.
     if (::access("/dev/shm", W_OK) == 0) use_directory_in("/dev/shm");
-    base::RandomStream chance(base::Seed{20});
+    base::RandomStream chance(base::Seed{20}.child(GetParam()));
     int told_round = 0;
     int rounds_lost_in_the_telling = 0;
-    for (int kill = 0; kill < 1000; ++kill) {
+    for (int kill = 0; kill < 100; ++kill) {
         Pipe pipe = open_pipe();
         const pid_t child = ::fork();
         ASSERT_GE(child, 0);
@@ -90,7 +94,7 @@ TEST_F(ArchiveOnDisk, LosesNoToldRoundInAThousandKillsAtRandomMoments) {
         rounds_lost_in_the_telling += kept - told_round;
         told_round = kept;
     }
-    EXPECT_GT(told_round, 1000) << "the children did breed";
+    EXPECT_GT(told_round, 100) << "the children did breed";
     RecordProperty("kept_but_not_told", rounds_lost_in_the_telling);
 }
 
