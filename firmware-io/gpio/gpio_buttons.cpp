@@ -11,125 +11,151 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Instant kRetryEvery = 1s;
+constexpr Instant kRetryMissingEvery = 10s;  // listing all lines of all chips is not free
 // The levels are read again this often, so that an edge the kernel never reported cannot keep a button down.
 constexpr Instant kReadLevelsEvery = 1s;
 
-std::vector<Button> buttons_of(const std::vector<std::pair<unsigned, Button>>& lines) {
-    std::vector<Button> buttons;
-    for (const auto& line : lines) buttons.push_back(line.second);
-    return buttons;
+struct LinesOfChip {
+    std::vector<unsigned> offsets;
+    std::vector<Wire> wires;
+};
+
+// Where the wires go, by chip. Those that go nowhere stay in `wires`, and `trouble` says why.
+std::map<std::string, LinesOfChip> take_found(const std::vector<ChipFacts>& chips, std::vector<Wire>& wires,
+                                              std::string& trouble) {
+    std::map<std::string, LinesOfChip> found;
+    std::vector<Wire> missing;
+    for (const Wire& wire : wires) {
+        try {
+            const LinePlace place = find_line(chips, wire.line);
+            found[place.chip_path].offsets.push_back(place.offset);
+            found[place.chip_path].wires.push_back(wire);
+        } catch (const GpioError& error) {
+            trouble = error.what();
+            missing.push_back(wire);
+        }
+    }
+    wires = std::move(missing);
+    return found;
 }
 
-std::vector<unsigned> offsets_of(const std::vector<std::pair<unsigned, Button>>& lines) {
-    std::vector<unsigned> offsets;
-    for (const auto& line : lines) offsets.push_back(line.first);
-    return offsets;
+void append(std::vector<Wire>& wires, const std::vector<Wire>& more) {
+    wires.insert(wires.end(), more.begin(), more.end());
+}
+
+std::string to_string(const Wire& wire) {
+    std::string text{name_of(wire.button)};
+    return text.append("=").append(to_string(wire.line));
 }
 
 }  // namespace
 
 GpioButtons::GpioButtons(std::unique_ptr<GpioHost> host, Wiring wiring)
-    : host_{std::move(host)}, wiring_{std::move(wiring)}, debouncer_{wiring_.debounce} {
-    status_ = {Presence::Absent, "GPIO lines have not been requested yet"};
+    : host_{std::move(host)},
+      wiring_{std::move(wiring)},
+      debouncer_{wiring_.debounce},
+      missing_contacts_{wiring_.contacts},
+      missing_lamps_{wiring_.lamps},
+      status_{Presence::Absent, "GPIO lines have not been requested yet"} {}
+
+void GpioButtons::open_contacts(const std::vector<ChipFacts>& chips, Instant now) {
+    for (auto& [path, found] : take_found(chips, missing_contacts_, trouble_)) {
+        try {
+            ContactBank bank{host_->request_inputs(path, found.offsets, wiring_.inputs), found.wires};
+            if (!read_levels(bank, Levels::AtOpening, now)) throw GpioError{path + " vanished; plug it in again"};
+            contact_banks_.push_back(std::move(bank));
+        } catch (const GpioError& error) {
+            trouble_ = error.what();
+            append(missing_contacts_, found.wires);
+        }
+    }
 }
 
-std::vector<GpioButtons::Bank> GpioButtons::request(const std::vector<ChipFacts>& chips) {
-    struct Lines {
-        std::vector<std::pair<unsigned, Button>> contacts, lamps;
-    };
-    std::map<std::string, Lines> by_chip;
-    for (const Wire& wire : wiring_.contacts) {
-        const LinePlace place = find_line(chips, wire.line);
-        by_chip[place.chip_path].contacts.emplace_back(place.offset, wire.button);
+void GpioButtons::open_lamps(const std::vector<ChipFacts>& chips) {
+    for (auto& [path, found] : take_found(chips, missing_lamps_, trouble_)) {
+        try {
+            lamp_banks_.push_back({host_->request_outputs(path, found.offsets), found.wires, {}});
+        } catch (const GpioError& error) {
+            trouble_ = error.what();
+            append(missing_lamps_, found.wires);
+        }
     }
-    for (const Wire& wire : wiring_.lamps) {
-        const LinePlace place = find_line(chips, wire.line);
-        by_chip[place.chip_path].lamps.emplace_back(place.offset, wire.button);
-    }
-    std::vector<Bank> banks;
-    for (const auto& [path, lines] : by_chip) {
-        Bank bank{nullptr, buttons_of(lines.contacts), nullptr, buttons_of(lines.lamps)};
-        if (!lines.contacts.empty())
-            bank.inputs = host_->request_inputs(path, offsets_of(lines.contacts), wiring_.inputs);
-        if (!lines.lamps.empty()) bank.outputs = host_->request_outputs(path, offsets_of(lines.lamps));
-        banks.push_back(std::move(bank));
-    }
-    return banks;
 }
 
 void GpioButtons::open(Instant now) {
     if (retry_at_ && now < *retry_at_) return;
-    retry_at_ = now + kRetryEvery;
-    try {
-        banks_ = request(host_->chips());
-    } catch (const GpioError& error) {
-        status_ = {Presence::Absent, error.what()};
-        return;
-    }
-    lit_.assign(banks_.size(), {});
-    clock_ = {};
-    if (!read_levels(Levels::AtOpening, now)) return lose(now, "the GPIO chip vanished while it was opened");
-    std::string names;
-    for (const Wire& wire : wiring_.contacts)
-        names +=
-            (names.empty() ? "GPIO lines " : ", ") + std::string{name_of(wire.button)} + "=" + to_string(wire.line);
-    status_ = {Presence::Present, names};
+    const std::vector<ChipFacts> chips = host_->chips();
+    open_contacts(chips, now);
+    open_lamps(chips);
+    retry_at_ = now + (contact_banks_.empty() ? kRetryEvery : kRetryMissingEvery);
+    describe();
 }
 
-void GpioButtons::lose(Instant now, std::string reason) {
-    banks_.clear();
+void GpioButtons::describe() {
+    status_ = {contact_banks_.empty() ? Presence::Absent : Presence::Present, {}};
+    for (const ContactBank& bank : contact_banks_)
+        for (const Wire& wire : bank.wires)
+            status_.reason.append(status_.reason.empty() ? "GPIO lines " : ", ").append(to_string(wire));
+    if (missing_contacts_.empty() && missing_lamps_.empty()) return;
+    for (const Wire& wire : missing_contacts_)
+        if (!status_.reason.empty()) status_.reason.append("; without ").append(to_string(wire));
+    for (const Wire& wire : missing_lamps_)
+        if (!status_.reason.empty()) status_.reason.append("; without lamp ").append(to_string(wire));
+    status_.reason.append(status_.reason.empty() ? "" : ": ").append(trouble_);
+}
+
+void GpioButtons::lose(Instant now) {
+    contact_banks_.clear();
+    lamp_banks_.clear();
+    missing_contacts_ = wiring_.contacts;
+    missing_lamps_ = wiring_.lamps;
+    clock_ = {};
     debouncer_.lost(now);
     retry_at_ = now + kRetryEvery;
-    status_ = {Presence::Absent, std::move(reason)};
+    status_ = {Presence::Absent, "the GPIO chip has vanished; plug it in again (tried every second)"};
 }
 
-bool GpioButtons::read_levels(Levels when, Instant now) {
-    levels_read_at_ = now;
-    for (const Bank& bank : banks_) {
-        if (!bank.inputs) continue;
-        const std::vector<bool> closed = bank.inputs->closed();
-        if (closed.size() != bank.buttons.size()) return false;
-        for (std::size_t i = 0; i < closed.size(); ++i) {
-            if (when == Levels::AtOpening)
-                debouncer_.found(bank.buttons[i], closed[i], now);
-            else
-                debouncer_.contact(bank.buttons[i], closed[i], now);
-        }
+bool GpioButtons::read_levels(const ContactBank& bank, Levels when, Instant now) {
+    const std::vector<bool> closed = bank.lines->closed();
+    if (closed.size() != bank.wires.size()) return false;
+    for (std::size_t i = 0; i < closed.size(); ++i) {
+        if (when == Levels::AtOpening)
+            debouncer_.found(bank.wires[i].button, closed[i], now);
+        else
+            debouncer_.contact(bank.wires[i].button, closed[i], now);
     }
     return true;
 }
 
 bool GpioButtons::read_edges(Instant now) {
-    bool is_gap = now - levels_read_at_ >= kReadLevelsEvery;
-    for (const Bank& bank : banks_) {
-        if (!bank.inputs) continue;
+    const bool is_time_for_levels = now - levels_read_at_ >= kReadLevelsEvery;
+    if (is_time_for_levels) levels_read_at_ = now;
+    for (const ContactBank& bank : contact_banks_) {
         std::vector<LineEdge> edges;
-        const DrainEnd end = bank.inputs->drain(edges);
+        const DrainEnd end = bank.lines->drain(edges);
         for (const LineEdge& edge : edges) clock_.saw(edge.kernel_time, now);
         for (const LineEdge& edge : edges)
-            debouncer_.contact(bank.buttons.at(edge.line), edge.is_closed, clock_.moment_of(edge.kernel_time));
+            debouncer_.contact(bank.wires.at(edge.line).button, edge.is_closed, clock_.moment_of(edge.kernel_time));
         if (end == DrainEnd::Gone) return false;
-        is_gap = is_gap || end == DrainEnd::Gap;
+        if ((is_time_for_levels || end == DrainEnd::Gap) && !read_levels(bank, Levels::AfterGap, now)) return false;
     }
-    return !is_gap || read_levels(Levels::AfterGap, now);
+    return true;
 }
 
 bool GpioButtons::drive_lamps(Instant now) {
-    for (std::size_t b = 0; b < banks_.size(); ++b) {
-        if (!banks_[b].outputs) continue;
+    for (LampBank& bank : lamp_banks_) {
         std::vector<bool> lit;
-        for (const Button lamp : banks_[b].lamps) lit.push_back(is_lamp_lit(patterns_[index_of(lamp)], now));
-        if (lit == lit_[b]) continue;
-        if (banks_[b].outputs->set(lit) == OutputLines::Written::Gone) return false;
-        lit_[b] = std::move(lit);
+        for (const Wire& wire : bank.wires) lit.push_back(is_lamp_lit(patterns_[index_of(wire.button)], now));
+        if (lit == bank.lit) continue;
+        if (bank.lines->set(lit) == OutputLines::Written::Gone) return false;
+        bank.lit = std::move(lit);
     }
     return true;
 }
 
 std::vector<ButtonEdge> GpioButtons::poll(Instant now) {
-    if (banks_.empty()) open(now);
-    if (!banks_.empty() && !(read_edges(now) && drive_lamps(now)))
-        lose(now, "the GPIO chip has vanished; plug it in again (tried every second)");
+    if (!missing_contacts_.empty() || !missing_lamps_.empty()) open(now);
+    if (!(read_edges(now) && drive_lamps(now))) lose(now);
     return debouncer_.take(now);
 }
 

@@ -23,8 +23,9 @@ struct Wiring {
     DebounceOptions debounce;
 };
 
-// Buttons and lamps on GPIO lines. If anything of the wiring is missing the whole panel is Absent, so that nobody
-// wonders why three of four work; it is tried again every second. Edges carry the kernel's timestamps.
+// Buttons and lamps on GPIO lines. Lines that cannot be had are named in the status and tried again, every second while
+// no button has a line (then the panel is Absent), every ten seconds otherwise: the visit goes on with what works.
+// Edges carry the kernel's timestamps.
 class GpioButtons final : public ButtonSource {
   public:
     GpioButtons(std::unique_ptr<GpioHost> host, Wiring wiring);
@@ -36,18 +37,24 @@ class GpioButtons final : public ButtonSource {
     std::optional<Instant> next_event_at() const override { return debouncer_.next_event_at(); }
 
   private:
-    struct Bank {  // what one chip contributes
-        std::unique_ptr<InputLines> inputs;
-        std::vector<Button> buttons;
-        std::unique_ptr<OutputLines> outputs;
-        std::vector<Button> lamps;
+    struct ContactBank {  // of one chip
+        std::unique_ptr<InputLines> lines;
+        std::vector<Wire> wires;
     };
-    void open(Instant now);
-    void lose(Instant now, std::string reason);
-    std::vector<Bank> request(const std::vector<ChipFacts>& chips);
-    bool read_edges(Instant now);
+    struct LampBank {
+        std::unique_ptr<OutputLines> lines;
+        std::vector<Wire> wires;
+        std::vector<bool> lit;  // as last written
+    };
     enum class Levels { AfterGap, AtOpening };
-    bool read_levels(Levels when, Instant now);
+
+    void open(Instant now);
+    void open_contacts(const std::vector<ChipFacts>& chips, Instant now);
+    void open_lamps(const std::vector<ChipFacts>& chips);
+    void lose(Instant now);
+    void describe();
+    bool read_edges(Instant now);
+    bool read_levels(const ContactBank& bank, Levels when, Instant now);
     bool drive_lamps(Instant now);
 
     std::unique_ptr<GpioHost> host_;
@@ -55,8 +62,10 @@ class GpioButtons final : public ButtonSource {
     Debouncer debouncer_;
     KernelClock clock_;
     Lamps patterns_{};
-    std::vector<std::vector<bool>> lit_;  // what was last written, by bank
-    std::vector<Bank> banks_;             // empty while absent
+    std::vector<ContactBank> contact_banks_;
+    std::vector<LampBank> lamp_banks_;
+    std::vector<Wire> missing_contacts_, missing_lamps_;
+    std::string trouble_;  // with the last line that could not be had
     SourceStatus status_;
     std::optional<Instant> retry_at_;
     Instant levels_read_at_{0};

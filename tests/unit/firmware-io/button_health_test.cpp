@@ -175,7 +175,7 @@ TEST(ButtonHealth, AButtonUnpressedForAWeekOfRunningTimeIsDeadEvenAcrossRestarts
             visitor.wait(8min - 80ms).press(kButtons[static_cast<std::size_t>(i) % 3]);  // never D, never Back
         }
         WatchedPanel panel{visitor.script(), {}, memory};
-        panel.run(8h + 1s, 100ms);
+        panel.run(8h + 2s, 1s);
         memory = panel.health.memory();
         const auto dead = [&](Button button) { return panel.count(Ailment::Dead, button) > 0; };
         EXPECT_EQ(dead(Button::D), day >= 6) << day;

@@ -144,5 +144,34 @@ TEST(GpioButtons, SearchesForMissingHardwareOnceASecondAndNoMore) {
     EXPECT_EQ(panel.machine->listings, 10U);
 }
 
+TEST(GpioButtons, GoesOnWithTheLinesThatCanBeHadAndTakesTheOthersWhenTheyAreFree) {
+    auto machine = std::make_shared<FakeGpioMachine>();
+    machine->chips = {chip_of("/dev/gpiochip0", "pinctrl-fake", {"GPIO17", "GPIO27", "GPIO5"})};
+    machine->chips[0].lines[1].holder = "spi0 CS1";
+    gpio::Wiring wiring;
+    wiring.contacts = {{Button::A, {"GPIO17", {}}}, {Button::B, {"GPIO27", {}}}};
+    wiring.lamps = {{Button::A, {"GPIO99", {}}}};
+    gpio::GpioButtons buttons{std::make_unique<FakeGpioHost>(machine), wiring};
+    buttons.poll(1s);
+    EXPECT_EQ(buttons.status().presence, Presence::Present);
+    EXPECT_THAT(buttons.status().reason, AllOf(HasSubstr("GPIO lines A=GPIO17; without B=GPIO27"),
+                                               HasSubstr("without lamp A=GPIO99"), HasSubstr("GPIO99 is on no GPIO")));
+    machine->move({"/dev/gpiochip0", 0}, true, 2s);
+    EXPECT_EQ(buttons.poll(2s).size(), 1U);
+    machine->chips[0].lines[1].holder.clear();
+    buttons.poll(12s);
+    machine->move({"/dev/gpiochip0", 1}, true, 13s);
+    EXPECT_EQ(buttons.poll(13s).size(), 1U);
+    EXPECT_THAT(buttons.status().reason, HasSubstr("GPIO lines A=GPIO17, B=GPIO27"));
+}
+
+TEST(GpioButtons, ALineThatCannotBeHadAloneIsAbsentWithTheReason) {
+    Panel panel;
+    panel.machine->chips[0].lines[0].holder = "spi0 CS1";
+    panel.buttons.poll(1s);
+    EXPECT_EQ(panel.buttons.status().presence, Presence::Absent);
+    EXPECT_THAT(panel.buttons.status().reason, HasSubstr("GPIO17 is held by spi0 CS1;"));
+}
+
 }  // namespace
 }  // namespace quadrat::tests
