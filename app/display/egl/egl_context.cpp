@@ -8,6 +8,7 @@
 #include <atomic>
 #include <map>
 #include <mutex>
+#include <set>
 #include <utility>
 
 namespace quadrat::display {
@@ -16,10 +17,20 @@ namespace {
 struct OpenScreens {
     std::mutex mutex;
     std::map<EGLDisplay, std::weak_ptr<EglScreen>> by_handle;
+    std::set<std::shared_ptr<EglScreen>> kept;
 };
+// Never destroyed: what is kept must not be terminated after the driver's own static objects are gone.
 OpenScreens& open_screens() {
-    static OpenScreens screens;
-    return screens;
+    static auto* screens = new OpenScreens;
+    return *screens;
+}
+
+// Terminating the last display of a driver unloads it, and the next one loads and starts it anew (60 ms, and Mesa
+// forgets a little memory each time): a headless one belongs to nobody's device, so it stays.
+void keep(const std::shared_ptr<EglScreen>& screen) {
+    OpenScreens& screens = open_screens();
+    const std::lock_guard lock(screens.mutex);
+    screens.kept.insert(screen);
 }
 
 bool has_client_extension(const char* name) { return epoxy_has_egl_extension(EGL_NO_DISPLAY, name); }
@@ -92,16 +103,17 @@ EglScreen::~EglScreen() {
 
 std::vector<std::shared_ptr<EglScreen>> headless_screens(HeadlessPlatform platform) {
     std::vector<std::shared_ptr<EglScreen>> found;
-    const auto keep = [&found](EGLDisplay display) {
+    const auto start = [&found](EGLDisplay display) {
         if (auto screen = EglScreen::adopt(display)) found.push_back(std::move(screen));
     };
     if (!has_client_extension("EGL_EXT_platform_base")) return found;
     if (platform == HeadlessPlatform::Device) {
         for (const EGLDeviceEXT device : devices())
-            keep(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
+            start(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
     } else if (has_client_extension("EGL_MESA_platform_surfaceless")) {
-        keep(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+        start(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
     }
+    for (const auto& screen : found) keep(screen);
     return found;
 }
 

@@ -28,8 +28,8 @@ class EglScreen {
 enum class HeadlessPlatform { Surfaceless, Device };
 inline const std::vector<HeadlessPlatform> kHeadlessPlatforms{HeadlessPlatform::Surfaceless, HeadlessPlatform::Device};
 
-// Every EGL display of this kind that starts. Surfaceless: Mesa's, one or none. Device: each GPU that has a driver, as
-// NVIDIA's has only this way.
+// Every EGL display of this kind that starts; they are kept for the life of the process. Surfaceless: Mesa's, one or
+// none. Device: each GPU that has a driver, as NVIDIA's has only this way.
 std::vector<std::shared_ptr<EglScreen>> headless_screens(HeadlessPlatform platform);
 
 // A GLES 3.1 context that needs no surface.
