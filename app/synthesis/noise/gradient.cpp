@@ -14,7 +14,7 @@ using kernel::kPrimeY;
 
 // The kernel of gradient_kernel.hpp for one point, operation for operation.
 float corner(std::uint32_t primed, float dx, float dy) {
-    std::uint32_t h = primed * kernel::kMixer;
+    std::uint32_t h = (primed ^ (primed >> 16U)) * kernel::kMixer;
     h ^= h >> 15U;
     const auto gx = static_cast<float>(static_cast<std::int32_t>(h << 16U));
     const auto gy = static_cast<float>(static_cast<std::int32_t>(h));
@@ -54,8 +54,32 @@ kernel::Sum sum_of(Key key, const Octaves& octaves, int period) {
         total += amplitude;
         amplitude *= octaves.gain;
     }
-    return {key.value, octaves.count, octaves.gain, octaves.ridged, octaves.lacunarity, total > 0 ? 1.0F / total : 0.0F,
-            period};
+    kernel::Sum sum{static_cast<kernel::Base>(octaves.basis),
+                    static_cast<kernel::Law>(octaves.mix),
+                    key.value,
+                    octaves.count,
+                    octaves.gain,
+                    octaves.ridged,
+                    octaves.lacunarity,
+                    total > 0 ? 1.0F / total : 0.0F,
+                    0,
+                    period};
+    // Middles and ranges of the multifractals, found by measuring.
+    if (octaves.mix == Mix::Ridged) {
+        sum.middle = 0.62F * total;
+        sum.scale *= 1.7F;
+    } else if (octaves.mix == Mix::Hybrid) {
+        sum.middle = 0.7F + 0.28F * (total - 1.0F);
+        sum.scale = 1.0F / (0.7F + 0.5F * total);
+    } else if (octaves.mix == Mix::Hetero) {
+        sum.middle = 1.0F;
+        for (float a = octaves.gain;
+             sum.middle < 1.0e6F && a > std::pow(octaves.gain, static_cast<float>(octaves.count) - 0.5F);
+             a *= octaves.gain)
+            sum.middle *= 1.0F + a;
+        sum.scale = 0.8F / sum.middle;
+    }
+    return sum;
 }
 
 void run(const kernel::Sum& sum, std::span<const float> xs, std::span<const float> ys, std::span<float> out) {
@@ -73,6 +97,11 @@ float gradient(Key key, float x, float y) { return gradient_at(key.value, x, y);
 
 float fbm(Key key, float x, float y, const Octaves& octaves) {
     const kernel::Sum s = sum_of(key, octaves, 0);
+    if (octaves.basis != Basis::Gradient || octaves.mix != Mix::Sum) {
+        float out = 0;
+        run(s, {&x, 1}, {&y, 1}, {&out, 1});
+        return out;
+    }
     float sum = 0;
     float amplitude = 1;
     std::uint32_t octave_key = s.key;

@@ -21,20 +21,38 @@ struct Key {
 // In about [-1, 1], deviation about 0.3; 0 at lattice points. |x|, |y| < 2^22.
 float gradient(Key key, float x, float y);
 
+enum class Basis {
+    Gradient,  // Perlin's
+    Simplex,   // Perlin's of 2001: rounder
+    Value,     // a number a lattice point: softer, blockier
+    Cells,     // Worley's of 1996: 1 on the points, falling with the distance to the nearest
+    Cracks,    // and the difference to the second nearest: plates with seams
+};
+
+// How octaves become one height (Musgrave).
+enum class Mix {
+    Sum,     // fBm
+    Ridged,  // sharp crests, smooth valleys
+    Hybrid,  // rough heights, smooth lows
+    Hetero,  // roughness grows with height
+};
+
 struct Octaves {
     int count = 6;
     float gain = 0.5F;     // amplitude of an octave to the one before
-    float ridged = 0;      // 0 plain fBm, 1 ridges: 1 - 2|n|
+    float ridged = 0;      // of Mix::Sum: 0 plain fBm, 1 each octave folded to 1 - 2|n|
     float lacunarity = 2;  // frequency of an octave to the one before
+    Basis basis = Basis::Gradient;
+    Mix mix = Mix::Sum;
 };
 
-// Sum of octaves, divided by the sum of their amplitudes: in about [-1, 1]. Each octave is turned against the one
-// before, so that the lattice's directions do not add up.
+// Octaves mixed and brought to about [-1, 1], for Mix::Sum by the sum of their amplitudes. Each octave is turned
+// against the one before, so that the lattice's directions do not add up.
 float fbm(Key key, float x, float y, const Octaves& octaves);
 void fbm(Key key, std::span<const float> xs, std::span<const float> ys, std::span<float> out, const Octaves& octaves);
 
-// Repeats after period > 0 cells of the first octave; lacunarity is 2 and octaves are not turned. Coordinates lie in
-// [0, period).
+// Repeats after period > 0 (gradient noise, summed) cells of the first octave; lacunarity is 2 and octaves are not
+// turned. Coordinates lie in [0, period).
 float fbm_tiled(Key key, float x, float y, int period, const Octaves& octaves);
 void fbm_tiled(Key key, std::span<const float> xs, std::span<const float> ys, std::span<float> out, int period,
                const Octaves& octaves);
