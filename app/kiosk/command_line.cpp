@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kiosk/command_line.hpp"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
+
 #include <cstdio>
 #include <exception>
 
@@ -13,6 +15,19 @@ namespace quadrat::kiosk {
 namespace {
 
 constexpr int kBadUsage = 2;
+
+// What CLI11 would call a missing subcommand.
+bool is_unknown_subcommand(const CLI::App& app, int argc, const char* const* argv) {
+    if (argc < 2 || argv[1][0] == '-') return false;
+    return app.get_subcommand_no_throw(argv[1]) == nullptr;
+}
+
+std::string subcommands_of(CLI::App& app) {
+    std::string names;
+    for (const CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", command->get_name());
+    return names;
+}
 
 int refuse(const char* what) {
     std::fprintf(stderr, "quadrat: %s\n", what);
@@ -36,6 +51,8 @@ int run_command_line(int argc, const char* const* argv) {
     commands::add_export(app, chosen);
     commands::add_bench(app, chosen);
     commands::add_doctor(app, chosen);
+    if (is_unknown_subcommand(app, argc, argv))
+        return refuse(fmt::format("{} is not a subcommand; there are {}", argv[1], subcommands_of(app)).c_str());
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -6,6 +6,7 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -19,7 +20,9 @@ namespace oiio = OIIO;
 // A text chunk that every picture tool keeps and shows.
 constexpr const char* kSceneKey = "quadrat:scene";
 
-[[noreturn]] void fail(const std::string& name, const std::string& what) {
+// OpenImageIO may say several lines; ours is one.
+[[noreturn]] void fail(const std::string& name, std::string what) {
+    std::ranges::replace(what, '\n', ' ');
     throw base::InputError(fmt::format("{}: {}", name, what));
 }
 

@@ -149,11 +149,15 @@ void Show::carry_out(const exhibit::BeginVisit& /*wish*/, Instant now) {
     base::log::info("a visit begins");
 }
 
-void Show::carry_out(const exhibit::KeepAnswers& wish, Instant /*now*/) {
+void Show::keep_answers(const genome::Pick& answers) {
     const int round = session_->offer().round;
-    keeper_.post([visit = visit_, round, answers = wish.answers, at = options_.wall_time()](exhibit::Archive& archive) {
+    keeper_.post([visit = visit_, round, answers, at = options_.wall_time()](exhibit::Archive& archive) {
         return archive.keep_answers(*visit, round, answers, at);
     });
+}
+
+void Show::carry_out(const exhibit::KeepAnswers& wish, Instant /*now*/) {
+    keep_answers(wish.answers);
     // Aspects are independent: what was judged is final for the next four, and can begin to grow.
     const genome::Offer preview = session_->preview(wish.answers);
     for (const genome::Aspect aspect : genome::kAspects)
@@ -161,6 +165,7 @@ void Show::carry_out(const exhibit::KeepAnswers& wish, Instant /*now*/) {
 }
 
 void Show::carry_out(const exhibit::GrowNext& wish, Instant /*now*/) {
+    keep_answers(wish.answers);
     session_->next(wish.answers);
     grow_offer(wish.generation, keep_generation({}));
 }
@@ -174,7 +179,10 @@ void Show::carry_out(const exhibit::GrowFinale& wish, Instant /*now*/) {
     const bool is_judged =
         std::ranges::any_of(wish.answers.each, [](const auto& answer) { return answer.has_value(); });
     const base::Seed flight = session_->flight();
-    if (is_judged) session_->next(wish.answers);
+    if (is_judged) {
+        keep_answers(wish.answers);
+        session_->next(wish.answers);
+    }
     const genome::Candidate favourite = session_->favourite();
     waiting_.emplace();
     waiting_->generation = wish.generation;

@@ -82,6 +82,7 @@ class Show {
     bool resume(const exhibit::Generation& kept, Instant now);
     breeding::Session fresh_session();
     void grow_offer(int generation, Keeper::Ticket kept);
+    void keep_answers(const genome::Pick& answers);
     Keeper::Ticket keep_generation(const genome::Pick& answers);
     exhibit::Generation generation_of(const genome::Pick& answers) const;
 

@@ -39,7 +39,6 @@ std::string lively_visit() {
            "after 1500ms press D\nafter 1500ms press D\n";   // 29, 30; then they walk away
 }
 
-
 class Database {
   public:
     explicit Database(const std::filesystem::path& file) {
@@ -93,8 +92,8 @@ TEST(Visit, ThirtyPressesPlayAWholeVisitAndLeaveStatePicturesAndLogAsTheyShould)
     // The state on disk: both visits and their generations, the last one whole.
     Database database(folder / "state" / "quadrat.db");
     EXPECT_EQ(database.number("PRAGMA integrity_check"), 0);  // the text "ok" reads as 0, a missing table as -1
-    EXPECT_EQ(database.number("SELECT count(*) FROM visits"), 2);
-    EXPECT_GE(database.number("SELECT count(*) FROM generations"), 8);
+    EXPECT_EQ(database.number("SELECT count(*) FROM visit"), 2);
+    EXPECT_GE(database.number("SELECT count(*) FROM generation"), 8);
 }
 
 TEST(Visit, TheSameScriptAndSeedLeaveTheSamePictures) {
