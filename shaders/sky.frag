@@ -7,12 +7,11 @@
 #include "common/encode.glsl"
 #include "common/dither.glsl"
 
-layout(binding = 0) uniform sampler2D dome;
-layout(binding = 1) uniform sampler2D lower_clouds;  // r: density; g: lit
-layout(binding = 2) uniform sampler2D upper_clouds;
+layout(binding = 0) uniform sampler2D lower_clouds;  // r: density; g: lit
+layout(binding = 1) uniform sampler2D upper_clouds;
 
 in vec3 ray;
-in vec2 dome_at;
+in vec3 root;
 layout(location = 0) out vec4 pixel;
 
 vec3 behind(vec3 colour, sampler2D layer, int which, vec2 per_height, float glow, float clear) {
@@ -28,7 +27,7 @@ void main() {
     float cos_to_sun = dot(ray, view.to_sun.xyz) * inversesqrt(dot(ray, ray));
     float glow = exp2((cos_to_sun - 1.0) * 22.0);
     float disc = clamp((cos_to_sun - view.sun_colour.w) * 24000.0, 0.0, 1.0);
-    vec3 colour = texture(dome, dome_at).rgb * view.sunlight.w + view.sun_colour.rgb * (0.30 * glow * glow + disc);
+    vec3 colour = root * root * view.sunlight.w + view.sun_colour.rgb * (0.30 * glow * glow + disc);
 
     // Divided by a little more than the height, so that layers bend down to the horizon as the earth's do.
     vec2 per_height = ray.xz / (max(ray.y, 0.0) + 0.045);

@@ -6,7 +6,7 @@
 layout(location = 0) in vec2 around_m;  // rings about the eye, wider and wider, so that air can be worked out a vertex
 
 out vec2 over_land;
-out vec4 ripples_at;  // two layers of one texture
+out vec2 ripples_at;
 out vec3 ray;
 out vec4 haze;
 
@@ -15,8 +15,7 @@ void main() {
     vec3 at_m = vec3(xz.x, 0.0, xz.y);
     gl_Position = view.clip_from_world * vec4(at_m, 1.0);
     over_land = xz * view.light_above.w + 0.5;
-    float seconds = view.eye_seconds.w;
-    ripples_at = vec4(xz * 0.071 + seconds * vec2(0.021, 0.013), xz.yx * 0.0283 - seconds * vec2(0.011, 0.017));
+    ripples_at = xz * (1.0 / 34.0);
     ray = at_m - view.eye_seconds.xyz;
     haze = haze_at(at_m);
 }

@@ -21,6 +21,8 @@ namespace {
 
 // Visible triangles of a whole frame at alpha 1 that a Raspberry Pi 4 draws in time.
 constexpr float kTriangleBudget = 240'000;
+constexpr float kGroundBudget = 40'000;
+constexpr float kSurroundBudget = 16'000;
 constexpr std::size_t kFewestPlantTriangles = 4'000;
 
 void require_gles_31() {
@@ -73,14 +75,16 @@ Selection Renderer::Parts::select(const View& view, const Frame& frame) {
     s.block = block_of(view, clip_from_world, frame.seconds);
     const float alpha = std::max(frame.detail.alpha, 0.01F);
     const float scale = pixels_per_radian(view);
-    const passes::Blocks::Wish wish{view.camera.eye_m, scale, 14 / std::sqrt(alpha)};
-    const auto chosen = [&](const passes::GridOnGpu& grid) {
+    const float share = alpha / static_cast<float>(frame.views.size());  // of the frame's triangles
+    const auto chosen = [&](const passes::GridOnGpu& grid, float error_px, float budget) {
         const std::size_t first = frame_indices.size();
+        const passes::Blocks::Wish wish{view.camera.eye_m, scale, error_px / std::sqrt(alpha),
+                                        static_cast<std::size_t>(budget * share)};
         if (grid.blocks) s.triangles += grid.blocks->select(frustum, wish, frame_indices);
         return passes::IndexRange{first, frame_indices.size() - first};
     };
-    s.ground = chosen(scene.land.land);
-    s.surround = chosen(scene.land.surround);
+    s.ground = chosen(scene.land.land, 1.3F, kGroundBudget);
+    s.surround = chosen(scene.land.surround, 1.6F, kSurroundBudget);
 
     passes::Gathering gathering;
     gathering.eye_m = view.camera.eye_m;
@@ -88,7 +92,7 @@ Selection Renderer::Parts::select(const View& view, const Frame& frame) {
     gathering.growth = view.growth;
     gathering.seconds = frame.seconds;
     gathering.fineness = alpha;
-    const auto budget = static_cast<std::size_t>(kTriangleBudget * alpha / static_cast<float>(frame.views.size()));
+    const auto budget = static_cast<std::size_t>(kTriangleBudget * share);
     gathering.triangle_budget = std::max(budget, s.triangles + kFewestPlantTriangles) - s.triangles;
     passes::Crowd crowd = passes::gather(scene.plants, scene.flora->kinds, frustum, gathering, frame_instances);
     s.triangles += crowd.triangles;
@@ -116,7 +120,7 @@ void Renderer::Parts::draw_view(const View& view, const Selection& selection, st
     drawn.draw_calls += 3;
     drawn.triangles += selection.triangles + sky.triangles();
     if (scene.land.has_water) {
-        water.draw(scene.land.light, scene.sky.mirror);
+        water.draw(scene.land.lit, scene.sky.mirror);
         drawn.triangles += water.triangles();
         ++drawn.draw_calls;
     }
@@ -151,8 +155,9 @@ std::unique_ptr<Upload> Renderer::begin_upload(std::shared_ptr<const scene::Scen
 std::shared_ptr<const Texture> Renderer::texture(const mesh::Image& premultiplied_rgba) {
     auto texture = std::make_shared<Texture>();
     gl::Slices slices;
-    gl::add_picture(slices, texture->picture, std::make_shared<mesh::Image>(premultiplied_rgba), gl::Meaning::Plain,
-                    gl::Wrap::Clamp, gl::Wrap::Clamp);
+    gl::TextureShape shape;
+    shape.sampling = gl::Sampling::Smooth;
+    gl::add_picture(slices, texture->picture, std::make_shared<mesh::Image>(premultiplied_rgba), shape);
     while (!slices.advance(std::size_t{1} << 22U)) continue;
     return texture;
 }

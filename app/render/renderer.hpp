@@ -83,7 +83,7 @@ class Renderer {
     std::unique_ptr<Upload> begin_upload(std::shared_ptr<const scene::Scene> scene);
     std::shared_ptr<const Texture> texture(const mesh::Image& premultiplied_rgba);  // with mipmaps
     Drawn draw(const Frame& frame);
-    void finish();  // waits until everything is drawn; for measuring, never in the show
+    void finish();                                // waits until everything is drawn; for measuring, never in the show
     mesh::Image read_pixels(const Frame& frame);  // RGBA, rows from the top
 
   private:

@@ -12,6 +12,7 @@ namespace {
 
 constexpr float kLog2E = 1.442695F;
 constexpr float kDiscRadius_rad = 0.0105F;  // twice the sun's own: a quarter of a screen is seen from three metres
+constexpr float kRippleTurn_rad_s = 1.9F;
 constexpr float kGrain = 0.55F;
 
 // A dimmed view keeps a third of its light: still readable, plainly not chosen.
@@ -57,6 +58,8 @@ passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, f
                               &b.shallow_colour, &b.deep_colour, &b.sun_colour, &b.cloud_sunlit[0], &b.cloud_sunlit[1],
                               &b.cloud_shaded[0], &b.cloud_shaded[1]})
         *colour = times(*colour, left);
+    b.shallow_colour.w = std::cos(kRippleTurn_rad_s * seconds);
+    b.deep_colour.w = std::sin(kRippleTurn_rad_s * seconds);
     for (std::size_t i = 0; i < b.cloud_place.size(); ++i) {
         const scene::CloudLayer& layer = view.scene->cloud_layers[i];
         const glm::vec2 eye{view.camera.eye_m.x, view.camera.eye_m.z};

@@ -15,8 +15,8 @@ layout(std140, binding = 0) uniform ViewBlock {
     vec4 haze_colour;       // rgb: across the sun; w: log2(e) / haze distance, 1/m
     vec4 haze_sunward;      // rgb: toward the sun; w: log2(e) / haze height, 1/m
     vec4 far_colour;        // rgb: of the surround
-    vec4 shallow_colour;    // rgb: of water, lit; w: unused
-    vec4 deep_colour;       // rgb: of water, lit; w: unused
+    vec4 shallow_colour;    // rgb: of water, lit; w: cosine of the ripples' turn
+    vec4 deep_colour;       // rgb: of water, lit; w: sine of it
     vec4 sun_colour;        // rgb: of the disc and its glow; w: cosine of the disc's radius
     vec4 cloud_place[2];    // xy: texture coordinate over the eye; z: (height - eye) / tile; w: opacity
     vec4 cloud_sunlit[2];

@@ -28,46 +28,40 @@ void add_level(Slices& slices, Texture2D& texture, const std::shared_ptr<Chain>&
     }
 }
 
-void add_levels(Slices& slices, Texture2D& texture, const std::shared_ptr<Chain>& chain, int width, int height,
-                int channels) {
-    for (int level = 0;; ++level) {
-        add_level(slices, texture, chain, level, width, height, channels);
-        if (width == 1 && height == 1) return;
-        slices.add(static_cast<std::size_t>(width * height * channels),
+void add_levels(Slices& slices, Texture2D& texture, const std::shared_ptr<Chain>& chain, const TextureShape& shape) {
+    int width = shape.width;
+    int height = shape.height;
+    for (int level = 0; level < shape.levels(); ++level) {
+        add_level(slices, texture, chain, level, width, height, shape.channels);
+        slices.add(static_cast<std::size_t>(width * height * shape.channels),
                    [chain] { chain->level = std::make_shared<mesh::Image>(halved(*chain->level)); });
         width = std::max(width / 2, 1);
         height = std::max(height / 2, 1);
     }
 }
 
-TextureShape shape_of(int width, int height, int channels, Meaning meaning, Wrap wrap_s, Wrap wrap_t) {
-    return {width, height, channels, meaning, wrap_s, wrap_t, Mipmaps::Whole};
-}
-
 }  // namespace
 
-void add_picture(Slices& slices, Texture2D& texture, std::shared_ptr<const mesh::Image> image, Meaning meaning,
-                 Wrap wrap_s, Wrap wrap_t) {
-    const auto chain = std::make_shared<Chain>(Chain{std::move(image)});
-    const mesh::Image& whole = *chain->level;
-    const TextureShape shape = shape_of(whole.width, whole.height, whole.channels, meaning, wrap_s, wrap_t);
+void add_painting(Slices& slices, Texture2D& texture, const TextureShape& shape, const Painter& paint) {
+    const auto picture = std::make_shared<mesh::Image>(shape.width, shape.height, shape.channels);
     slices.add(0, [&texture, shape] { texture = Texture2D{shape}; });
-    add_levels(slices, texture, chain, shape.width, shape.height, shape.channels);
-}
-
-void add_painting(Slices& slices, Texture2D& texture, int width, int height, int channels, Meaning meaning, Wrap wrap_s,
-                  Wrap wrap_t, const std::function<void(mesh::Image&, int row)>& paint) {
-    const auto picture = std::make_shared<mesh::Image>(width, height, channels);
-    const auto chain = std::make_shared<Chain>(Chain{picture});
-    const TextureShape shape = shape_of(width, height, channels, meaning, wrap_s, wrap_t);
-    slices.add(0, [&texture, shape] { texture = Texture2D{shape}; });
-    const int band = std::max(1, rows_a_slice(width * channels) / 4);
-    slices.add_pieces(static_cast<std::size_t>(height), static_cast<std::size_t>(band),
-                      static_cast<std::size_t>(width * channels) * 4,
-                      [picture, paint](std::size_t row, std::size_t rows) {
+    // Painting a byte takes longer than moving one.
+    const int row_bytes = 4 * shape.width * shape.channels;
+    slices.add_pieces(static_cast<std::size_t>(shape.height), static_cast<std::size_t>(rows_a_slice(row_bytes)),
+                      static_cast<std::size_t>(row_bytes), [picture, paint](std::size_t row, std::size_t rows) {
                           for (std::size_t r = row; r < row + rows; ++r) paint(*picture, static_cast<int>(r));
                       });
-    add_levels(slices, texture, chain, width, height, channels);
+    add_levels(slices, texture, std::make_shared<Chain>(Chain{picture}), shape);
+}
+
+void add_picture(Slices& slices, Texture2D& texture, std::shared_ptr<const mesh::Image> image,
+                 const TextureShape& wanted) {
+    TextureShape shape = wanted;
+    shape.width = image->width;
+    shape.height = image->height;
+    shape.channels = image->channels;
+    slices.add(0, [&texture, shape] { texture = Texture2D{shape}; });
+    add_levels(slices, texture, std::make_shared<Chain>(Chain{std::move(image)}), shape);
 }
 
 }  // namespace quadrat::render::gl

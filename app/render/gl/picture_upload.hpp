@@ -7,15 +7,17 @@
 #include "render/gl/slices.hpp"
 #include "render/gl/texture.hpp"
 
+// Colours are sRGB-encoded in an image. In our textures their bytes hold the square root of linear light, which a
+// shader squares: decoding by the GPU is free on a Raspberry Pi, but keeps a software rasteriser from its fast path.
 namespace quadrat::render::gl {
 
 // Adds the slices that fill texture, all levels, with image, which lives until the last of them is done. The texture is
 // made by the first slice; its address must stay.
-void add_picture(Slices& slices, Texture2D& texture, std::shared_ptr<const mesh::Image> image, Meaning meaning,
-                 Wrap wrap_s, Wrap wrap_t);
+void add_picture(Slices& slices, Texture2D& texture, std::shared_ptr<const mesh::Image> image,
+                 const TextureShape& wanted);
 
 // The same for an image that is worked out by the slices themselves, row by row: paint(image, row).
-void add_painting(Slices& slices, Texture2D& texture, int width, int height, int channels, Meaning meaning, Wrap wrap_s,
-                  Wrap wrap_t, const std::function<void(mesh::Image&, int row)>& paint);
+using Painter = std::function<void(mesh::Image&, int row)>;
+void add_painting(Slices& slices, Texture2D& texture, const TextureShape& shape, const Painter& paint);
 
 }  // namespace quadrat::render::gl

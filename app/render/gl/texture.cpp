@@ -2,7 +2,9 @@
 #include "render/gl/texture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cmath>
 
 #include "render/gl/limits.hpp"
 
@@ -10,33 +12,35 @@ namespace quadrat::render::gl {
 namespace {
 
 GLenum internal_format(const TextureShape& shape) {
-    if (shape.meaning == Meaning::Colour) return GL_SRGB8_ALPHA8;
     return shape.channels == 1 ? GL_R8 : shape.channels == 2 ? GL_RG8 : GL_RGBA8;
 }
 
 GLenum pixel_format(int channels) { return channels == 1 ? GL_RED : channels == 2 ? GL_RG : GL_RGBA; }
+
+GLint minifying(Sampling sampling) {
+    if (sampling == Sampling::Flat) return GL_LINEAR;
+    return sampling == Sampling::Sharp ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR;
+}
 
 GLint wrapped(Wrap wrap) { return wrap == Wrap::Repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE; }
 
 }  // namespace
 
 int TextureShape::levels() const {
-    if (mipmaps == Mipmaps::None) return 1;
+    if (sampling == Sampling::Flat) return 1;
     int count = 1;
     for (int side = std::max(width, height); side > 1; side /= 2) ++count;
     return count;
 }
 
 Texture2D::Texture2D(const TextureShape& shape) : shape_(shape) {
-    assert(shape.meaning == Meaning::Plain || shape.channels == 4);
     limits::check_texture(shape.width, shape.height, internal_format(shape), limits::Filter::Linear);
     GLuint name = 0;
     glGenTextures(1, &name);
     name_.reset(name);
     glBindTexture(GL_TEXTURE_2D, name);
     glTexStorage2D(GL_TEXTURE_2D, shape.levels(), internal_format(shape), shape.width, shape.height);
-    const bool has_mipmaps = shape.mipmaps == Mipmaps::Whole;
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, has_mipmaps ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minifying(shape.sampling));
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrapped(shape.wrap_s));
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapped(shape.wrap_t));
@@ -54,6 +58,19 @@ void Texture2D::write_rows(int level, int first_row, int rows, std::span<const s
 void Texture2D::bind(GLuint unit) const {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_2D, name_.get());
+}
+
+std::uint8_t root_of_srgb(std::uint8_t encoded) {
+    static const std::array<std::uint8_t, 256> table = [] {
+        std::array<std::uint8_t, 256> roots{};
+        for (std::size_t i = 0; i < roots.size(); ++i) {
+            const float e = static_cast<float>(i) / 255;
+            const float linear = e <= 0.04045F ? e / 12.92F : std::pow((e + 0.055F) / 1.055F, 2.4F);
+            roots[i] = static_cast<std::uint8_t>(std::lround(255 * std::sqrt(linear)));
+        }
+        return roots;
+    }();
+    return table[encoded];
 }
 
 mesh::Image halved(const mesh::Image& image) {

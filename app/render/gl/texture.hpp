@@ -8,23 +8,23 @@
 
 namespace quadrat::render::gl {
 
-enum class Meaning { Colour, Plain };  // Colour: sRGB-encoded bytes that a fetch turns linear
 enum class Wrap { Repeat, Clamp };
-enum class Mipmaps { Whole, None };
+// Sharp: bilinear in the nearest mipmap, half the price of Smooth, trilinear. Flat: no mipmaps, for what is never seen
+// smaller than it is.
+enum class Sampling { Smooth, Sharp, Flat };
 
 struct TextureShape {
     int width = 1;
     int height = 1;
-    int channels = 4;  // 1, 2 or 4; Colour wants 4
-    Meaning meaning = Meaning::Plain;
+    int channels = 4;  // 1, 2 or 4
     Wrap wrap_s = Wrap::Clamp;
     Wrap wrap_t = Wrap::Clamp;
-    Mipmaps mipmaps = Mipmaps::Whole;
+    Sampling sampling = Sampling::Sharp;
 
     int levels() const;
 };
 
-// Immutable storage, trilinear, written level by level and band by band.
+// Immutable storage, written level by level and band by band.
 class Texture2D {
   public:
     Texture2D() = default;  // none
@@ -39,6 +39,9 @@ class Texture2D {
     TextureName name_;
     TextureShape shape_;
 };
+
+// An sRGB byte as the byte of the square root of the same linear light.
+std::uint8_t root_of_srgb(std::uint8_t encoded);
 
 // The next coarser level: each pixel the mean of four (of fewer at odd borders).
 mesh::Image halved(const mesh::Image& image);

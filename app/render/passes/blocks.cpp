@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks by the logarithm of their depth, after Vlietinck's vertex-program terrain as described in "Genetic selection
-// of parametric scenes" (2003), section 6.1; borders are stitched by index instead of by a transition tiling.
+// Blocks in powers of two, after Vlietinck's vertex-program terrain as described in "Genetic selection of parametric
+// scenes" (2003), section 6.1. Ours differ: the level follows the block's own roughness as well as its depth, and
+// borders are stitched by index instead of by a transition tiling.
 #include "render/passes/blocks.hpp"
 
 #include <algorithm>
@@ -28,26 +29,54 @@ Blocks::Blocks(const mesh::Field& height_m, float cell_m, int block_cells, float
       side_((height_m.columns - 1) / cells_),
       coarsest_(std::bit_width(static_cast<unsigned>(cells_)) - 1) {
     assert(height_m.columns == height_m.rows && height_m.columns >= 2);
-    const float middle = static_cast<float>(columns_ - 1) / 2;
-    const auto metres = [&](int sample) { return (static_cast<float>(sample) - middle) * cell_m_; };
     for (int row = 0; row < side_; ++row) {
         for (int column = 0; column < side_; ++column) {
-            const int c0 = column * cells_;
-            const int r0 = row * cells_;
-            float lowest = height_m.at(c0, r0);
-            float highest = lowest;
-            for (int r = r0; r <= r0 + cells_; ++r) {
-                for (int c = c0; c <= c0 + cells_; ++c) {
-                    lowest = std::min(lowest, height_m.at(c, r));
-                    highest = std::max(highest, height_m.at(c, r));
-                }
-            }
-            Block block{{metres(c0), lowest, metres(r0)}, {metres(c0 + cells_), highest, metres(r0 + cells_)}, true};
-            const float reach =
-                std::max(std::max(-block.low_m.x, block.high_m.x), std::max(-block.low_m.z, block.high_m.z));
-            block.is_drawn = reach >= hole_half_side_m;
+            Block block = bounded(height_m, column * cells_, row * cells_);
+            const float reach_m = std::max({-block.low_m.x, block.high_m.x, -block.low_m.z, block.high_m.z});
+            block.is_drawn = reach_m >= hole_half_side_m;
             blocks_.push_back(block);
+            add_errors(height_m, column * cells_, row * cells_);
         }
+    }
+}
+
+Blocks::Block Blocks::bounded(const mesh::Field& height_m, int column, int row) const {
+    float lowest = height_m.at(column, row);
+    float highest = lowest;
+    for (int r = row; r <= row + cells_; ++r) {
+        const float* heights = &height_m.at(column, r);
+        for (int c = 0; c <= cells_; ++c) {
+            lowest = std::min(lowest, heights[c]);
+            highest = std::max(highest, heights[c]);
+        }
+    }
+    const float middle = static_cast<float>(columns_ - 1) / 2;
+    const auto metres = [&](int sample) { return (static_cast<float>(sample) - middle) * cell_m_; };
+    return {{metres(column), lowest, metres(row)}, {metres(column + cells_), highest, metres(row + cells_)}, true};
+}
+
+// Each level drops the vertices that are odd at its step; what the surface moves by there is what it loses.
+void Blocks::add_errors(const mesh::Field& height_m, int column, int row) {
+    float sum_m = 0;
+    errors_m_.push_back(0);
+    for (int level = 1; level <= coarsest_; ++level) {
+        const int half = 1 << (level - 1);
+        const int step = 2 * half;
+        float worst_m = 0;
+        const auto lost = [&](int c, int r, int dc, int dr) {
+            const float mean = 0.5F * (height_m.at(c - dc, r - dr) + height_m.at(c + dc, r + dr));
+            worst_m = std::max(worst_m, std::abs(height_m.at(c, r) - mean));
+        };
+        for (int r = row; r <= row + cells_; r += step) {
+            for (int c = column; c <= column + cells_; c += step) {
+                if (c < column + cells_) lost(c + half, r, half, 0);
+                if (r < row + cells_) lost(c, r + half, 0, half);
+                // The diagonal that make_offsets draws runs from south-west to north-east.
+                if (c < column + cells_ && r < row + cells_) lost(c + half, r + half, half, -half);
+            }
+        }
+        sum_m += worst_m;
+        errors_m_.push_back(sum_m);
     }
 }
 
@@ -55,20 +84,40 @@ float Blocks::distance_to(const Block& block, glm::vec3 eye_m) const {
     return glm::length(eye_m - glm::clamp(eye_m, block.low_m, block.high_m));
 }
 
-int Blocks::level_at(float distance_m, const Wish& wish) const {
-    const float cell_px = cell_m_ * wish.pixels_per_radian / std::max(distance_m, 1.0F);
-    return std::clamp(static_cast<int>(std::floor(std::log2(wish.cell_px / cell_px))), 0, coarsest_);
+int Blocks::level_of(int block, const Wish& wish) const {
+    const float distance_m = distance_to(blocks_[static_cast<std::size_t>(block)], wish.eye_m);
+    const float allowed_m = wish.error_px * distance_m / wish.pixels_per_radian;
+    int level = coarsest_;
+    while (level > 0 && error_m(block, level) > allowed_m) --level;
+    return level;
+}
+
+float Blocks::affordable_error_px(const std::vector<int>& seen, Wish wish) const {
+    const auto triangles = [&] {
+        std::size_t sum = 0;
+        for (const int block : seen) {
+            const auto side = static_cast<std::size_t>(cells_ >> level_of(block, wish));
+            sum += 2 * side * side;
+        }
+        return sum;
+    };
+    // In steps, so that a camera that moves a little seldom changes it.
+    while (wish.error_px < 64 && triangles() > wish.triangle_budget) wish.error_px *= 1.25F;
+    return wish.error_px;
 }
 
 std::size_t Blocks::select(const Frustum& frustum, const Wish& wish, std::vector<std::uint32_t>& indices) const {
-    std::vector<int> levels(blocks_.size());
     std::vector<std::pair<float, int>> seen;
+    std::vector<int> seen_blocks;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        const float distance_m = distance_to(blocks_[i], wish.eye_m);
-        levels[i] = level_at(distance_m, wish);
-        if (blocks_[i].is_drawn && frustum.may_see_box(blocks_[i].low_m, blocks_[i].high_m))
-            seen.emplace_back(distance_m, static_cast<int>(i));
+        if (!blocks_[i].is_drawn || !frustum.may_see_box(blocks_[i].low_m, blocks_[i].high_m)) continue;
+        seen.emplace_back(distance_to(blocks_[i], wish.eye_m), static_cast<int>(i));
+        seen_blocks.push_back(static_cast<int>(i));
     }
+    Wish affordable = wish;
+    affordable.error_px = affordable_error_px(seen_blocks, wish);
+    std::vector<int> levels(blocks_.size());
+    for (std::size_t i = 0; i < blocks_.size(); ++i) levels[i] = level_of(static_cast<int>(i), affordable);
     std::ranges::sort(seen);
     const std::size_t before = indices.size();
     for (const auto& [distance_m, i] : seen) {

@@ -21,13 +21,19 @@ class Blocks {
 
     struct Wish {
         glm::vec3 eye_m;
-        float pixels_per_radian;  // of the view
-        float cell_px = 14;       // about how large a cell may look
+        float pixels_per_radian;               // of the view
+        float error_px = 1.3F;                 // how far the ground may lie from its true height on the screen,
+        std::size_t triangle_budget = 12'000;  // and further where this would not hold it
     };
     // Appends the triangles that frustum sees, nearest blocks first; returns how many.
     std::size_t select(const Frustum& frustum, const Wish& wish, std::vector<std::uint32_t>& indices) const;
 
-    int level_at(float distance_m, const Wish& wish) const;  // 0 finest
+    // 0 finest. A block's error at a level is at most the sum of what each halving leaves out.
+    int level_of(int block, const Wish& wish) const;
+    float affordable_error_px(const std::vector<int>& seen, Wish wish) const;
+    float error_m(int block, int level) const {
+        return errors_m_[static_cast<std::size_t>(block * (coarsest_ + 1) + level)];
+    }
     int coarsest_level() const { return coarsest_; }
     int blocks_a_side() const { return side_; }
 
@@ -42,6 +48,8 @@ class Blocks {
     const std::vector<std::uint32_t>& offsets_of(const Pattern& pattern) const;
     std::vector<std::uint32_t> make_offsets(const Pattern& pattern) const;
     float distance_to(const Block& block, glm::vec3 eye_m) const;
+    Block bounded(const mesh::Field& height_m, int column, int row) const;
+    void add_errors(const mesh::Field& height_m, int column, int row);
 
     int columns_;
     float cell_m_;
@@ -49,6 +57,7 @@ class Blocks {
     int side_;   // blocks
     int coarsest_;
     std::vector<Block> blocks_;
+    std::vector<float> errors_m_;  // a block and level
     mutable std::map<Pattern, std::vector<std::uint32_t>> patterns_;
 };
 

@@ -28,11 +28,13 @@ std::size_t wood_triangles(const Kind& kind, const Closeness& how) {
     return how.wood_level < kind.wood_triangles.size() ? kind.wood_triangles[how.wood_level] : 0;
 }
 
-// A batch's prefix is the next power of two above what its plants want.
-int leaf_bucket(float share) { return std::max(0, static_cast<int>(std::floor(-std::log2(share)))); }
+// A batch's prefix is the next half power of two above what its plants want.
+int leaf_bucket(float share) { return std::max(0, static_cast<int>(std::floor(-2 * std::log2(share)))); }
 
 std::size_t prefix(const Kind& kind, int bucket) {
-    return std::max(std::min(kind.blades, kFewestBlades), kind.blades >> static_cast<unsigned>(bucket));
+    const float share = std::exp2(-0.5F * static_cast<float>(bucket));
+    const auto blades = static_cast<std::size_t>(std::ceil(static_cast<float>(kind.blades) * share));
+    return std::min(kind.blades, std::max(blades, kFewestBlades));
 }
 
 std::size_t triangles_of(const Kind& kind, float height_px, float fineness) {

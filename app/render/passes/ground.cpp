@@ -2,6 +2,7 @@
 #include "render/passes/ground.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <vector>
 
@@ -68,6 +69,51 @@ void add_grid(gl::Slices& slices, GridOnGpu& grid, std::shared_ptr<const mesh::F
         [&grid, field](std::size_t first, std::size_t count) { write_normals(grid, *field, first, count); });
 }
 
+// The light over one row of the ground's picture, as roots: between the rows and columns of a coarser image.
+struct LightRow {
+    const mesh::Image& light;
+    float down;
+    int upper;
+    int lower;
+
+    LightRow(const mesh::Image& light_, int row, int rows) : light(light_) {
+        const float at =
+            (static_cast<float>(row) + 0.5F) * static_cast<float>(light.height) / static_cast<float>(rows) - 0.5F;
+        const int above = static_cast<int>(std::floor(at));
+        down = at - static_cast<float>(above);
+        upper = std::clamp(above, 0, light.height - 1);
+        lower = std::clamp(above + 1, 0, light.height - 1);
+    }
+    float at(int column, int channel) const {
+        const float a = light.pixel(column, upper)[channel];
+        const float b = light.pixel(column, lower)[channel];
+        return a + (b - a) * down;
+    }
+};
+
+void light_row(const mesh::Image& albedo, const mesh::Image& light, mesh::Image& lit, int row) {
+    const LightRow over(light, row, lit.height);
+    std::vector<float> smooth(static_cast<std::size_t>(light.width + 1) * 4);
+    for (int column = 0; column <= light.width; ++column)
+        for (int c = 0; c < 4; ++c)
+            smooth[static_cast<std::size_t>(4 * column + c)] = over.at(std::min(column, light.width - 1), c);
+    const float step = static_cast<float>(light.width) / static_cast<float>(lit.width);
+    for (int x = 0; x < lit.width; ++x) {
+        const float at = std::max((static_cast<float>(x) + 0.5F) * step - 0.5F, 0.0F);
+        const auto left = static_cast<int>(at);
+        const float aside = at - static_cast<float>(left);
+        const float* from = &smooth[static_cast<std::size_t>(4 * left)];
+        const std::uint8_t* colour = albedo.pixel(x, row);
+        std::uint8_t* out = lit.pixel(x, row);
+        for (int c = 0; c < 3; ++c) {
+            const float halved_light = from[c] + (from[c + 4] - from[c]) * aside;
+            out[c] = static_cast<std::uint8_t>(
+                static_cast<float>(gl::root_of_srgb(colour[c])) * std::sqrt(halved_light * (1.0F / 255)) + 0.5F);
+        }
+        out[3] = static_cast<std::uint8_t>(from[3] + (from[7] - from[3]) * aside + 0.5F);
+    }
+}
+
 bool is_wet(const mesh::Field& field) {
     return std::ranges::any_of(field.samples, [](float h) { return h < 0; });
 }
@@ -92,8 +138,6 @@ void draw_range(const gl::VertexArray& vertices, const gl::StreamBuffer& indices
 
 void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<const scene::Scene>& scene) {
     const scene::Land& source = *scene->land;
-    using gl::Meaning;
-    using gl::Wrap;
     land.side_m = source.side_m();
     slices.add(kPieceBytes, [&land, scene] {
         const scene::Land& from = *scene->land;
@@ -107,9 +151,14 @@ void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<const s
     add_grid(slices, land.land, part_of(scene, source.height_m), source.cell_m, Normals::None);
     if (source.surround_m.columns >= 2)
         add_grid(slices, land.surround, part_of(scene, source.surround_m), source.surround_cell_m, Normals::Stored);
-    gl::add_picture(slices, land.light, part_of(scene, scene->light.ground), Meaning::Plain, Wrap::Clamp, Wrap::Clamp);
-    gl::add_picture(slices, land.albedo, part_of(scene, source.albedo), Meaning::Colour, Wrap::Clamp, Wrap::Clamp);
-    gl::add_picture(slices, land.grain, part_of(scene, source.detail), Meaning::Plain, Wrap::Repeat, Wrap::Repeat);
+    gl::TextureShape shape;
+    shape.width = source.albedo.width;
+    shape.height = source.albedo.height;
+    gl::add_painting(slices, land.lit, shape, [scene](mesh::Image& lit, int row) {
+        light_row(scene->land->albedo, scene->light.ground, lit, row);
+    });
+    shape.wrap_s = shape.wrap_t = gl::Wrap::Repeat;
+    gl::add_picture(slices, land.grain, part_of(scene, source.detail), shape);
 }
 
 GroundPass::GroundPass()
@@ -120,9 +169,8 @@ void GroundPass::draw(const LandOnGpu& land, const gl::StreamBuffer& indices, In
     if (range.count == 0) return;
     program_.use();
     glUniform2f(0, land.land.cell_m, land.land.middle_column);
-    land.albedo.bind(0);
-    land.light.bind(1);
-    land.grain.bind(2);
+    land.lit.bind(0);
+    land.grain.bind(1);
     vertices_.bind();
     vertices_.feed(0, land.land.places.name());
     draw_range(vertices_, indices, range);

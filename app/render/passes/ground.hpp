@@ -26,8 +26,7 @@ struct GridOnGpu {
 struct LandOnGpu {
     GridOnGpu land;
     GridOnGpu surround;
-    gl::Texture2D albedo;
-    gl::Texture2D light;
+    gl::Texture2D lit;  // the root of half of what the ground sends to the eye; alpha: depth of water over it
     gl::Texture2D grain;
     float side_m = 0;
     bool has_water = false;
@@ -42,7 +41,8 @@ struct IndexRange {
     std::size_t count = 0;
 };
 
-// The land's square: what it is made of, times the light baked for it, in the air before it.
+// The land's square. What it is made of and the light baked for it are multiplied while uploading, for the sun stands
+// still: a pixel fetches their product.
 class GroundPass {
   public:
     GroundPass();

@@ -22,9 +22,9 @@ constexpr int kMirrorSide = 128;
 constexpr float kMirrorReach = 0.46F;  // of the mirror's side, where the horizon lies; as in shaders/water.frag
 constexpr float kLowest_rad = -10.0F / 180.0F * std::numbers::pi_v<float>;
 
-struct DomeVertex {
-    glm::vec3 direction;
-    glm::vec2 on_dome;
+// The root of the linear colour, in sixteen bits: eight would show as bands.
+struct DomeColour {
+    std::uint16_t red, green, blue, unused;
 };
 
 glm::vec2 dome_place(float azimuth_rad, float elevation_rad) {
@@ -33,20 +33,58 @@ glm::vec2 dome_place(float azimuth_rad, float elevation_rad) {
 }
 
 // Rings stand closer together toward the horizon, where the picture is looked at; the last hangs far below it.
-std::vector<float> ring_elevations_deg() { return {90, 72, 56, 43, 32, 23, 16, 10, 5, 1, -3, -10, -40}; }
+std::vector<float> ring_elevations_deg() {
+    return {90, 74, 59, 46, 36, 28, 21, 15.5F, 11, 7.5F, 4.5F, 2, 0, -3, -10, -40};
+}
 
-std::vector<DomeVertex> dome_vertices() {
-    std::vector<DomeVertex> vertices;
-    for (const float degrees : ring_elevations_deg()) {
-        const float elevation = degrees / 180 * std::numbers::pi_v<float>;
-        for (int sector = 0; sector <= kSectors; ++sector) {
-            const float azimuth = 2 * std::numbers::pi_v<float> * static_cast<float>(sector) / kSectors;
-            vertices.push_back({{std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
-                                 -std::cos(azimuth) * std::cos(elevation)},
-                                dome_place(azimuth, std::max(elevation, kLowest_rad))});
-        }
+struct DomePlace {
+    float azimuth_rad;
+    float elevation_rad;
+};
+
+std::vector<DomePlace> dome_places() {
+    std::vector<DomePlace> places;
+    for (const float degrees : ring_elevations_deg())
+        for (int sector = 0; sector <= kSectors; ++sector)
+            places.push_back({2 * std::numbers::pi_v<float> * static_cast<float>(sector) / kSectors,
+                              degrees / 180 * std::numbers::pi_v<float>});
+    return places;
+}
+
+glm::vec3 direction_of(const DomePlace& p) {
+    return {std::sin(p.azimuth_rad) * std::cos(p.elevation_rad), std::sin(p.elevation_rad),
+            -std::cos(p.azimuth_rad) * std::cos(p.elevation_rad)};
+}
+
+float root_at(const mesh::Image& dome, int x, int y, int channel) {
+    const int column = ((x % dome.width) + dome.width) % dome.width;
+    return static_cast<float>(gl::root_of_srgb(dome.pixel(column, std::clamp(y, 0, dome.height - 1))[channel])) / 255;
+}
+
+// Bilinear; around the compass it has no seam.
+glm::vec3 dome_root(const mesh::Image& dome, const DomePlace& place) {
+    const glm::vec2 at = dome_place(place.azimuth_rad, std::max(place.elevation_rad, kLowest_rad)) *
+                             glm::vec2{static_cast<float>(dome.width), static_cast<float>(dome.height)} -
+                         0.5F;
+    const glm::vec2 corner = glm::floor(at);
+    const glm::vec2 t = at - corner;
+    const int x = static_cast<int>(corner.x);
+    const int y = static_cast<int>(corner.y);
+    glm::vec3 root{0};
+    for (int c = 0; c < 3; ++c)
+        root[c] = glm::mix(glm::mix(root_at(dome, x, y, c), root_at(dome, x + 1, y, c), t.x),
+                           glm::mix(root_at(dome, x, y + 1, c), root_at(dome, x + 1, y + 1, c), t.x), t.y);
+    return root;
+}
+
+std::vector<DomeColour> dome_colours(const mesh::Image& dome) {
+    std::vector<DomeColour> colours;
+    for (const DomePlace& place : dome_places()) {
+        const glm::vec3 root = glm::clamp(dome_root(dome, place), 0.0F, 1.0F) * 65535.0F;
+        colours.push_back({static_cast<std::uint16_t>(root.r), static_cast<std::uint16_t>(root.g),
+                           static_cast<std::uint16_t>(root.b), 0});
     }
-    return vertices;
+    return colours;
 }
 
 std::vector<std::uint16_t> dome_indices() {
@@ -79,8 +117,6 @@ float mean_of(const mesh::Image& image) {
     return image.bytes.empty() ? 0 : static_cast<float>(sum / (255.0 * static_cast<double>(image.bytes.size())));
 }
 
-float to_encoded(float linear) { return std::pow(std::clamp(linear, 0.0F, 1.0F), 1 / 2.2F); }
-
 // What still water shows: nearest pixels of the dome will do, ripples blur them; clouds join as their mean.
 void paint_mirror(const scene::Sky& sky, glm::vec3 cloud_colour, float cover, mesh::Image& mirror, int row) {
     for (int column = 0; column < mirror.width; ++column) {
@@ -96,8 +132,10 @@ void paint_mirror(const scene::Sky& sky, glm::vec3 cloud_colour, float cover, me
         const int y = std::clamp(static_cast<int>(at.y * static_cast<float>(sky.dome.height)), 0, sky.dome.height - 1);
         const std::uint8_t* from = sky.dome.pixel(x, y);
         std::uint8_t* to = mirror.pixel(column, row);
-        for (int c = 0; c < 3; ++c)
-            to[c] = unsigned_byte(glm::mix(static_cast<float>(from[c]) / 255, to_encoded(cloud_colour[c]), cover));
+        for (int c = 0; c < 3; ++c) {
+            const float root = static_cast<float>(gl::root_of_srgb(from[c])) / 255;
+            to[c] = unsigned_byte(std::sqrt(glm::mix(root * root, glm::clamp(cloud_colour[c], 0.0F, 1.0F), cover)));
+        }
         to[3] = 255;
     }
 }
@@ -105,32 +143,35 @@ void paint_mirror(const scene::Sky& sky, glm::vec3 cloud_colour, float cover, me
 }  // namespace
 
 void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scene::Sky>& source) {
-    using gl::Meaning;
-    using gl::Wrap;
-    gl::add_picture(slices, sky.dome, {source, &source->dome}, Meaning::Colour, Wrap::Repeat, Wrap::Clamp);
+    slices.add(std::size_t{64} << 10U, [&sky, source] {
+        const auto colours = dome_colours(source->dome);
+        sky.dome = gl::Buffer{GL_ARRAY_BUFFER, colours.size() * sizeof(DomeColour)};
+        sky.dome.write<DomeColour>(0, colours);
+    });
+    gl::TextureShape tiled;
+    tiled.wrap_s = tiled.wrap_t = gl::Wrap::Repeat;
     for (std::size_t i = 0; i < source->clouds.size(); ++i)
-        gl::add_picture(slices, sky.clouds[i], interleaved(source->clouds[i]), Meaning::Plain, Wrap::Repeat,
-                        Wrap::Repeat);
+        gl::add_picture(slices, sky.clouds[i], interleaved(source->clouds[i]), tiled);
     const scene::CloudLayer& low = source->clouds[0];
     const glm::vec3 cloud_colour = glm::mix(low.shaded, low.sunlit, 0.5F);
     const float cover = 0.8F * mean_of(low.density) * low.opacity;
-    gl::add_painting(slices, sky.mirror, kMirrorSide, kMirrorSide, 4, Meaning::Colour, Wrap::Clamp, Wrap::Clamp,
-                     [source, cloud_colour, cover](mesh::Image& mirror, int row) {
-                         paint_mirror(*source, cloud_colour, cover, mirror, row);
-                     });
+    gl::TextureShape flat{kMirrorSide, kMirrorSide};
+    flat.sampling = gl::Sampling::Flat;
+    gl::add_painting(slices, sky.mirror, flat, [source, cloud_colour, cover](mesh::Image& mirror, int row) {
+        paint_mirror(*source, cloud_colour, cover, mirror, row);
+    });
 }
 
 SkyPass::SkyPass()
     : program_("sky.vert", "sky.frag"),
-      vertices_{{0,
-                 sizeof(DomeVertex),
-                 gl::Advance::PerVertex,
-                 {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(DomeVertex, direction)},
-                  {1, 2, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(DomeVertex, on_dome)}}}} {
-    const auto vertices = dome_vertices();
+      vertices_{
+          {0, sizeof(glm::vec3), gl::Advance::PerVertex, {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}},
+          {1, sizeof(DomeColour), gl::Advance::PerVertex, {{1, 4, GL_UNSIGNED_SHORT, gl::Numbers::Normalised, 0}}}} {
+    std::vector<glm::vec3> directions;
+    for (const DomePlace& place : dome_places()) directions.push_back(direction_of(place));
+    directions_ = gl::Buffer{GL_ARRAY_BUFFER, directions.size() * sizeof(glm::vec3)};
+    directions_.write<glm::vec3>(0, directions);
     const auto indices = dome_indices();
-    dome_ = gl::Buffer{GL_ARRAY_BUFFER, vertices.size() * sizeof(DomeVertex)};
-    dome_.write<DomeVertex>(0, vertices);
     indices_ = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof(std::uint16_t)};
     indices_.write<std::uint16_t>(0, indices);
     index_count_ = indices.size();
@@ -138,11 +179,11 @@ SkyPass::SkyPass()
 
 void SkyPass::draw(const SkyOnGpu& sky) const {
     program_.use();
-    sky.dome.bind(0);
-    sky.clouds[0].bind(1);
-    sky.clouds[1].bind(2);
+    sky.clouds[0].bind(0);
+    sky.clouds[1].bind(1);
     vertices_.bind();
-    vertices_.feed(0, dome_.name());
+    vertices_.feed(0, directions_.name());
+    vertices_.feed(1, sky.dome.name());
     vertices_.feed_indices(indices_.name());
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(index_count_), GL_UNSIGNED_SHORT, nullptr);
 }

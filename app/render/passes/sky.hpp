@@ -13,7 +13,7 @@
 namespace quadrat::render::passes {
 
 struct SkyOnGpu {
-    gl::Texture2D dome;
+    gl::Buffer dome;                      // a colour for each vertex of the dome: between them it is smooth
     std::array<gl::Texture2D, 2> clouds;  // r: density, g: lit
     gl::Texture2D mirror;                 // dome and clouds' mean as calm water shows them: x / (1 + y), z / (1 + y)
 };
@@ -31,7 +31,7 @@ class SkyPass {
   private:
     gl::Program program_;
     gl::VertexArray vertices_;
-    gl::Buffer dome_;
+    gl::Buffer directions_;
     gl::Buffer indices_;
     std::size_t index_count_ = 0;
 };

@@ -17,7 +17,7 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr int kSectors = 32;
-constexpr int kRippleSide = 128;
+constexpr int kRippleSide = 256;
 constexpr int kWaves = 28;
 
 std::vector<float> ring_radii_m() { return {0, 6, 20, 50, 110, 220, 420, 750, 1300, 2200, 3600, 5600, 8000, 11500}; }
@@ -50,8 +50,9 @@ std::vector<std::uint16_t> ring_indices() {
     return indices;
 }
 
-// Slopes of a sum of sine waves that each fit the tile a whole number of times: it tiles without a seam. Long waves
-// are steeper, as on a lake in a breeze.
+// Slopes of a sum of sine waves that each fit the tile a whole number of times: it tiles without a seam. Each wave is
+// kept with its quarter turn, so that cos(kx - wt) = cos(kx) cos(wt) + sin(kx) sin(wt) makes all of them travel with
+// one fetch.
 struct Wave {
     glm::vec2 turns;  // across and down the tile
     float phase;
@@ -62,9 +63,9 @@ std::array<Wave, kWaves> waves() {
     std::array<Wave, kWaves> all{};
     for (std::uint64_t i = 0; i < kWaves; ++i) {
         base::RandomStream stream{base::Seed{0x52'69'70'70'6c'65}.child(i)};
-        const float length = 1.5F + 14.0F * stream.unit_f();
+        const float length = 2.0F + 22.0F * stream.unit_f();
         const float bearing = 0.5F + 0.75F * stream.normal();
-        all[i].turns = {std::round(length * std::cos(bearing)), std::round(length * std::sin(bearing))};
+        all[i].turns = {1 + std::round(length * std::cos(bearing)), std::round(length * std::sin(bearing))};
         all[i].phase = 6.2832F * stream.unit_f();
         all[i].steepness = 1.0F / std::sqrt(std::max(glm::length(all[i].turns), 1.0F));
     }
@@ -72,18 +73,24 @@ std::array<Wave, kWaves> waves() {
 }
 
 mesh::Image ripple_slopes() {
-    mesh::Image image(kRippleSide, kRippleSide, 2);
+    mesh::Image image(kRippleSide, kRippleSide, 4);
     const auto all = waves();
     for (int y = 0; y < kRippleSide; ++y) {
         for (int x = 0; x < kRippleSide; ++x) {
             const glm::vec2 at = glm::vec2{static_cast<float>(x), static_cast<float>(y)} * (6.2831853F / kRippleSide);
-            glm::vec2 slope{0};
+            glm::vec2 now{0};
+            glm::vec2 quarter{0};
             for (const Wave& wave : all) {
-                const float length = std::max(glm::length(wave.turns), 1.0F);
-                slope += wave.turns / length * wave.steepness * std::cos(glm::dot(wave.turns, at) + wave.phase);
+                const glm::vec2 slope = glm::normalize(wave.turns) * wave.steepness;
+                const float turn = glm::dot(wave.turns, at) + wave.phase;
+                now += slope * std::cos(turn);
+                quarter += slope * std::sin(turn);
             }
-            image.pixel(x, y)[0] = unsigned_byte(0.5F + 0.11F * slope.x);
-            image.pixel(x, y)[1] = unsigned_byte(0.5F + 0.11F * slope.y);
+            std::uint8_t* pixel = image.pixel(x, y);
+            for (int c = 0; c < 2; ++c) {
+                pixel[c] = unsigned_byte(0.5F + 0.11F * now[c]);
+                pixel[c + 2] = unsigned_byte(0.5F + 0.11F * quarter[c]);
+            }
         }
     }
     return image;
@@ -102,14 +109,15 @@ WaterPass::WaterPass()
     indices_.write<std::uint16_t>(0, indices);
     index_count_ = indices.size();
     gl::Slices slices;
-    gl::add_picture(slices, ripples_, std::make_shared<mesh::Image>(ripple_slopes()), gl::Meaning::Plain,
-                    gl::Wrap::Repeat, gl::Wrap::Repeat);
+    gl::TextureShape shape;
+    shape.wrap_s = shape.wrap_t = gl::Wrap::Repeat;
+    gl::add_picture(slices, ripples_, std::make_shared<mesh::Image>(ripple_slopes()), shape);
     while (!slices.advance(std::size_t{1} << 20U)) continue;
 }
 
-void WaterPass::draw(const gl::Texture2D& baked_light, const gl::Texture2D& mirror) const {
+void WaterPass::draw(const gl::Texture2D& ground, const gl::Texture2D& mirror) const {
     program_.use();
-    baked_light.bind(0);
+    ground.bind(0);
     ripples_.bind(1);
     mirror.bind(2);
     vertices_.bind();

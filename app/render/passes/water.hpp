@@ -11,8 +11,8 @@ namespace quadrat::render::passes {
 class WaterPass {
   public:
     WaterPass();
-    // baked_light: its alpha is the depth; mirror: the sky from above.
-    void draw(const gl::Texture2D& baked_light, const gl::Texture2D& mirror) const;
+    // ground: its alpha is the depth; mirror: the sky from above.
+    void draw(const gl::Texture2D& ground, const gl::Texture2D& mirror) const;
     std::size_t triangles() const { return index_count_ / 3; }
 
   private:
