@@ -21,10 +21,11 @@ quadrat_pkg(dep_gpiod libgpiod)
 quadrat_pkg(dep_hidapi hidapi-hidraw)
 quadrat_pkg(dep_systemd libsystemd)
 quadrat_pkg(dep_toml tomlplusplus)
+# Not its CMake package, which on Debian insists on programs of another package.
+quadrat_pkg(dep_openimageio OpenImageIO)
 find_package(glm REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
-find_package(OpenImageIO REQUIRED)
 # Debian's OpenImageIO names OpenCV's headers, which its package does not bring and we do not use.
 get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
 list(FILTER oiio_includes EXCLUDE REGEX "opencv")
