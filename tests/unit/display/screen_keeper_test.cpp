@@ -299,6 +299,17 @@ TEST_F(KeptScreen, FollowsAScreenSwitchedOffAtItsMainsOverNight) {
     EXPECT_EQ(screen.count("modeset 0"), 1);
 }
 
+TEST_F(KeptScreen, CountsNoLossThatTurnsOutToBeAScreenSwitchedOff) {
+    start_running();
+    for (int i = 0; i < 3 * kMostLosses; ++i) {
+        after(0s, [](ScriptedScreen& s) { s.are_flips_lost = true; });
+        after(2100ms, [](ScriptedScreen& s) { s.unplug(); });
+        after(5s, [](ScriptedScreen& s) { s.are_flips_lost = false; });
+        after(6s, [](ScriptedScreen& s) { s.plug_in(); });
+        ASSERT_EQ(run_for(12s).outcome, Outcome::Shown) << i;
+    }
+}
+
 TEST_F(KeptScreen, SetsUpAnExchangedScreenAnew) {
     start_running();
     after(0s, [](ScriptedScreen& s) { s.unplug(); });
