@@ -2,8 +2,10 @@
 #include "kiosk/command_line.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
@@ -16,16 +18,10 @@ namespace {
 
 constexpr int kBadUsage = 2;
 
-// What CLI11 would call a missing subcommand.
-bool is_unknown_subcommand(const CLI::App& app, int argc, const char* const* argv) {
-    if (argc < 2 || argv[1][0] == '-') return false;
-    return app.get_subcommand_no_throw(argv[1]) == nullptr;
-}
-
-std::string subcommands_of(CLI::App& app) {
-    std::string names;
+std::vector<std::string> subcommands_of(CLI::App& app) {
+    std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", command->get_name());
+        names.push_back(command->get_name());
     return names;
 }
 
@@ -51,8 +47,10 @@ int run_command_line(int argc, const char* const* argv) {
     commands::add_export(app, chosen);
     commands::add_bench(app, chosen);
     commands::add_doctor(app, chosen);
-    if (is_unknown_subcommand(app, argc, argv))
-        return refuse(fmt::format("{} is not a subcommand; there are {}", argv[1], subcommands_of(app)).c_str());
+    // CLI11 would call a misspelt subcommand a missing one.
+    const std::vector<std::string> known = subcommands_of(app);
+    if (argc > 1 && argv[1][0] != '-' && std::ranges::find(known, argv[1]) == known.end())
+        return refuse(fmt::format("{} is not a subcommand; there are {}", argv[1], fmt::join(known, ", ")).c_str());
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
