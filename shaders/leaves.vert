@@ -25,7 +25,7 @@ float blade_scale(float grown) {
 
 void main() {
     float grown = unfolded(age_sway.x);
-    vec3 in_plant_m = site_m * grown + corner_m * blade_scale(grown * grown);
+    vec3 in_plant_m = site_m * grown + corner_m * blade_scale(grown);
     float flutter = 0.012 * sin(view.eye_seconds.w * 4.3 + dot(site_m, vec3(17.0, 11.0, 13.0)));
     vec3 at_m = planted(in_plant_m, age_sway.y) + vec3(0.0, flutter * age_sway.y * root_scale.w, 0.0);
     gl_Position = view.clip_from_world * vec4(at_m, 1.0);

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/blocks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/seed.hpp"
+#include "scene/camera.hpp"
+
+namespace quadrat::render::passes {
+namespace {
+
+constexpr int kSide = 129;
+constexpr float kCell_m = 2;
+
+mesh::Field rugged() {
+    mesh::Field field(kSide, kSide);
+    for (int row = 0; row < kSide; ++row)
+        for (int column = 0; column < kSide; ++column)
+            field.at(column, row) =
+                6 * std::sin(0.11F * static_cast<float>(column)) * std::cos(0.07F * static_cast<float>(row)) +
+                base::unit_of(base::hash_of(base::Seed{9}, column, row)) * (column > 64 ? 3.0F : 0.02F);
+    return field;
+}
+
+// All of the land at once, however near: from straight above.
+Frustum from_above(glm::vec3& eye_m) {
+    const scene::Camera camera{{3, 420, 5}, {0, 0, 0}, 60};
+    eye_m = camera.eye_m;
+    return Frustum(scene::clip_from_view(camera, 1) * scene::view_from_world(camera));
+}
+
+struct Corner {
+    int column;
+    int row;
+};
+Corner corner(std::uint32_t index) { return {static_cast<int>(index) % kSide, static_cast<int>(index) / kSide}; }
+
+TEST(Blocks, CoverTheLandOnceWithUpwardTrianglesAtAnyDetail) {
+    const Blocks blocks(rugged(), kCell_m, 32);
+    glm::vec3 eye_m;
+    const Frustum frustum = from_above(eye_m);
+    for (const float error_px : {0.01F, 0.3F, 1.0F, 4.0F, 60.0F}) {
+        std::vector<std::uint32_t> indices;
+        const std::size_t triangles = blocks.select(frustum, {eye_m, 469, error_px, 1'000'000}, indices);
+        EXPECT_EQ(3 * triangles, indices.size());
+        long twice_area = 0;
+        for (std::size_t i = 0; i < indices.size(); i += 3) {
+            const Corner a = corner(indices[i]);
+            const Corner b = corner(indices[i + 1]);
+            const Corner c = corner(indices[i + 2]);
+            // Rows run south, so counter-clockwise seen from above is negative here.
+            const long twice = -((b.column - a.column) * (c.row - a.row) - (c.column - a.column) * (b.row - a.row));
+            EXPECT_GT(twice, 0);
+            twice_area += twice;
+        }
+        EXPECT_EQ(twice_area, 2L * (kSide - 1) * (kSide - 1));
+    }
+}
+
+TEST(Blocks, LeaveNoCracksWhereLevelsMeet) {
+    const Blocks blocks(rugged(), kCell_m, 16);
+    glm::vec3 eye_m;
+    const Frustum frustum = from_above(eye_m);
+    for (const float error_px : {0.2F, 0.7F, 1.5F, 3.0F}) {
+        std::vector<std::uint32_t> indices;
+        blocks.select(frustum, {eye_m, 469, error_px, 1'000'000}, indices);
+        // In a mesh without cracks every edge is used once each way, but for those on the rim.
+        std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+        for (std::size_t i = 0; i < indices.size(); i += 3)
+            for (std::size_t k = 0; k < 3; ++k) ++edges[{indices[i + k], indices[i + (k + 1) % 3]}];
+        for (const auto& [edge, count] : edges) {
+            EXPECT_EQ(count, 1);
+            const Corner a = corner(edge.first);
+            const Corner b = corner(edge.second);
+            const bool is_rim = (a.column == b.column && (a.column == 0 || a.column == kSide - 1)) ||
+                                (a.row == b.row && (a.row == 0 || a.row == kSide - 1));
+            EXPECT_EQ(edges.contains({edge.second, edge.first}), !is_rim);
+        }
+    }
+}
+
+TEST(Blocks, KeepTheirTriangleBudget) {
+    const Blocks blocks(rugged(), kCell_m, 16);
+    glm::vec3 eye_m;
+    const Frustum frustum = from_above(eye_m);
+    std::size_t before = 0;
+    for (const std::size_t budget : {300U, 1'000U, 5'000U, 40'000U}) {
+        std::vector<std::uint32_t> indices;
+        const std::size_t triangles = blocks.select(frustum, {eye_m, 469, 0.01F, budget}, indices);
+        EXPECT_LE(triangles, budget);
+        EXPECT_GT(triangles, before);
+        before = triangles;
+    }
+}
+
+TEST(Blocks, KnowTheirErrorAsAnUpperBound) {
+    const mesh::Field field = rugged();
+    const Blocks blocks(field, kCell_m, 16);
+    for (int level = 1; level <= blocks.coarsest_level(); ++level) {
+        for (int block = 0; block < blocks.blocks_a_side() * blocks.blocks_a_side(); ++block) {
+            const int c0 = block % blocks.blocks_a_side() * 16;
+            const int r0 = block / blocks.blocks_a_side() * 16;
+            const int step = 1 << level;
+            float worst_m = 0;
+            for (int r = 0; r <= 16; ++r) {
+                for (int c = 0; c <= 16; ++c) {
+                    const int cell_c = std::min(c / step * step, 16 - step);
+                    const int cell_r = std::min(r / step * step, 16 - step);
+                    const float u = static_cast<float>(c - cell_c) / static_cast<float>(step);
+                    const float v = static_cast<float>(r - cell_r) / static_cast<float>(step);
+                    const auto height = [&](int i, int k) {
+                        return field.at(c0 + cell_c + i * step, r0 + cell_r + k * step);
+                    };
+                    const float on_surface = u + v <= 1 ? height(0, 0) + u * (height(1, 0) - height(0, 0)) +
+                                                              v * (height(0, 1) - height(0, 0))
+                                                        : height(1, 1) + (1 - u) * (height(0, 1) - height(1, 1)) +
+                                                              (1 - v) * (height(1, 0) - height(1, 1));
+                    worst_m = std::max(worst_m, std::abs(on_surface - field.at(c0 + c, r0 + r)));
+                }
+            }
+            EXPECT_LE(worst_m, blocks.error_m(block, level) + 1e-4F);
+        }
+    }
+}
+
+TEST(Blocks, DrawNothingWhollyInsideTheHole) {
+    const Blocks whole(rugged(), kCell_m, 16);
+    const Blocks holed(rugged(), kCell_m, 16, 64);
+    glm::vec3 eye_m;
+    const Frustum frustum = from_above(eye_m);
+    std::vector<std::uint32_t> all;
+    std::vector<std::uint32_t> some;
+    const Blocks::Wish finest{eye_m, 469, 0.0001F, 1'000'000};
+    const std::size_t everything = whole.select(frustum, finest, all);
+    const std::size_t rest = holed.select(frustum, finest, some);
+    EXPECT_EQ(everything - rest, 2U * 32 * 32);
+}
+
+}  // namespace
+}  // namespace quadrat::render::passes

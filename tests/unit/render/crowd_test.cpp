@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/crowd.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "base/seed.hpp"
+#include "scene/camera.hpp"
+
+namespace quadrat::render::passes {
+namespace {
+
+const scene::Camera kCamera{{0, 6, 0}, {0, 4, -100}, 42};
+
+Frustum frustum() { return Frustum(scene::clip_from_view(kCamera, 16.0F / 9) * scene::view_from_world(kCamera)); }
+
+Kind tree() { return {12, 4, {2800, 1100, 180, 30, 6}, 2100, 2}; }
+Kind grass() { return {0.4F, 0.2F, {}, 9, 2}; }
+
+std::vector<scene::Plant> forest(std::size_t trees, std::size_t tufts) {
+    std::vector<scene::Plant> plants;
+    base::RandomStream stream{base::Seed{3}};
+    for (std::size_t i = 0; i < trees + tufts; ++i) {
+        scene::Plant plant;
+        plant.species = i < trees ? 0 : 1;
+        plant.root_m = {stream.between(-500, 500), stream.between(-5, 20), stream.between(-500, 500)};
+        plant.scale = stream.between(0.7F, 1.3F);
+        plants.push_back(plant);
+    }
+    return plants;
+}
+
+Gathering looking_from_the_camera() {
+    Gathering g;
+    g.eye_m = kCamera.eye_m;
+    g.pixels_per_radian = 469;
+    g.triangle_budget = 1'000'000;
+    return g;
+}
+
+TEST(Crowd, HoldsEveryTreeThatReachesIntoTheViewAndNoneThatIsFarOutside) {
+    const auto plants = forest(3000, 0);
+    const std::vector<Kind> kinds{tree()};
+    std::vector<Instance> instances;
+    gather(plants, kinds, frustum(), looking_from_the_camera(), instances);
+    const auto is_in = [&](const scene::Plant& plant) {
+        return std::ranges::any_of(instances,
+                                   [&](const Instance& i) { return glm::vec3{i.root_scale} == plant.root_m; });
+    };
+    std::size_t seen = 0;
+    for (const scene::Plant& plant : plants) {
+        const bool roots_on_screen = frustum().may_see_sphere(plant.root_m, 0);
+        EXPECT_TRUE(is_in(plant) || !roots_on_screen);
+        EXPECT_TRUE(!is_in(plant) || frustum().may_see_sphere(plant.root_m, 40));
+        seen += roots_on_screen;
+    }
+    EXPECT_GT(seen, 100U);
+    EXPECT_LT(instances.size(), plants.size() / 2);
+}
+
+TEST(Crowd, BatchesCoverEveryInstanceOnceAndCountTheirTriangles) {
+    const auto plants = forest(1500, 4000);
+    const std::vector<Kind> kinds{tree(), grass()};
+    std::vector<Instance> instances;
+    const Crowd crowd = gather(plants, kinds, frustum(), looking_from_the_camera(), instances);
+    std::vector<int> leaves(instances.size());
+    std::size_t triangles = 0;
+    for (const Batch& batch : crowd.batches) {
+        ASSERT_LE(batch.first + batch.count, instances.size());
+        const Kind& kind = kinds[batch.species];
+        const bool is_wood = batch.part == Batch::Part::Wood;
+        triangles +=
+            batch.count * (is_wood ? kind.wood_triangles[batch.level] : batch.blades * kind.triangles_per_blade);
+        for (std::size_t i = batch.first; !is_wood && i < batch.first + batch.count; ++i) ++leaves[i];
+    }
+    EXPECT_TRUE(std::ranges::all_of(leaves, [](int n) { return n == 1; }));
+    EXPECT_EQ(triangles, crowd.triangles);
+}
+
+TEST(Crowd, DrawsTheBladesItsInstancesAskFor) {
+    const auto plants = forest(1500, 0);
+    const std::vector<Kind> kinds{tree()};
+    std::vector<Instance> instances;
+    const Crowd crowd = gather(plants, kinds, frustum(), looking_from_the_camera(), instances);
+    for (const Batch& batch : crowd.batches) {
+        if (batch.part != Batch::Part::Leaves) continue;
+        for (std::size_t i = batch.first; i < batch.first + batch.count; ++i)
+            EXPECT_GE(static_cast<float>(batch.blades) + 0.5F, instances[i].grown_share_wind.y * 2100.0F);
+    }
+}
+
+TEST(Crowd, WithinASpeciesNearPlantsComeBeforeFarOnes) {
+    auto plants = forest(1500, 0);
+    for (scene::Plant& plant : plants) plant.scale = 1;
+    const std::vector<Kind> kinds{tree()};
+    std::vector<Instance> instances;
+    gather(plants, kinds, frustum(), looking_from_the_camera(), instances);
+    for (std::size_t i = 1; i < instances.size(); ++i) {
+        const auto distance = [&](std::size_t k) {
+            return glm::length(glm::vec3{instances[k].root_scale} + glm::vec3{0, 6, 0} - kCamera.eye_m);
+        };
+        EXPECT_LE(distance(i - 1), distance(i) + 1e-3F);
+    }
+}
+
+TEST(Crowd, KeepsItsBudgetByGivingUpFineness) {
+    const auto plants = forest(4000, 4000);
+    const std::vector<Kind> kinds{tree(), grass()};
+    Gathering g = looking_from_the_camera();
+    std::vector<Instance> instances;
+    const Crowd free = gather(plants, kinds, frustum(), g, instances);
+    g.triangle_budget = free.triangles / 2;
+    instances.clear();
+    const Crowd held = gather(plants, kinds, frustum(), g, instances);
+    EXPECT_LE(held.triangles, g.triangle_budget);
+    EXPECT_GT(held.triangles, g.triangle_budget * 8 / 10);
+    EXPECT_LT(held.fineness, free.fineness);
+}
+
+TEST(Closeness, NeverGrowsCoarserAsAPlantGrowsLargerOnTheScreen) {
+    for (const float fineness : {0.1F, 1.0F, 4.0F}) {
+        Closeness before = closeness(tree(), 1, fineness);
+        for (float px = 1; px < 1500; px *= 1.03F) {
+            const Closeness now = closeness(tree(), px, fineness);
+            EXPECT_LE(now.wood_level, before.wood_level) << px;
+            EXPECT_GE(now.share, before.share) << px;
+            before = now;
+        }
+        EXPECT_EQ(before.wood_level, 0U);
+        EXPECT_EQ(before.share, 1.0F);
+    }
+}
+
+TEST(Closeness, MoreFinenessNeverTakesAnythingAway) {
+    for (float px = 2; px < 800; px *= 1.3F) {
+        for (float fineness = 0.05F; fineness < 4; fineness *= 1.5F) {
+            const Closeness coarse = closeness(tree(), px, fineness);
+            const Closeness fine = closeness(tree(), px, fineness * 1.5F);
+            EXPECT_LE(fine.wood_level, coarse.wood_level);
+            EXPECT_GE(fine.share, coarse.share);
+        }
+    }
+}
+
+TEST(Grown, StartsAsASeedlingAndEndsGrownWhateverTheDelay) {
+    for (float delay = 0; delay <= 1; delay += 0.1F) {
+        EXPECT_NEAR(grown(0, delay), grown(0, 0), 1e-6F);
+        EXPECT_GT(grown(0, delay), 0);
+        EXPECT_FLOAT_EQ(grown(1, delay), 1);
+        float before = 0;
+        for (float growth = 0; growth <= 1; growth += 0.02F) {
+            EXPECT_GE(grown(growth, delay), before);
+            before = grown(growth, delay);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace quadrat::render::passes

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/gl/program.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+#include "base/error.hpp"
+#include "render/passes/crowd.hpp"
+#include "render/passes/view_block.hpp"
+#include "unit/render/gpu_fixture.hpp"
+
+namespace quadrat::render::gl {
+namespace {
+
+using testing::HasSubstr;
+
+class Programs : public Gpu {};
+
+GLint offset_of(GLuint program, const char* name) {
+    const GLuint index = glGetProgramResourceIndex(program, GL_UNIFORM, name);
+    if (index == GL_INVALID_INDEX) return -1;
+    const GLenum wanted = GL_OFFSET;
+    GLint offset = -1;
+    glGetProgramResourceiv(program, GL_UNIFORM, index, 1, &wanted, 1, nullptr, &offset);
+    return offset;
+}
+
+// std140 blocks keep members no shader reads, so one program shows them all.
+TEST_F(Programs, LayTheViewBlockOutAsTheStructThatFillsIt) {
+    using passes::ViewBlock;
+    const Program sky("sky.vert", "sky.frag");
+    const std::pair<const char*, std::size_t> members[] = {
+        {"ViewBlock.clip_from_world", offsetof(ViewBlock, clip_from_world)},
+        {"ViewBlock.eye_seconds", offsetof(ViewBlock, eye_seconds)},
+        {"ViewBlock.to_sun", offsetof(ViewBlock, to_sun)},
+        {"ViewBlock.sunlight", offsetof(ViewBlock, sunlight)},
+        {"ViewBlock.light_above", offsetof(ViewBlock, light_above)},
+        {"ViewBlock.light_around", offsetof(ViewBlock, light_around)},
+        {"ViewBlock.light_below", offsetof(ViewBlock, light_below)},
+        {"ViewBlock.haze_colour", offsetof(ViewBlock, haze_colour)},
+        {"ViewBlock.haze_sunward", offsetof(ViewBlock, haze_sunward)},
+        {"ViewBlock.far_colour", offsetof(ViewBlock, far_colour)},
+        {"ViewBlock.shallow_colour", offsetof(ViewBlock, shallow_colour)},
+        {"ViewBlock.deep_colour", offsetof(ViewBlock, deep_colour)},
+        {"ViewBlock.sun_colour", offsetof(ViewBlock, sun_colour)},
+        {"ViewBlock.cloud_place[0]", offsetof(ViewBlock, cloud_place)},
+        {"ViewBlock.cloud_sunlit[0]", offsetof(ViewBlock, cloud_sunlit)},
+        {"ViewBlock.cloud_shaded[0]", offsetof(ViewBlock, cloud_shaded)}};
+    for (const auto& [name, offset] : members)
+        EXPECT_EQ(offset_of(sky.name(), name), static_cast<GLint>(offset)) << name;
+    const GLenum size = GL_BUFFER_DATA_SIZE;
+    GLint bytes = 0;
+    glGetProgramResourceiv(sky.name(), GL_UNIFORM_BLOCK, 0, 1, &size, 1, nullptr, &bytes);
+    EXPECT_EQ(bytes, static_cast<GLint>(sizeof(ViewBlock)));
+    EXPECT_EQ(passes::kViewBlockBytes % 256, 0U);
+}
+
+TEST_F(Programs, ReadAnInstanceAsTheStructThatFillsIt) {
+    const Program leaves("leaves.vert", "lit.frag");
+    EXPECT_EQ(glGetAttribLocation(leaves.name(), "root_scale"), 8);
+    EXPECT_EQ(glGetAttribLocation(leaves.name(), "turn_sun_tint"), 9);
+    EXPECT_EQ(glGetAttribLocation(leaves.name(), "grown_share_wind"), 10);
+    EXPECT_EQ(sizeof(passes::Instance), 48U);
+}
+
+TEST_F(Programs, NameFileAndLineOfAnErrorInAnInclude) {
+    static constexpr std::string_view kFiles[] = {"shaders/broken.frag", "shaders/common/oops.glsl"};
+    const shaders::Source broken{
+        "broken.frag",
+        "#version 310 es\nprecision highp float;\n#line 1 1\nfloat half_of(float x) {\n    return "
+        "y * 0.5;\n}\n#line 4 0\nvoid main() {}\n",
+        kFiles};
+    try {
+        const Program program(shaders::source("sky.vert"), broken);
+        FAIL() << "it compiled";
+    } catch (const base::InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("shader broken.frag"));
+        EXPECT_THAT(error.what(), HasSubstr("shaders/common/oops.glsl:2"));
+    }
+}
+
+TEST(ShaderLog, KeepsLinesThatNameNoFile) {
+    static constexpr std::string_view kFiles[] = {"shaders/a.frag"};
+    const shaders::Source source{"a.frag", "", kFiles};
+    EXPECT_EQ(with_file_names("0:3(7): error: x\nlinking failed\n7:1: y", source),
+              "shaders/a.frag:3(7): error: x\nlinking failed\n7:1: y");
+}
+
+TEST(ShaderSources, HoldEveryIncludeInPlace) {
+    EXPECT_GE(shaders::sources().size(), 10U);
+    for (const shaders::Source& source : shaders::sources()) {
+        EXPECT_EQ(source.text.find("#include"), std::string_view::npos) << source.name;
+        EXPECT_TRUE(source.text.starts_with("#version 310 es\n")) << source.name;
+        EXPECT_THAT(std::string(source.files[0]), testing::EndsWith(std::string(source.name)));
+    }
+}
+
+}  // namespace
+}  // namespace quadrat::render::gl
