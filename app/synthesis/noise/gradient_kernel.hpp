@@ -35,6 +35,16 @@ struct Sum {
     int period;    // of the first octave when tiled; 0: not tiled
 };
 
+// The same bits as another vector: xsimd 8 is told the vector, later ones its element.
+template <typename To, typename From>
+To bits_as(const From& from) {
+#if XSIMD_VERSION_MAJOR >= 9
+    return xsimd::bitwise_cast<typename To::value_type>(from);
+#else
+    return xsimd::bitwise_cast<To>(from);
+#endif
+}
+
 template <typename Arch>
 struct Kernel {
     using F = xsimd::batch<float, Arch>;
@@ -46,8 +56,8 @@ struct Kernel {
     static F corner(U primed, F dx, F dy) {
         U h = (primed ^ (primed >> 16)) * U(kMixer);
         h = h ^ (h >> 15);
-        const F gx = xsimd::to_float(xsimd::bitwise_cast<I>(h << 16));
-        const F gy = xsimd::to_float(xsimd::bitwise_cast<I>(h));
+        const F gx = xsimd::to_float(bits_as<I>(h << 16));
+        const F gy = xsimd::to_float(bits_as<I>(h));
         return gx * dx + gy * dy;
     }
 
@@ -71,8 +81,8 @@ struct Kernel {
     static F gradient(std::uint32_t key, F x, F y) {
         const F fx = xsimd::floor(x);
         const F fy = xsimd::floor(y);
-        const U x0 = xsimd::bitwise_cast<U>(xsimd::to_int(fx)) * U(kPrimeX);
-        const U y0 = xsimd::bitwise_cast<U>(xsimd::to_int(fy)) * U(kPrimeY);
+        const U x0 = bits_as<U>(xsimd::to_int(fx)) * U(kPrimeX);
+        const U y0 = bits_as<U>(xsimd::to_int(fy)) * U(kPrimeY);
         return blend(U(key), x0, x0 + U(kPrimeX), y0, y0 + U(kPrimeY), x - fx, y - fy);
     }
 
@@ -85,7 +95,7 @@ struct Kernel {
         const I last(period - 1);
         const I x1 = xsimd::select(x0 == last, I(0), x0 + I(1));
         const I y1 = xsimd::select(y0 == last, I(0), y0 + I(1));
-        const auto primed = [](I i, std::uint32_t prime) { return xsimd::bitwise_cast<U>(i) * U(prime); };
+        const auto primed = [](I i, std::uint32_t prime) { return bits_as<U>(i) * U(prime); };
         return blend(U(key), primed(x0, kPrimeX), primed(x1, kPrimeX), primed(y0, kPrimeY), primed(y1, kPrimeY), x - fx,
                      y - fy);
     }
@@ -95,14 +105,14 @@ struct Kernel {
         h = h ^ (h >> 15);
         return h * U(kMixer);
     }
-    static F signed_unit(U h) { return xsimd::to_float(xsimd::bitwise_cast<I>(h)) * F(kUnit); }
+    static F signed_unit(U h) { return xsimd::to_float(bits_as<I>(h)) * F(kUnit); }
 
     // A value a lattice point, blended; -1 to 1.
     static F value(std::uint32_t key, F x, F y) {
         const F fx = xsimd::floor(x);
         const F fy = xsimd::floor(y);
-        const U x0 = xsimd::bitwise_cast<U>(xsimd::to_int(fx)) * U(kPrimeX);
-        const U y0 = xsimd::bitwise_cast<U>(xsimd::to_int(fy)) * U(kPrimeY);
+        const U x0 = bits_as<U>(xsimd::to_int(fx)) * U(kPrimeX);
+        const U y0 = bits_as<U>(xsimd::to_int(fy)) * U(kPrimeY);
         const U x1 = x0 + U(kPrimeX);
         const U y1 = y0 + U(kPrimeY);
         const F u = fade(x - fx);
@@ -130,10 +140,10 @@ struct Kernel {
         const F one(1.0F);
         const F step_x = xsimd::select(is_lower, one, F(0.0F));
         const F step_y = one - step_x;
-        const U x0 = xsimd::bitwise_cast<U>(xsimd::to_int(i)) * U(kPrimeX);
-        const U y0 = xsimd::bitwise_cast<U>(xsimd::to_int(j)) * U(kPrimeY);
-        const U mid_x = xsimd::bitwise_cast<U>(xsimd::to_int(i + step_x)) * U(kPrimeX);
-        const U mid_y = xsimd::bitwise_cast<U>(xsimd::to_int(j + step_y)) * U(kPrimeY);
+        const U x0 = bits_as<U>(xsimd::to_int(i)) * U(kPrimeX);
+        const U y0 = bits_as<U>(xsimd::to_int(j)) * U(kPrimeY);
+        const U mid_x = bits_as<U>(xsimd::to_int(i + step_x)) * U(kPrimeX);
+        const U mid_y = bits_as<U>(xsimd::to_int(j + step_y)) * U(kPrimeY);
         const auto kernel = [](U primed, F ex, F ey) {
             const F r = F(0.5F) - ex * ex - ey * ey;
             const F k = xsimd::max(r, F(0.0F));
@@ -153,8 +163,8 @@ struct Kernel {
     static Nearest nearest(std::uint32_t key, F x, F y) {
         const F fx = xsimd::floor(x);
         const F fy = xsimd::floor(y);
-        const U x0 = xsimd::bitwise_cast<U>(xsimd::to_int(fx)) * U(kPrimeX);
-        const U y0 = xsimd::bitwise_cast<U>(xsimd::to_int(fy)) * U(kPrimeY);
+        const U x0 = bits_as<U>(xsimd::to_int(fx)) * U(kPrimeX);
+        const U y0 = bits_as<U>(xsimd::to_int(fy)) * U(kPrimeY);
         Nearest d{F(8.0F), F(8.0F)};
         for (int j = -1; j <= 1; ++j) {
             for (int i = -1; i <= 1; ++i) {
