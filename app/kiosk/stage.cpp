@@ -70,7 +70,8 @@ std::string words(const StageView& view, const Configuration& configuration) {
 
 render::Frame Stage::frame(const StageView& view, const display::Canvas& canvas) {
     render::Frame frame;
-    frame.size = {canvas.size.width, canvas.size.height};
+    frame.hanging = {static_cast<int>(canvas.rotation), canvas.mirroring == display::Mirroring::Mirrored};
+    frame.size = render::turned_size({canvas.size.width, canvas.size.height}, frame.hanging);
     frame.framebuffer = canvas.framebuffer;
     frame.seconds = seconds_of(view.now);
     frame.detail.alpha = static_cast<float>(configuration_.picture.alpha);

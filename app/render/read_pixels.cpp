@@ -8,12 +8,13 @@
 namespace quadrat::render {
 
 mesh::Image Renderer::read_pixels(const Frame& frame) {
-    mesh::Image upside_down(frame.size.x, frame.size.y, 4);
+    const glm::ivec2 size = turned_size(frame.size, frame.hanging);
+    mesh::Image upside_down(size.x, size.y, 4);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.framebuffer);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, frame.size.x, frame.size.y, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.bytes.data());
-    mesh::Image image(frame.size.x, frame.size.y, 4);
-    const auto row_bytes = static_cast<std::size_t>(frame.size.x) * 4;
+    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.bytes.data());
+    mesh::Image image(size.x, size.y, 4);
+    const auto row_bytes = static_cast<std::size_t>(size.x) * 4;
     for (int y = 0; y < image.height; ++y)
         std::memcpy(image.pixel(0, y), upside_down.pixel(0, image.height - 1 - y), row_bytes);
     return image;

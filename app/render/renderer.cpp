@@ -34,6 +34,14 @@ void require_gles_31() {
                                        reinterpret_cast<const char*>(glGetString(GL_RENDERER)), version));
 }
 
+glm::mat4 turned(const glm::mat4& clip_from_world, const Hanging& hanging) {
+    glm::mat4 turn{1};
+    const glm::mat2 turn_xy = panel_from_upright(hanging);
+    turn[0] = {turn_xy[0], 0, 0};
+    turn[1] = {turn_xy[1], 0, 0};
+    return turn * clip_from_world;
+}
+
 // One view's share of the frame: what is drawn of its scene.
 struct Selection {
     passes::ViewBlock block;
@@ -61,7 +69,7 @@ struct Renderer::Parts {
 
     Selection select(const View& view, const Frame& frame);
     void fill(const std::vector<Selection>& selections);
-    void draw_view(const View& view, const Selection& selection, std::size_t slot, Drawn& drawn);
+    void draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot, Drawn& drawn);
     void draw_signs(const Frame& frame);
 };
 
@@ -72,7 +80,7 @@ Selection Renderer::Parts::select(const View& view, const Frame& frame) {
     const glm::mat4 clip_from_world = scene::clip_from_view(view.camera, aspect) * scene::view_from_world(view.camera);
     const passes::Frustum frustum(clip_from_world);
     Selection s;
-    s.block = block_of(view, clip_from_world, frame.seconds);
+    s.block = block_of(view, turned(clip_from_world, frame.hanging), frame.seconds);
     const float alpha = std::max(frame.detail.alpha, 0.01F);
     const float scale = pixels_per_radian(view);
     const float share = alpha / static_cast<float>(frame.views.size());  // of the frame's triangles
@@ -87,10 +95,9 @@ Selection Renderer::Parts::select(const View& view, const Frame& frame) {
     s.surround = chosen(scene.land.surround, 1.6F, kSurroundBudget);
 
     passes::Gathering gathering;
-    gathering.eye_m = view.camera.eye_m;
+    gathering.view = s.block;
     gathering.pixels_per_radian = scale;
     gathering.growth = view.growth;
-    gathering.seconds = frame.seconds;
     gathering.fineness = alpha;
     const auto budget = static_cast<std::size_t>(kTriangleBudget * share);
     gathering.triangle_budget = std::max(budget, s.triangles + kFewestPlantTriangles) - s.triangles;
@@ -109,10 +116,12 @@ void Renderer::Parts::fill(const std::vector<Selection>& selections) {
     instances.fill<passes::Instance>(frame_instances);
 }
 
-void Renderer::Parts::draw_view(const View& view, const Selection& selection, std::size_t slot, Drawn& drawn) {
+void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot,
+                                Drawn& drawn) {
     const GpuScene& scene = *view.scene;
-    glViewport(view.viewport.x, view.viewport.y, view.viewport.width, view.viewport.height);
-    glScissor(view.viewport.x, view.viewport.y, view.viewport.width, view.viewport.height);
+    const Rect place = on_panel(view.viewport, frame.size, frame.hanging);
+    glViewport(place.x, place.y, place.width, place.height);
+    glScissor(place.x, place.y, place.width, place.height);
     gl::bind_uniforms(blocks, passes::kViewBinding, slot * passes::kViewBlockBytes, passes::kViewBlockBytes);
     drawn.draw_calls += plants.draw(*scene.flora, selection.batches, instances);
     ground.draw(scene.land, indices, selection.ground);
@@ -120,7 +129,7 @@ void Renderer::Parts::draw_view(const View& view, const Selection& selection, st
     drawn.draw_calls += 3;
     drawn.triangles += selection.triangles + sky.triangles();
     if (scene.land.has_water) {
-        water.draw(scene.land.lit, scene.sky.mirror);
+        water.draw(scene.land.lit);
         drawn.triangles += water.triangles();
         ++drawn.draw_calls;
     }
@@ -137,8 +146,9 @@ void Renderer::Parts::draw_signs(const Frame& frame) {
                         sign.corner_radius_px,
                         sign.border_px});
     }
-    glViewport(0, 0, frame.size.x, frame.size.y);
-    signs.draw(flat, frame.size);
+    const glm::ivec2 target = turned_size(frame.size, frame.hanging);
+    glViewport(0, 0, target.x, target.y);
+    signs.draw(flat, frame.size, panel_from_upright(frame.hanging));
 }
 
 Renderer::Renderer() {
@@ -179,9 +189,11 @@ Drawn Renderer::draw(const Frame& frame) {
     glEnable(GL_SCISSOR_TEST);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
+    glFrontFace(frame.hanging.is_mirrored ? GL_CW : GL_CCW);
     glDepthFunc(GL_LEQUAL);
     Drawn drawn;
-    for (std::size_t i = 0; i < frame.views.size(); ++i) parts.draw_view(frame.views[i], selections[i], i, drawn);
+    for (std::size_t i = 0; i < frame.views.size(); ++i)
+        parts.draw_view(frame.views[i], frame, selections[i], i, drawn);
     glDisable(GL_SCISSOR_TEST);
     parts.draw_signs(frame);
     drawn.draw_calls += frame.signs.size();

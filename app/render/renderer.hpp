@@ -10,18 +10,11 @@
 #include <vector>
 
 #include "mesh/image.hpp"
+#include "render/hanging.hpp"
 #include "scene/scene.hpp"
 
 // Draws on the context that is current on the calling thread. Everything here belongs to that thread.
 namespace quadrat::render {
-
-// Pixels, origin at the bottom left as GL has it.
-struct Rect {
-    int x = 0;
-    int y = 0;
-    int width = 0;
-    int height = 0;
-};
 
 // How finely to draw. alpha is the one knob of speed against quality (D = alpha E^beta, "Genetic selection of
 // parametric scenes" 2003, section 6.2): 1 is the standard, 0.25 coarse, 4 as fine as there is.
@@ -59,7 +52,8 @@ struct Sign {
 };
 
 struct Frame {
-    glm::ivec2 size{0};  // of the target, pixels
+    glm::ivec2 size{0};  // of the upright picture, pixels: views and signs are laid out in it
+    Hanging hanging;     // the target has turned_size(size, hanging)
     std::uint32_t framebuffer = 0;
     float seconds = 0;        // of the scenes' own time: wind, water, clouds
     std::vector<View> views;  // 1 (full screen) to 4, drawn in one pass on one framebuffer
@@ -84,7 +78,7 @@ class Renderer {
     std::shared_ptr<const Texture> texture(const mesh::Image& premultiplied_rgba);  // with mipmaps
     Drawn draw(const Frame& frame);
     void finish();                                // waits until everything is drawn; for measuring, never in the show
-    mesh::Image read_pixels(const Frame& frame);  // RGBA, rows from the top
+    mesh::Image read_pixels(const Frame& frame);  // RGBA, rows from the top, as the panel has them
 
   private:
     struct Parts;

@@ -25,7 +25,7 @@ SignsPass::SignsPass()
                   {1, 2, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Corner, from_middle_px)}}}},
       corners_(GL_ARRAY_BUFFER) {}
 
-void SignsPass::draw(std::span<const FlatSign> signs, glm::ivec2 target_px) {
+void SignsPass::draw(std::span<const FlatSign> signs, glm::ivec2 upright_px, const glm::mat2& target_from_upright) {
     if (signs.empty()) return;
     std::vector<Corner> corners;
     for (const FlatSign& sign : signs) {
@@ -33,7 +33,8 @@ void SignsPass::draw(std::span<const FlatSign> signs, glm::ivec2 target_px) {
         const glm::vec2 half = 0.5F * sign.size_px + (sign.picture ? 0.0F : 1.0F);
         const glm::vec2 middle = sign.low_px + 0.5F * sign.size_px;
         for (const glm::vec2 c : kStrip)
-            corners.push_back({2.0F * (middle + c * half) / glm::vec2{target_px} - 1.0F, c * half});
+            corners.push_back(
+                {target_from_upright * (2.0F * (middle + c * half) / glm::vec2{upright_px} - 1.0F), c * half});
     }
     corners_.fill<Corner>(corners);
     vertices_.bind();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <span>
@@ -25,7 +26,9 @@ struct FlatSign {
 class SignsPass {
   public:
     SignsPass();
-    void draw(std::span<const FlatSign> signs, glm::ivec2 target_px);
+    // Laid out on a picture of this size; the matrix turns its clip coordinates to the target's.
+    void draw(std::span<const FlatSign> signs, glm::ivec2 upright_px,
+              const glm::mat2& target_from_upright = glm::mat2{1});
 
   private:
     gl::Program plain_;
