@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/land.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -20,6 +21,19 @@ float ground_height_m(const Land& land, glm::vec2 at_m) {
     const bool is_on_land = std::abs(at_m.x) <= half_side && std::abs(at_m.y) <= half_side;
     if (is_on_land || land.surround_m.samples.empty()) return sample_at(land.height_m, land.cell_m, at_m);
     return sample_at(land.surround_m, land.surround_cell_m, at_m);
+}
+
+float water_depth_m(const Land& land, glm::vec2 at_m) {
+    float surface_m = 0;
+    const mesh::Field& water = land.water_m;
+    const float half_side = 0.5F * land.side_m();
+    if (!water.samples.empty() && std::abs(at_m.x) <= half_side && std::abs(at_m.y) <= half_side) {
+        const float half = 0.5F * static_cast<float>(water.columns - 1);
+        const int column = static_cast<int>(std::lround(at_m.x / land.cell_m + half));
+        const int row = static_cast<int>(std::lround(at_m.y / land.cell_m + half));
+        if (water.is_inside(column, row)) surface_m = std::max(surface_m, water.at(column, row));
+    }
+    return std::max(surface_m - ground_height_m(land, at_m), 0.0F);
 }
 
 glm::vec3 ground_normal(const Land& land, glm::vec2 at_m) {

@@ -5,6 +5,7 @@
 
 #include "mesh/field.hpp"
 #include "mesh/image.hpp"
+#include "mesh/mesh.hpp"
 
 namespace quadrat::scene {
 
@@ -15,15 +16,22 @@ struct Land {
     float cell_m = 2;
     mesh::Field surround_m;      // the country around it to the horizon, coarse, about the same middle; within the
     float surround_cell_m = 64;  // land's own square it lies below the land's surface and is not drawn
-    mesh::Image albedo;          // RGBA, colour: what the ground is made of, over the land's square; alpha: wetness
-    mesh::Image detail;          // one channel, tileable, mean 128: the ground's grain
-    float detail_tile_m = 7;     // one tile of it on the ground
+    mesh::Field water_m;  // the surface of lakes and rivers at each sample; kNoWater where there is none; may be empty
+    mesh::Mesh fresh_water;  // that surface, drawn; it ends under its banks; texcoords: the current, m/s east and south
+    mesh::Image albedo;      // RGBA, colour: what the ground is made of, over the land's square; alpha: wetness
+    mesh::Image detail;      // one channel, tileable, mean 128: the ground's grain
+    float detail_tile_m = 7;                       // one tile of it on the ground
     glm::vec3 shallow_colour{0.2F, 0.45F, 0.42F};  // of water, linear
     glm::vec3 deep_colour{0.02F, 0.10F, 0.14F};
     glm::vec3 far_colour{0.3F, 0.35F, 0.25F};  // of the surround, linear
 
     float side_m() const { return cell_m * static_cast<float>(height_m.columns - 1); }
 };
+
+inline constexpr float kNoWater = -1.0e6F;
+
+// Depth of water over the ground, of the sea, a lake or a river; 0 on dry land.
+float water_depth_m(const Land& land, glm::vec2 at_m);
 
 // Height of the ground above the sea's surface. Outside the land: of the surround, then of its nearest edge.
 float ground_height_m(const Land& land, glm::vec2 at_m);

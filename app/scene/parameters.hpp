@@ -19,7 +19,14 @@ struct LandParameters {
     float relief_m = 110;
     float gain = 0.44F;
     float feature_size_m = 420;
-    float sea_level = 0.22F;  // share of the land under water
+    float sea_level = 0.22F;      // share of the land under water
+    float erosion = 0.9F;         // how deep streams have cut: 0 not at all
+    float erosion_age = 8;        // steps of it on the coarse grid
+    float sediment = 0.4F;        // share of what streams carry that they lay where the ground runs flat
+    float creep = 0.06F;          // how far the ground between streams has evened out
+    float river_area_m2 = 45000;  // drained area from which on a stream is drawn as a river
+    float lake_depth_m = 1.2F;    // hollows shallower than this are filled with earth
+    float repose_deg = 42;        // the steepest slope that earth keeps
 };
 
 struct SkyParameters {

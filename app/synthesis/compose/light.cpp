@@ -143,7 +143,8 @@ scene::BakedLight bake_light(const scene::Land& land, const scene::Sky& sky, con
             pixel[0] = half_byte(c.x);
             pixel[1] = half_byte(c.y);
             pixel[2] = half_byte(c.z);
-            pixel[3] = static_cast<std::uint8_t>(255.0F * std::clamp(-height_m / kDeepest_m, 0.0F, 1.0F));
+            pixel[3] =
+                static_cast<std::uint8_t>(255.0F * std::clamp(scene::water_depth_m(land, at) / kDeepest_m, 0.0F, 1.0F));
         }
     });
     return light;

@@ -179,7 +179,7 @@ std::vector<Candidate> tree_candidates(const scene::Land& land, const scene::Flo
         c.scale = random.between(0.72F, 1.18F);
         if (!is_on_land(land, c.at_m)) return;
         const float height_m = scene::ground_height_m(land, c.at_m);
-        if (height_m < kShore_m) return;
+        if (height_m < kShore_m || scene::water_depth_m(land, c.at_m) > 0) return;
         const float grove = noise::fbm(groves, c.at_m.x / 95.0F, c.at_m.y / 95.0F, {.count = 3, .gain = 0.5F});
         const float density = std::clamp(0.62F - 0.25F * openness + 2.6F * grove, 0.03F, 1.0F);
         float well = 0;
@@ -237,6 +237,7 @@ void frame_view(std::vector<Candidate>& trees, const scene::Land& land, const sc
             const scene::Species& species = flora.species[c.species];
             if (!is_on_land(land, c.at_m) || is_in_the_way(flight, c.at_m, 0.8F * species.crown_radius_m * c.scale))
                 continue;
+            if (scene::water_depth_m(land, c.at_m) > 0) continue;
             if (welfare(species, scene::ground_height_m(land, c.at_m), slope_at(land, c.at_m)) <= 0.2F) continue;
             const float apart_m = std::max(0.6F * species.crown_radius_m * c.scale, 2.5F);
             trees.erase(std::remove_if(trees.begin(), trees.end(),
@@ -270,7 +271,7 @@ std::vector<Candidate> undergrowth(const scene::Land& land, const scene::Flora& 
         const View view = view_of(flight, c.at_m);
         if (view.along_m < 1.0F || view.aside > 1.15F || view.to_way_m > reach_m || view.to_way_m < 2.2F) return;
         const float height_m = scene::ground_height_m(land, c.at_m);
-        if (height_m < kShore_m) return;
+        if (height_m < kShore_m || scene::water_depth_m(land, c.at_m) > 0) return;
         const float nearness = 1.0F - view.to_way_m / reach_m;
         const float patch = 0.55F + 2.4F * noise::fbm(patches, c.at_m.x / 11.0F, c.at_m.y / 11.0F, {.count = 2});
         float well = 0;

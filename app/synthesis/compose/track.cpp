@@ -54,7 +54,9 @@ float merit(const Path& path) {
 }
 
 float floor_m(const scene::Land& land, glm::vec2 at) {
-    return std::max(scene::ground_height_m(land, at) + kLeastOverGround_m, kLeastOverWater_m);
+    const float ground_m = scene::ground_height_m(land, at);
+    const float water_m = ground_m + scene::water_depth_m(land, at);
+    return std::max({ground_m + kLeastOverGround_m, kLeastOverWater_m, water_m + kLeastOverGround_m});
 }
 
 // The highest that must be flown over near a station: the camera does not brush what lies beside its way.

@@ -6,11 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/trigonometric.hpp>
 #include <span>
 #include <vector>
 
 #include "scene/colour.hpp"
+#include "synthesis/land/erosion.hpp"
 #include "synthesis/land/ground.hpp"
+#include "synthesis/land/rivers.hpp"
 #include "synthesis/land/terrain.hpp"
 
 namespace quadrat::synthesis::land {
@@ -77,14 +80,27 @@ scene::Land make_land(const scene::LandParameters& parameters, base::Seed seed, 
     land.cell_m = kSide_m / static_cast<float>(fineness.land_samples - 1);
     land.surround_cell_m = kSurroundCell_m;
     land.height_m = field_of(terrain, fineness.land_samples, land.cell_m);
+    carve_valleys(land.height_m, land.cell_m,
+                  {.steps = static_cast<int>(std::lround(parameters.erosion_age)),
+                   .strength = parameters.erosion,
+                   .deposit = parameters.sediment,
+                   .hillslope = parameters.creep});
+    slide_to_repose(land.height_m, land.cell_m, std::tan(glm::radians(parameters.repose_deg)), 4);
     land.surround_m = field_of(terrain, kSurroundSamples, kSurroundCell_m);
     meet_surround(land.height_m, land.cell_m, land.surround_m);
     sink_under_land(land.surround_m);
+    FreshWater water =
+        make_fresh_water(land.height_m, land.cell_m,
+                         {.river_area_m2 = parameters.river_area_m2, .lake_depth_m = parameters.lake_depth_m});
+    const mesh::Field over_water_m = height_over_water_m(land.height_m, water);
+    land.water_m = std::move(water.surface_m);
+    land.fresh_water = std::move(water.mesh);
 
     const Palette palette = choose_palette(parameters, seed);
     const float highest_m = parameters.relief_m * (1.0F - parameters.sea_level);
-    const float snow_line_m = parameters.relief_m < 140.0F ? 1.0e6F : 0.72F * highest_m + 10.0F;
-    land.albedo = ground_albedo(land.height_m, land.cell_m, palette, snow_line_m, seed, fineness.albedo_px);
+    const GroundLines lines{.beach_top_m = std::clamp(0.014F * parameters.relief_m, 0.25F, 1.6F),
+                            .snow_line_m = parameters.relief_m < 140.0F ? 1.0e6F : 0.72F * highest_m + 10.0F};
+    land.albedo = ground_albedo(land.height_m, over_water_m, land.cell_m, palette, lines, seed, fineness.albedo_px);
     land.detail = ground_detail(seed, 256);
     land.shallow_colour = palette.shallow;
     land.deep_colour = palette.deep;

@@ -28,9 +28,10 @@ inline float smooth(float low, float high, float x) {
 // What the ground's colour hangs on, a value a pixel of one row.
 struct Row {
     explicit Row(std::size_t width) {
-        for (auto* values : {&height_m, &slope, &hollow, &patch, &grain, &l, &a, &b}) values->resize(width);
+        for (auto* values : {&height_m, &shore_m, &slope, &hollow, &patch, &grain, &l, &a, &b}) values->resize(width);
     }
     std::vector<float> height_m;
+    std::vector<float> shore_m;  // height over the nearest water
     std::vector<float> slope;    // rise over run
     std::vector<float> hollow;   // more than 0 in hollows, less than 0 on ridges
     std::vector<float> patch;    // quiet large patches, about -1 to 1
@@ -57,13 +58,14 @@ inline float wave(float x) {
     return 2.0F * t * t * (3.0F - 2.0F * t) - 1.0F;
 }
 
-void paint(Row& r, const Palette& palette, float snow_line_m) {
+void paint(Row& r, const Palette& palette, const GroundLines& lines) {
     const auto lab = [](const glm::vec3& c) { return scene::oklab_from_linear(c); };
     const glm::vec3 dry = lab(palette.dry);
     std::fill(r.l.begin(), r.l.end(), dry.x);
     std::fill(r.a.begin(), r.a.end(), dry.y);
     std::fill(r.b.begin(), r.b.end(), dry.z);
     const float* h = r.height_m.data();
+    const float* shore = r.shore_m.data();
     const float* s = r.slope.data();
     const float* p = r.patch.data();
     const float* g = r.grain.data();
@@ -77,12 +79,12 @@ void paint(Row& r, const Palette& palette, float snow_line_m) {
     const auto rock = [=](std::size_t i) { return smooth(0.74F, 1.05F, steep(i, 0.10F)); };
     mix_in(r, lab(palette.rock_dark), rock);
     mix_in(r, lab(palette.rock_light), [=](std::size_t i) { return rock(i) * strata(i); });
-    mix_in(r, lab(palette.sand), [=](std::size_t i) {
-        const float top_m = 1.6F + 1.2F * p[i];
-        return (1.0F - smooth(0.0F, 1.4F, h[i] - top_m)) * (1.0F - smooth(0.5F, 0.8F, s[i]));
+    mix_in(r, lab(palette.sand), [=, &lines](std::size_t i) {
+        const float top_m = lines.beach_top_m * (1.0F + 0.7F * p[i]);
+        return (1.0F - smooth(0.0F, 0.9F * lines.beach_top_m, shore[i] - top_m)) * (1.0F - smooth(0.5F, 0.8F, s[i]));
     });
-    mix_in(r, lab(palette.snow), [=](std::size_t i) {
-        return smooth(-10.0F, 16.0F, h[i] - snow_line_m + 7.0F * p[i] + 5.0F * g[i]) *
+    mix_in(r, lab(palette.snow), [=, &lines](std::size_t i) {
+        return smooth(-10.0F, 16.0F, h[i] - lines.snow_line_m + 7.0F * p[i] + 5.0F * g[i]) *
                (1.0F - smooth(0.75F, 1.1F, s[i]));
     });
     for (std::size_t i = 0; i < r.l.size(); ++i) r.l[i] *= 1.0F + 0.035F * g[i];
@@ -94,7 +96,7 @@ void write_row(const Row& r, std::uint8_t* pixel) {
         pixel[0] = scene::srgb_byte(c.x);
         pixel[1] = scene::srgb_byte(c.y);
         pixel[2] = scene::srgb_byte(c.z);
-        pixel[3] = static_cast<std::uint8_t>(255.0F * (1.0F - smooth(0.15F, 0.9F, r.height_m[i])));
+        pixel[3] = static_cast<std::uint8_t>(255.0F * (1.0F - smooth(0.15F, 0.9F, r.shore_m[i])));
     }
 }
 
@@ -155,8 +157,8 @@ void interpolate(const mesh::Field& field, float row_at, float per_px, std::span
 
 }  // namespace
 
-mesh::Image ground_albedo(const mesh::Field& height_m, float cell_m, const Palette& palette, float snow_line_m,
-                          base::Seed seed, int side_px) {
+mesh::Image ground_albedo(const mesh::Field& height_m, const mesh::Field& over_water_m, float cell_m,
+                          const Palette& palette, const GroundLines& lines, base::Seed seed, int side_px) {
     mesh::Image image(side_px, side_px, 4);
     const noise::Key patches(seed.child("patches"));
     const mesh::Field grain = grain_tile(seed);
@@ -172,6 +174,7 @@ mesh::Image ground_albedo(const mesh::Field& height_m, float cell_m, const Palet
         for (int y = rows.begin(); y != rows.end(); ++y) {
             const float row_at = (static_cast<float>(y) + 0.5F) * per_px;
             interpolate(height_m, row_at, per_px, r.height_m);
+            interpolate(over_water_m, row_at, per_px, r.shore_m);
             interpolate(relief.slope, row_at, per_px, r.slope);
             interpolate(relief.hollow, row_at, per_px, r.hollow);
             std::fill(vs.begin(), vs.end(), static_cast<float>(y) * patches_per_px);
@@ -180,7 +183,7 @@ mesh::Image ground_albedo(const mesh::Field& height_m, float cell_m, const Palet
                 r.patch[i] *= 1.6F;
                 r.grain[i] = grain.at(static_cast<int>(i % kGrainSide), y % kGrainSide);
             }
-            paint(r, palette, snow_line_m);
+            paint(r, palette, lines);
             write_row(r, image.pixel(0, y));
         }
     });

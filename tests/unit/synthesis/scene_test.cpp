@@ -35,7 +35,8 @@ bool are_same(const scene::Sky& a, const scene::Sky& b) {
 }
 
 bool are_same(const scene::Land& a, const scene::Land& b) {
-    return a.height_m == b.height_m && a.surround_m == b.surround_m && a.albedo == b.albedo && a.detail == b.detail;
+    return a.height_m == b.height_m && a.surround_m == b.surround_m && a.albedo == b.albedo && a.detail == b.detail &&
+           a.water_m == b.water_m && a.fresh_water == b.fresh_water;
 }
 
 bool are_same(const scene::Flora& a, const scene::Flora& b) {
@@ -92,6 +93,7 @@ TEST(Scene, OfAnyGenomeKeepsItsPlantsOnDryLandAndApart) {
             ASSERT_TRUE(std::isfinite(plant.root_m.x + plant.root_m.y + plant.root_m.z + plant.sun + plant.scale));
             ASSERT_TRUE(plant.sun >= 0 && plant.sun <= 1);
             EXPECT_GT(plant.root_m.y, 0) << seed;
+            EXPECT_EQ(scene::water_depth_m(*s.land, {plant.root_m.x, plant.root_m.z}), 0) << seed;
             EXPECT_NEAR(plant.root_m.y, scene::ground_height_m(*s.land, {plant.root_m.x, plant.root_m.z}), 1e-3);
             EXPECT_LE(std::max(std::abs(plant.root_m.x), std::abs(plant.root_m.z)), 0.5F * s.land->side_m());
             if (s.flora->species[plant.species].storey == scene::Storey::Tree) trees.push_back(&plant);

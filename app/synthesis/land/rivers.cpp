@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// Width and depth of a river by its discharge: L. Leopold & T. Maddock, "The hydraulic geometry of stream channels",
+// 1953 (width as Q^0.5, depth as Q^0.4), discharge in proportion to the drained area.
+#include "synthesis/land/rivers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "scene/land.hpp"
+#include "synthesis/land/drainage.hpp"
+
+namespace quadrat::synthesis::land {
+namespace {
+
+using scene::kNoWater;
+
+// Hollows joined by the flood: lakes where they are deep and wide, filled with earth otherwise.
+void settle_hollows(mesh::Field& h, Drainage& d, float cell_m, const FreshWaterOptions& options, mesh::Field& surface) {
+    const auto count = h.samples.size();
+    std::vector<std::uint8_t> is_seen(count, 0);
+    std::vector<std::int32_t> hollow;
+    const auto is_wet = [&](std::size_t i) { return d.spill_m.samples[i] > h.samples[i] + 1.0e-4F; };
+    for (std::size_t seed = 0; seed < count; ++seed) {
+        if (is_seen[seed] != 0 || !is_wet(seed)) continue;
+        hollow.assign(1, static_cast<std::int32_t>(seed));
+        is_seen[seed] = 1;
+        const float level = d.spill_m.samples[seed];
+        float deepest = 0;
+        for (std::size_t k = 0; k < hollow.size(); ++k) {
+            const std::int32_t cell = hollow[k];
+            deepest = std::max(deepest, level - h.samples[cell]);
+            const int x = cell % h.columns;
+            const int y = cell / h.columns;
+            for (int dy = -1; dy <= 1; ++dy) {
+                for (int dx = -1; dx <= 1; ++dx) {
+                    if (!h.is_inside(x + dx, y + dy)) continue;
+                    const auto next = h.index(x + dx, y + dy);
+                    if (is_seen[next] != 0 || !is_wet(next) || d.spill_m.samples[next] != level) continue;
+                    is_seen[next] = 1;
+                    hollow.push_back(static_cast<std::int32_t>(next));
+                }
+            }
+        }
+        const float area_m2 = static_cast<float>(hollow.size()) * cell_m * cell_m;
+        const bool is_lake = deepest >= options.lake_depth_m && area_m2 >= options.lake_area_m2;
+        for (const std::int32_t cell : hollow) {
+            if (is_lake)
+                surface.samples[cell] = level;
+            else
+                h.samples[cell] = level;
+        }
+    }
+}
+
+struct Channel {
+    float width_m = 0;
+    float depth_m = 0;
+};
+
+Channel channel_of(float area_m2) {
+    const float hectares = area_m2 * 1.0e-4F;
+    return {1.0F + 1.25F * std::sqrt(hectares), 0.25F + 0.22F * std::pow(hectares, 0.4F)};
+}
+
+// Beds from the mouth upward: each no lower than the one it runs to.
+void carve_rivers(mesh::Field& h, const Drainage& d, const std::vector<float>& area_m2, float cell_m,
+                  const FreshWaterOptions& options, mesh::Field& surface) {
+    const mesh::Field before = h;
+    std::vector<float> bed_m(h.samples.size(), kNoWater);
+    for (const std::int32_t cell : d.order) {
+        const std::int32_t to = d.receiver[cell];
+        if (to == cell || area_m2[cell] < options.river_area_m2 || before.samples[cell] <= options.sea_m) continue;
+        if (surface.samples[cell] > kNoWater) continue;  // it runs through a lake
+        const Channel channel = channel_of(area_m2[cell]);
+        const float below =
+            bed_m[to] > kNoWater ? bed_m[to] : std::min(before.samples[to], before.samples[cell] - channel.depth_m);
+        bed_m[cell] = std::max(below, before.samples[cell] - channel.depth_m);
+        float& water_m = surface.samples[cell];
+        water_m = std::max(bed_m[cell] + 0.65F * channel.depth_m, options.sea_m);
+        water_m = std::max(water_m, surface.samples[to]);  // it never rises downstream
+    }
+    // Across the bed and up its banks.
+    for (std::size_t i = 0; i < bed_m.size(); ++i) {
+        if (bed_m[i] <= kNoWater) continue;
+        const Channel channel = channel_of(area_m2[i]);
+        const int x = static_cast<int>(i) % h.columns;
+        const int y = static_cast<int>(i) / h.columns;
+        const float half_m = 0.5F * channel.width_m;
+        const float bank_m = half_m + 2.5F * channel.depth_m + cell_m;
+        const int reach = static_cast<int>(std::ceil(bank_m / cell_m));
+        for (int dy = -reach; dy <= reach; ++dy) {
+            for (int dx = -reach; dx <= reach; ++dx) {
+                // The border stays, where the land meets the country around it.
+                const bool is_inner = x + dx > 0 && y + dy > 0 && x + dx < h.columns - 1 && y + dy < h.rows - 1;
+                if (!is_inner) continue;
+                const float away_m = cell_m * std::sqrt(static_cast<float>(dx * dx + dy * dy));
+                const float up = std::clamp((away_m - half_m) / (bank_m - half_m), 0.0F, 1.0F);
+                float& ground = h.at(x + dx, y + dy);
+                const float old = before.at(x + dx, y + dy);
+                if (old > bed_m[i]) ground = std::min(ground, bed_m[i] + up * up * (old - bed_m[i]));
+            }
+        }
+    }
+}
+
+mesh::Mesh surface_mesh(const mesh::Field& h, const Drainage& d, float cell_m, const mesh::Field& surface) {
+    mesh::Mesh mesh;
+    // Beyond its edge the water goes on at the level of the nearest wet sample, into the bank.
+    mesh::Field level = surface;
+    for (int y = 0; y < h.rows; ++y) {
+        for (int x = 0; x < h.columns; ++x) {
+            if (surface.at(x, y) > kNoWater) continue;
+            float lowest = 1.0e6F;
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx)
+                    if (h.is_inside(x + dx, y + dy) && surface.at(x + dx, y + dy) > kNoWater)
+                        lowest = std::min(lowest, surface.at(x + dx, y + dy));
+            if (lowest < 1.0e5F) level.at(x, y) = lowest;
+        }
+    }
+    std::vector<std::uint32_t> vertex(h.samples.size(), 0);
+    const float half = 0.5F * static_cast<float>(h.columns - 1);
+    const auto vertex_at = [&](int x, int y) {
+        std::uint32_t& number = vertex[h.index(x, y)];
+        if (number != 0) return number - 1;
+        mesh.positions_m.push_back(
+            {(static_cast<float>(x) - half) * cell_m, level.at(x, y), (static_cast<float>(y) - half) * cell_m});
+        mesh.normals.push_back({0, 1, 0});
+        const auto cell = static_cast<std::int32_t>(h.index(x, y));
+        const std::int32_t to = d.receiver[cell];
+        glm::vec2 way{static_cast<float>(to % h.columns - x), static_cast<float>(to / h.columns - y)};
+        const float far = glm::length(way);
+        const bool is_running =
+            far > 0 && level.samples[cell] > level.samples[to] + 1.0e-4F && level.samples[to] > kNoWater;
+        const float fall = is_running ? (level.samples[cell] - level.samples[to]) / (far * cell_m) : 0.0F;
+        mesh.texcoords.push_back(far > 0 ? way / far * (is_running ? std::min(0.4F + 6.0F * fall, 3.0F) : 0.05F)
+                                         : glm::vec2{0});
+        number = static_cast<std::uint32_t>(mesh.positions_m.size());
+        return number - 1;
+    };
+    for (int y = 0; y + 1 < h.rows; ++y) {
+        for (int x = 0; x + 1 < h.columns; ++x) {
+            const bool touches = surface.at(x, y) > kNoWater || surface.at(x + 1, y) > kNoWater ||
+                                 surface.at(x, y + 1) > kNoWater || surface.at(x + 1, y + 1) > kNoWater;
+            if (!touches) continue;
+            const std::uint32_t a = vertex_at(x, y);
+            const std::uint32_t b = vertex_at(x + 1, y);
+            const std::uint32_t c = vertex_at(x, y + 1);
+            const std::uint32_t e = vertex_at(x + 1, y + 1);
+            mesh.indices.insert(mesh.indices.end(), {a, c, b, b, c, e});
+        }
+    }
+    return mesh;
+}
+
+}  // namespace
+
+FreshWater make_fresh_water(mesh::Field& height_m, float cell_m, const FreshWaterOptions& options) {
+    FreshWater water{mesh::Field(height_m.columns, height_m.rows, kNoWater),
+                     mesh::Grid<Wet>(height_m.columns, height_m.rows, Wet::No),
+                     {}};
+    Drainage d = drain(height_m, options.sea_m);
+    settle_hollows(height_m, d, cell_m, options, water.surface_m);
+    for (std::size_t i = 0; i < water.kind.samples.size(); ++i)
+        if (water.surface_m.samples[i] > kNoWater) water.kind.samples[i] = Wet::Lake;
+    carve_rivers(height_m, d, drained_area_m2(d, cell_m), cell_m, options, water.surface_m);
+    for (std::size_t i = 0; i < water.kind.samples.size(); ++i)
+        if (water.surface_m.samples[i] > kNoWater && water.kind.samples[i] == Wet::No)
+            water.kind.samples[i] = Wet::River;
+    water.mesh = surface_mesh(height_m, d, cell_m, water.surface_m);
+    return water;
+}
+
+mesh::Field height_over_water_m(const mesh::Field& height_m, const FreshWater& water) {
+    mesh::Field over = height_m;
+    for (int y = 0; y < over.rows; ++y) {
+        for (int x = 0; x < over.columns; ++x) {
+            const Wet kind = water.kind.at(x, y);
+            if (kind == Wet::No) continue;
+            const int reach = kind == Wet::Lake ? 4 : 2;
+            const float level_m = water.surface_m.at(x, y);
+            for (int dy = -reach; dy <= reach; ++dy)
+                for (int dx = -reach; dx <= reach; ++dx)
+                    if (over.is_inside(x + dx, y + dy))
+                        over.at(x + dx, y + dy) =
+                            std::min(over.at(x + dx, y + dy), height_m.at(x + dx, y + dy) - level_m);
+        }
+    }
+    return over;
+}
+
+}  // namespace quadrat::synthesis::land

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+
+#include "mesh/field.hpp"
+#include "mesh/mesh.hpp"
+
+namespace quadrat::synthesis::land {
+
+struct FreshWaterOptions {
+    float sea_m = 0;
+    float river_area_m2 = 45000;  // drained area from which on a stream is a river
+    float lake_depth_m = 1.2F;    // shallower hollows are filled with earth
+    float lake_area_m2 = 500;     // and so are smaller ones
+};
+
+// Lakes and rivers. Surfaces never rise downstream, lakes are level, and every wet cell has a wet way down to the sea,
+// the border, or through a lake on.
+enum class Wet : std::uint8_t { No, Lake, River };
+
+struct FreshWater {
+    mesh::Field surface_m;  // scene::kNoWater where there is none
+    mesh::Grid<Wet> kind;
+    mesh::Mesh mesh;  // over the wet cells and one beyond
+};
+
+// Fills small hollows, carves beds and banks into the ground, and tells where water stands and runs.
+FreshWater make_fresh_water(mesh::Field& height_m, float cell_m, const FreshWaterOptions& options);
+
+// How high each sample stands over the sea, or over the lake or river that it lies beside.
+mesh::Field height_over_water_m(const mesh::Field& height_m, const FreshWater& water);
+
+}  // namespace quadrat::synthesis::land
