@@ -1,8 +1,9 @@
 #version 310 es
 // SPDX-License-Identifier: Apache-2.0
+// What the ground is made of and the light on it lie multiplied in one picture, as its square root: the encoding is a
+// polynomial in that root, so no root is taken here.
 #include "common/view.glsl"
 #include "common/encode.glsl"
-#include "common/dither.glsl"
 
 layout(binding = 0) uniform sampler2D ground;  // rgb: root of half the light it sends
 layout(binding = 1) uniform sampler2D grain;
@@ -13,8 +14,7 @@ in vec4 haze;
 layout(location = 0) out vec4 pixel;
 
 void main() {
-    vec3 root = texture(ground, over_land).rgb;
-    float rough = texture(grain, over_grain).r * view.light_below.w + (1.0 - 0.5 * view.light_below.w);
-    vec3 lit = root * root * (rough * 2.0 * view.sunlight.w);
-    pixel = vec4(encode(mix(lit, haze.rgb, haze.a)) + dither(), 1.0);
+    float rough = texture(grain, over_grain).r * view.light_below.w + view.sunlight.w;
+    vec3 shown = encode_root(texture(ground, over_land).rgb * rough);
+    pixel = vec4(mix(shown, haze.rgb, haze.a), 1.0);
 }

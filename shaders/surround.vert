@@ -10,7 +10,7 @@ layout(location = 1) in float height_m;
 layout(location = 2) in vec4 land_normal;
 layout(location = 0) uniform vec2 grid;  // x: cell, m; y: column of the middle
 
-out vec3 encoded;
+out vec3 shown;
 
 void main() {
     vec2 xz = (column_row - grid.y) * grid.x;
@@ -19,8 +19,9 @@ void main() {
 
     vec3 normal = land_normal.xyz;
     // Steep ground shows its rock.
-    vec3 colour = view.far_colour.rgb * mix(vec3(0.80, 0.74, 0.76), vec3(1.0), smoothstep(0.72, 0.95, normal.y));
+    float flat_ground = clamp((normal.y - 0.72) * 4.3, 0.0, 1.0);
+    vec3 colour = view.far_colour.rgb * mix(vec3(0.80, 0.74, 0.76), vec3(1.0), flat_ground);
     vec3 light = view.sunlight.rgb * max(dot(normal, view.to_sun.xyz), 0.0) + ambient_on(normal);
     vec4 haze = haze_at(at_m);
-    encoded = encode(mix(colour * light, haze.rgb, haze.a));
+    shown = mix(encode(colour * light), haze.rgb, haze.a);
 }

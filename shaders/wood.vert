@@ -1,7 +1,6 @@
 #version 310 es
 // SPDX-License-Identifier: Apache-2.0
 #include "common/view.glsl"
-#include "common/haze.glsl"
 #include "common/encode.glsl"
 #include "common/ambient.glsl"
 #include "common/instance.glsl"
@@ -11,17 +10,15 @@ layout(location = 1) in vec2 age_sway;
 layout(location = 2) in vec3 wood_normal;
 layout(location = 0) uniform vec4 bark;  // rgb: colour; w: 1 / height of the species, 1/m
 
-out vec3 encoded;
+out vec3 shown;
 
 void main() {
-    vec3 at_m = planted(position_m * unfolded(age_sway.x), age_sway.y);
-    gl_Position = view.clip_from_world * vec4(at_m, 1.0);
+    gl_Position = view.clip_from_world * vec4(planted(position_m * unfolded(age_sway.x), age_sway.y), 1.0);
 
     vec3 normal = turned(wood_normal);
     // A little of the light comes round the limb, as on rough bark; the foot stands in its neighbours' shade.
     float facing = max(dot(normal, view.to_sun.xyz) * 0.85 + 0.15, 0.0);
     float foot = min(0.55 + 3.0 * position_m.y * bark.w, 1.0);
-    vec3 light = view.sunlight.rgb * (facing * turn_sun_tint.z) + ambient_on(normal) * foot;
-    vec4 haze = haze_at(at_m);
-    encoded = encode(mix(tinted(bark.rgb) * light, haze.rgb, haze.a));
+    vec3 light = view.sunlight.rgb * (facing * wind_sun_through.z) + ambient_on(normal) * foot;
+    shown = mix(encode(bark.rgb * half_tint.rgb * 2.0 * light), air.rgb, air.a);
 }

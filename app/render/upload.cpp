@@ -22,12 +22,7 @@ class SceneUpload final : public Upload {
             slices_.add(0, [shelf, flora = made_->flora, grown = source->flora] { shelf->keep(grown, flora); });
         }
         made_->plants = source->plants;
-        made_->colours = colours_of(*source);
-        for (std::size_t i = 0; i < made_->cloud_layers.size(); ++i) {
-            const scene::CloudLayer& layer = source->sky->clouds[i];
-            made_->cloud_layers[i] = {{},           {},           layer.tile_m, layer.height_m, layer.wind_m_s,
-                                      layer.sunlit, layer.shaded, layer.opacity};
-        }
+        made_->air = light_and_air_of(*source);
     }
 
     bool advance(std::size_t budget_bytes) override { return is_done_ = slices_.advance(budget_bytes); }

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include "render/passes/air.hpp"
+#include "render/passes/packing.hpp"
 
 namespace quadrat::render::passes {
 namespace {
@@ -51,7 +55,7 @@ std::vector<Seen> seen_by(std::span<const scene::Plant> plants, std::span<const 
         const Kind& kind = kinds[plant.species];
         const float half_m = 0.5F * kind.height_m * plant.scale;
         const glm::vec3 middle_m = plant.root_m + glm::vec3{0, half_m, 0};
-        const float distance_m = glm::length(middle_m - g.eye_m);
+        const float distance_m = glm::length(middle_m - glm::vec3{g.view.eye_seconds});
         const float height_px = 2 * half_m * g.pixels_per_radian / std::max(distance_m, 0.5F);
         const bool is_low = kind.height_m < kLowPlant_m;
         const float shown = is_low ? smooth(5.0F, 9.0F, height_px) : smooth(1.2F, 2.2F, height_px);
@@ -79,16 +83,34 @@ float fitting_fineness(const std::vector<Seen>& seen, std::span<const Kind> kind
     return fits;
 }
 
+glm::u8vec4 bytes_of(const glm::vec4& shares) {
+    return {unsigned_byte(shares.x), unsigned_byte(shares.y), unsigned_byte(shares.z), unsigned_byte(shares.w)};
+}
+
+// Gusts travel over the land; twigs of a tall tree move further. Metres at the tips, east and south.
+glm::vec2 wind_m(const scene::Plant& plant, float height_m, float seconds) {
+    const float phase = 0.9F * seconds - 0.021F * plant.root_m.x - 0.013F * plant.root_m.z;
+    const float reach_m = 0.028F * height_m * (0.55F + 0.45F * std::sin(0.37F * phase));
+    const float swing = std::sin(1.7F * phase + plant.yaw_rad);
+    return reach_m * glm::vec2{0.6F + 0.4F * swing, 0.35F * std::cos(1.3F * phase + plant.yaw_rad)};
+}
+
 Instance instance_of(const scene::Plant& plant, const Kind& kind, const Seen& seen, float share, const Gathering& g) {
     const float age = grown(g.growth, plant.delay);
-    // Gusts travel over the land; twigs of a tall tree move further.
-    const float phase = 0.9F * g.seconds - 0.021F * plant.root_m.x - 0.013F * plant.root_m.z;
-    const float gust = 0.55F + 0.45F * std::sin(0.37F * phase);
-    const float reach_m = 0.028F * kind.height_m * plant.scale * gust;
-    const float swing = std::sin(1.7F * phase + plant.yaw_rad);
+    const float height_m = kind.height_m * plant.scale;
+    const glm::vec3 middle_m = plant.root_m + glm::vec3{0, 0.5F * height_m, 0};
+    // Leaves between the eye and the sun glow.
+    const glm::vec3 look = glm::normalize(middle_m - glm::vec3{g.view.eye_seconds} + glm::vec3{0, 0, 1e-4F});
+    const float against = std::max(glm::dot(look, glm::vec3{g.view.to_sun}), 0.0F);
+    const float through = 0.9F * against * against * against * plant.sun;
+    const glm::vec2 wind = wind_m(plant, height_m, g.view.eye_seconds.w);
+    // Lighter and yellower, or darker and bluer.
+    const glm::vec3 tint = 1.0F + plant.tint * glm::vec3{0.24F, 0.16F, -0.10F};
     return {{plant.root_m, plant.scale * seen.shown * (0.25F + 0.75F * age)},
-            {std::sin(plant.yaw_rad), std::cos(plant.yaw_rad), plant.sun, plant.tint},
-            {age, share, reach_m * (0.6F + 0.4F * swing), reach_m * 0.35F * std::cos(1.3F * phase + plant.yaw_rad)}};
+            {std::sin(plant.yaw_rad), std::cos(plant.yaw_rad), age, share},
+            {wind.x, wind.y, plant.sun, through},
+            bytes_of(haze_at(g.view, middle_m)),
+            bytes_of({0.5F * tint, 1})};
 }
 
 }  // namespace

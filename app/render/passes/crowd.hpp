@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <glm/gtc/type_precision.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
 #include <vector>
 
 #include "render/passes/frustum.hpp"
+#include "render/passes/view_block.hpp"
 #include "scene/flora.hpp"
 
 namespace quadrat::render::passes {
@@ -14,8 +16,10 @@ namespace quadrat::render::passes {
 // A plant as the vertex shaders read it: the mirror of shaders/common/instance.glsl.
 struct Instance {
     glm::vec4 root_scale;
-    glm::vec4 turn_sun_tint;
-    glm::vec4 grown_share_wind;
+    glm::vec4 turn_grown_share;
+    glm::vec4 wind_sun_through;
+    glm::u8vec4 air;
+    glm::u8vec4 half_tint;
 };
 
 // What choosing the detail of a species needs to know of it.
@@ -44,10 +48,9 @@ struct Closeness {
 Closeness closeness(const Kind& kind, float height_px, float fineness);
 
 struct Gathering {
-    glm::vec3 eye_m{0};
+    ViewBlock view;  // its eye, sun, air and time
     float pixels_per_radian = 500;
     float growth = 1;
-    float seconds = 0;
     float fineness = 1;  // 1 is the standard; lowered by itself to keep the budget
     std::size_t triangle_budget = 60'000;
 };

@@ -2,6 +2,7 @@
 #include "render/passes/ground.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <vector>
@@ -91,7 +92,17 @@ struct LightRow {
     }
 };
 
+// Depth of water as the eye takes it: what light is lost on the way down and up. The rim is deep: all beyond it repeats
+// the rim.
+std::array<std::uint8_t, 256> deepness_of_depth() {
+    std::array<std::uint8_t, 256> table{};
+    for (std::size_t i = 0; i < table.size(); ++i)
+        table[i] = unsigned_byte(1 - std::exp(-0.35F * 24.0F * static_cast<float>(i) / 255));
+    return table;
+}
+
 void light_row(const mesh::Image& albedo, const mesh::Image& light, mesh::Image& lit, int row) {
+    static const auto deepness = deepness_of_depth();
     const LightRow over(light, row, lit.height);
     std::vector<float> smooth(static_cast<std::size_t>(light.width + 1) * 4);
     for (int column = 0; column <= light.width; ++column)
@@ -110,7 +121,9 @@ void light_row(const mesh::Image& albedo, const mesh::Image& light, mesh::Image&
             out[c] = static_cast<std::uint8_t>(
                 static_cast<float>(gl::root_of_srgb(colour[c])) * std::sqrt(halved_light * (1.0F / 255)) + 0.5F);
         }
-        out[3] = static_cast<std::uint8_t>(from[3] + (from[7] - from[3]) * aside + 0.5F);
+        const bool is_rim = row == 0 || x == 0 || row == lit.height - 1 || x == lit.width - 1;
+        out[3] = is_rim ? std::uint8_t{255}
+                        : deepness[static_cast<std::size_t>(from[3] + (from[7] - from[3]) * aside + 0.5F)];
     }
 }
 

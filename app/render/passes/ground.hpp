@@ -26,7 +26,7 @@ struct GridOnGpu {
 struct LandOnGpu {
     GridOnGpu land;
     GridOnGpu surround;
-    gl::Texture2D lit;  // the root of half of what the ground sends to the eye; alpha: depth of water over it
+    gl::Texture2D lit;  // the root of half of what the ground sends to the eye; alpha: how deep water over it looks
     gl::Texture2D grain;
     float side_m = 0;
     bool has_water = false;

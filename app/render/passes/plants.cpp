@@ -168,8 +168,10 @@ void add_species(gl::Slices& slices, FloraOnGpu& flora, std::size_t index,
 
 const std::initializer_list<gl::Attribute> kInstanceAttributes{
     {8, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Instance, root_scale)},
-    {9, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Instance, turn_sun_tint)},
-    {10, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Instance, grown_share_wind)}};
+    {9, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Instance, turn_grown_share)},
+    {10, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Instance, wind_sun_through)},
+    {11, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, air)},
+    {12, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, half_tint)}};
 
 void draw_instances(std::size_t index_count, std::size_t instances) {
     glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(index_count), GL_UNSIGNED_INT, nullptr,

@@ -12,17 +12,15 @@
 #include <vector>
 
 #include "render/gl/picture_upload.hpp"
-#include "render/passes/packing.hpp"
+#include "render/passes/encode.hpp"
 
 namespace quadrat::render::passes {
 namespace {
 
 constexpr int kSectors = 48;
-constexpr int kMirrorSide = 128;
-constexpr float kMirrorReach = 0.46F;  // of the mirror's side, where the horizon lies; as in shaders/water.frag
 constexpr float kLowest_rad = -10.0F / 180.0F * std::numbers::pi_v<float>;
 
-// The root of the linear colour, in sixteen bits: eight would show as bands.
+// Encoded as the display wants it, in sixteen bits: eight would show as bands.
 struct DomeColour {
     std::uint16_t red, green, blue, unused;
 };
@@ -56,13 +54,15 @@ glm::vec3 direction_of(const DomePlace& p) {
             -std::cos(p.azimuth_rad) * std::cos(p.elevation_rad)};
 }
 
-float root_at(const mesh::Image& dome, int x, int y, int channel) {
+float shown_at(const mesh::Image& dome, int x, int y, int channel) {
     const int column = ((x % dome.width) + dome.width) % dome.width;
-    return static_cast<float>(gl::root_of_srgb(dome.pixel(column, std::clamp(y, 0, dome.height - 1))[channel])) / 255;
+    const float root =
+        static_cast<float>(gl::root_of_srgb(dome.pixel(column, std::clamp(y, 0, dome.height - 1))[channel]));
+    return encode_root(root / 255);
 }
 
 // Bilinear; around the compass it has no seam.
-glm::vec3 dome_root(const mesh::Image& dome, const DomePlace& place) {
+glm::vec3 dome_shown(const mesh::Image& dome, const DomePlace& place) {
     const glm::vec2 at = dome_place(place.azimuth_rad, std::max(place.elevation_rad, kLowest_rad)) *
                              glm::vec2{static_cast<float>(dome.width), static_cast<float>(dome.height)} -
                          0.5F;
@@ -70,19 +70,19 @@ glm::vec3 dome_root(const mesh::Image& dome, const DomePlace& place) {
     const glm::vec2 t = at - corner;
     const int x = static_cast<int>(corner.x);
     const int y = static_cast<int>(corner.y);
-    glm::vec3 root{0};
+    glm::vec3 shown{0};
     for (int c = 0; c < 3; ++c)
-        root[c] = glm::mix(glm::mix(root_at(dome, x, y, c), root_at(dome, x + 1, y, c), t.x),
-                           glm::mix(root_at(dome, x, y + 1, c), root_at(dome, x + 1, y + 1, c), t.x), t.y);
-    return root;
+        shown[c] = glm::mix(glm::mix(shown_at(dome, x, y, c), shown_at(dome, x + 1, y, c), t.x),
+                            glm::mix(shown_at(dome, x, y + 1, c), shown_at(dome, x + 1, y + 1, c), t.x), t.y);
+    return shown;
 }
 
 std::vector<DomeColour> dome_colours(const mesh::Image& dome) {
     std::vector<DomeColour> colours;
     for (const DomePlace& place : dome_places()) {
-        const glm::vec3 root = glm::clamp(dome_root(dome, place), 0.0F, 1.0F) * 65535.0F;
-        colours.push_back({static_cast<std::uint16_t>(root.r), static_cast<std::uint16_t>(root.g),
-                           static_cast<std::uint16_t>(root.b), 0});
+        const glm::vec3 shown = glm::clamp(dome_shown(dome, place), 0.0F, 1.0F) * 65535.0F;
+        colours.push_back({static_cast<std::uint16_t>(shown.r), static_cast<std::uint16_t>(shown.g),
+                           static_cast<std::uint16_t>(shown.b), 0});
     }
     return colours;
 }
@@ -111,35 +111,6 @@ std::shared_ptr<const mesh::Image> interleaved(const scene::CloudLayer& layer) {
     return both;
 }
 
-float mean_of(const mesh::Image& image) {
-    double sum = 0;
-    for (const std::uint8_t b : image.bytes) sum += b;
-    return image.bytes.empty() ? 0 : static_cast<float>(sum / (255.0 * static_cast<double>(image.bytes.size())));
-}
-
-// What still water shows: nearest pixels of the dome will do, ripples blur them; clouds join as their mean.
-void paint_mirror(const scene::Sky& sky, glm::vec3 cloud_colour, float cover, mesh::Image& mirror, int row) {
-    for (int column = 0; column < mirror.width; ++column) {
-        const glm::vec2 p = (glm::vec2{static_cast<float>(column), static_cast<float>(row)} + 0.5F) /
-                                (static_cast<float>(kMirrorSide) * kMirrorReach) -
-                            0.5F / kMirrorReach;
-        const float r2 = glm::dot(p, p);
-        const float elevation = std::max(std::asin(std::clamp((1 - r2) / (1 + r2), -1.0F, 1.0F)), kLowest_rad);
-        float azimuth = std::atan2(p.x, -p.y);
-        if (azimuth < 0) azimuth += 2 * std::numbers::pi_v<float>;
-        const glm::vec2 at = dome_place(azimuth, elevation);
-        const int x = std::clamp(static_cast<int>(at.x * static_cast<float>(sky.dome.width)), 0, sky.dome.width - 1);
-        const int y = std::clamp(static_cast<int>(at.y * static_cast<float>(sky.dome.height)), 0, sky.dome.height - 1);
-        const std::uint8_t* from = sky.dome.pixel(x, y);
-        std::uint8_t* to = mirror.pixel(column, row);
-        for (int c = 0; c < 3; ++c) {
-            const float root = static_cast<float>(gl::root_of_srgb(from[c])) / 255;
-            to[c] = unsigned_byte(std::sqrt(glm::mix(root * root, glm::clamp(cloud_colour[c], 0.0F, 1.0F), cover)));
-        }
-        to[3] = 255;
-    }
-}
-
 }  // namespace
 
 void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scene::Sky>& source) {
@@ -152,14 +123,6 @@ void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scen
     tiled.wrap_s = tiled.wrap_t = gl::Wrap::Repeat;
     for (std::size_t i = 0; i < source->clouds.size(); ++i)
         gl::add_picture(slices, sky.clouds[i], interleaved(source->clouds[i]), tiled);
-    const scene::CloudLayer& low = source->clouds[0];
-    const glm::vec3 cloud_colour = glm::mix(low.shaded, low.sunlit, 0.5F);
-    const float cover = 0.8F * mean_of(low.density) * low.opacity;
-    gl::TextureShape flat{kMirrorSide, kMirrorSide};
-    flat.sampling = gl::Sampling::Flat;
-    gl::add_painting(slices, sky.mirror, flat, [source, cloud_colour, cover](mesh::Image& mirror, int row) {
-        paint_mirror(*source, cloud_colour, cover, mirror, row);
-    });
 }
 
 SkyPass::SkyPass()

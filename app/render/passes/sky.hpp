@@ -13,9 +13,8 @@
 namespace quadrat::render::passes {
 
 struct SkyOnGpu {
-    gl::Buffer dome;                      // a colour for each vertex of the dome: between them it is smooth
+    gl::Buffer dome;                      // a shown colour for each vertex of the dome: between them it is smooth
     std::array<gl::Texture2D, 2> clouds;  // r: density, g: lit
-    gl::Texture2D mirror;                 // dome and clouds' mean as calm water shows them: x / (1 + y), z / (1 + y)
 };
 
 // Adds the slices that fill sky, which must stay where it is until they are done.

@@ -16,15 +16,16 @@ struct ViewBlock {
     glm::vec4 light_above{0};
     glm::vec4 light_around{0};
     glm::vec4 light_below{0};
+    glm::vec4 far_colour{0};
     glm::vec4 haze_colour{0};
     glm::vec4 haze_sunward{0};
-    glm::vec4 far_colour{0};
-    glm::vec4 shallow_colour{0};
-    glm::vec4 deep_colour{0};
+    glm::vec4 shallow_water{0};
+    glm::vec4 deepening{0};
+    glm::vec4 mirrored{0};
     glm::vec4 sun_colour{0};
     std::array<glm::vec4, 2> cloud_place{};
-    std::array<glm::vec4, 2> cloud_sunlit{};
-    std::array<glm::vec4, 2> cloud_shaded{};
+    glm::vec4 cloud_shaded{0};
+    glm::vec4 cloud_gain{0};
 };
 
 // Views lie in one buffer at multiples of what a Raspberry Pi aligns uniform blocks to.

@@ -20,7 +20,10 @@ constexpr int kSectors = 32;
 constexpr int kRippleSide = 256;
 constexpr int kWaves = 28;
 
-std::vector<float> ring_radii_m() { return {0, 6, 20, 50, 110, 220, 420, 750, 1300, 2200, 3600, 5600, 8000, 11500}; }
+std::vector<float> ring_radii_m() {
+    return {0,   1.5F, 3,   5,   7.5F, 11,   16,   23,   33,   48,   70,   100,  150,
+            220, 320,  470, 690, 1000, 1500, 2200, 3200, 4600, 6600, 8800, 11500};
+}
 
 std::vector<glm::vec2> ring_vertices() {
     std::vector<glm::vec2> vertices;
@@ -115,11 +118,10 @@ WaterPass::WaterPass()
     while (!slices.advance(std::size_t{1} << 20U)) continue;
 }
 
-void WaterPass::draw(const gl::Texture2D& ground, const gl::Texture2D& mirror) const {
+void WaterPass::draw(const gl::Texture2D& ground) const {
     program_.use();
     ground.bind(0);
     ripples_.bind(1);
-    mirror.bind(2);
     vertices_.bind();
     vertices_.feed(0, rings_.name());
     vertices_.feed_indices(indices_.name());

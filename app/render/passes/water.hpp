@@ -11,8 +11,7 @@ namespace quadrat::render::passes {
 class WaterPass {
   public:
     WaterPass();
-    // ground: its alpha is the depth; mirror: the sky from above.
-    void draw(const gl::Texture2D& ground, const gl::Texture2D& mirror) const;
+    void draw(const gl::Texture2D& ground) const;  // its alpha: how deep the water over it looks
     std::size_t triangles() const { return index_count_ / 3; }
 
   private:

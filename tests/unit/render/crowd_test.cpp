@@ -34,7 +34,7 @@ std::vector<scene::Plant> forest(std::size_t trees, std::size_t tufts) {
 
 Gathering looking_from_the_camera() {
     Gathering g;
-    g.eye_m = kCamera.eye_m;
+    g.view.eye_seconds = {kCamera.eye_m, 0};
     g.pixels_per_radian = 469;
     g.triangle_budget = 1'000'000;
     return g;
@@ -87,7 +87,7 @@ TEST(Crowd, DrawsTheBladesItsInstancesAskFor) {
     for (const Batch& batch : crowd.batches) {
         if (batch.part != Batch::Part::Leaves) continue;
         for (std::size_t i = batch.first; i < batch.first + batch.count; ++i)
-            EXPECT_GE(static_cast<float>(batch.blades) + 0.5F, instances[i].grown_share_wind.y * 2100.0F);
+            EXPECT_GE(static_cast<float>(batch.blades) + 0.5F, instances[i].turn_grown_share.w * 2100.0F);
     }
 }
 

@@ -42,12 +42,13 @@ TEST_F(Programs, LayTheViewBlockOutAsTheStructThatFillsIt) {
         {"ViewBlock.haze_colour", offsetof(ViewBlock, haze_colour)},
         {"ViewBlock.haze_sunward", offsetof(ViewBlock, haze_sunward)},
         {"ViewBlock.far_colour", offsetof(ViewBlock, far_colour)},
-        {"ViewBlock.shallow_colour", offsetof(ViewBlock, shallow_colour)},
-        {"ViewBlock.deep_colour", offsetof(ViewBlock, deep_colour)},
+        {"ViewBlock.shallow_water", offsetof(ViewBlock, shallow_water)},
+        {"ViewBlock.deepening", offsetof(ViewBlock, deepening)},
         {"ViewBlock.sun_colour", offsetof(ViewBlock, sun_colour)},
         {"ViewBlock.cloud_place[0]", offsetof(ViewBlock, cloud_place)},
-        {"ViewBlock.cloud_sunlit[0]", offsetof(ViewBlock, cloud_sunlit)},
-        {"ViewBlock.cloud_shaded[0]", offsetof(ViewBlock, cloud_shaded)}};
+        {"ViewBlock.mirrored", offsetof(ViewBlock, mirrored)},
+        {"ViewBlock.cloud_shaded", offsetof(ViewBlock, cloud_shaded)},
+        {"ViewBlock.cloud_gain", offsetof(ViewBlock, cloud_gain)}};
     for (const auto& [name, offset] : members)
         EXPECT_EQ(offset_of(sky.name(), name), static_cast<GLint>(offset)) << name;
     const GLenum size = GL_BUFFER_DATA_SIZE;
@@ -60,9 +61,11 @@ TEST_F(Programs, LayTheViewBlockOutAsTheStructThatFillsIt) {
 TEST_F(Programs, ReadAnInstanceAsTheStructThatFillsIt) {
     const Program leaves("leaves.vert", "lit.frag");
     EXPECT_EQ(glGetAttribLocation(leaves.name(), "root_scale"), 8);
-    EXPECT_EQ(glGetAttribLocation(leaves.name(), "turn_sun_tint"), 9);
-    EXPECT_EQ(glGetAttribLocation(leaves.name(), "grown_share_wind"), 10);
-    EXPECT_EQ(sizeof(passes::Instance), 48U);
+    EXPECT_EQ(glGetAttribLocation(leaves.name(), "turn_grown_share"), 9);
+    EXPECT_EQ(glGetAttribLocation(leaves.name(), "wind_sun_through"), 10);
+    EXPECT_EQ(glGetAttribLocation(leaves.name(), "air"), 11);
+    EXPECT_EQ(glGetAttribLocation(leaves.name(), "half_tint"), 12);
+    EXPECT_EQ(sizeof(passes::Instance), 56U);
 }
 
 TEST_F(Programs, NameFileAndLineOfAnErrorInAnInclude) {

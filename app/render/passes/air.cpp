@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/air.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace quadrat::render::passes {
+
+glm::vec4 haze_at(const ViewBlock& view, glm::vec3 at_m) {
+    const glm::vec3 ray = at_m - glm::vec3{view.eye_seconds};
+    const float distance_m = glm::length(ray);
+    const float between_m = std::max(0.5F * (at_m.y + view.eye_seconds.y), 0.0F);
+    const float depth = distance_m * view.haze_colour.w * std::exp2(-between_m * view.haze_sunward.w);
+    const float rim = std::clamp((distance_m - 6000.0F) / 4500.0F, 0.0F, 1.0F);
+    const float amount = std::max(1 - std::exp2(-depth), rim * rim);
+    const float cos_to_sun = glm::dot(ray, glm::vec3{view.to_sun}) / std::max(distance_m, 1e-3F);
+    const float facing = std::max(0.5F + 0.5F * cos_to_sun, 0.0F);
+    const float sunward = facing * facing * facing * facing;
+    return {glm::mix(glm::vec3{view.haze_colour}, glm::vec3{view.haze_sunward}, sunward), amount};
+}
+
+}  // namespace quadrat::render::passes
