@@ -39,6 +39,17 @@ float dimming(const StageView& view) {
     return 0;
 }
 
+// How bright the acknowledgement of the last press still is: 1 on its first frame, 0 when it is over.
+float flash_left(const StageView& view) {
+    if (!view.flash) return 0;
+    return 1 - smooth(seconds_of(view.now - view.flash->at) / kFlashSeconds);
+}
+
+// Back has no quarter; it is white.
+glm::vec3 flash_colour(exhibit::Choice button) {
+    return button == exhibit::Choice::Back ? glm::vec3{1} : glm::vec3(quarter(static_cast<std::size_t>(button)).colour);
+}
+
 std::size_t attract_index(const StageView& view) {
     const auto turn = static_cast<std::size_t>(seconds_of(view.now - view.cast.arrived) / kAttractSceneSeconds);
     return turn % view.cast.scenes.size();
@@ -106,18 +117,13 @@ void Stage::add_views(render::Frame& frame, const StageView& view) {
 void Stage::add_quarter_signs(render::Frame& frame, const StageView& view) {
     const auto places = quarters(frame.size.x, frame.size.y);
     const float border = std::max(3.0F, static_cast<float>(frame.size.y) / 120.0F);
-    if (view.flash && view.flash->button != exhibit::Choice::Back) {
-        const float age = seconds_of(view.now - view.flash->at) / kFlashSeconds;
-        if (age < 1) {
-            const auto index = static_cast<std::size_t>(view.flash->button);
-            glm::vec4 colour = quarter(index).colour;
-            colour.a = 1 - smooth(age) * 0.8F;
-            render::Sign sign;
-            sign.place = places[index];
-            sign.colour = colour;
-            sign.border_px = border * 1.6F;
-            frame.signs.push_back(sign);
-        }
+    if (const float left = flash_left(view); left > 0 && view.flash->button != exhibit::Choice::Back) {
+        const auto index = static_cast<std::size_t>(view.flash->button);
+        render::Sign sign;
+        sign.place = places[index];
+        sign.colour = glm::vec4(glm::vec3(quarter(index).colour), 0.2F + 0.8F * left);
+        sign.border_px = border * 1.6F;
+        frame.signs.push_back(sign);
     }
     for (auto& sign : writer_.badges(frame.size.x, frame.size.y)) frame.signs.push_back(std::move(sign));
 }
@@ -137,6 +143,13 @@ void Stage::add_plate(render::Frame& frame, const StageView& view) {
     back.colour = kPlate;
     back.corner_radius_px = em * 0.5F;
     frame.signs.push_back(back);
+    // Whatever is on the screen, a press is seen: the plate lights up in the button's colour.
+    if (const float left = flash_left(view); left > 0) {
+        render::Sign lit = back;
+        lit.colour = glm::vec4(flash_colour(view.flash->button), left);
+        lit.border_px = std::max(2.0F, em * 0.12F);
+        frame.signs.push_back(lit);
+    }
     render::Sign words_sign;
     words_sign.texture = written.texture;
     words_sign.place = {plate.x + pad, plate.y + pad / 2 + steps, written.width, written.height};
