@@ -2,7 +2,9 @@
 // Every parameter of the classic genome shows: the pictures at the two ends of its range differ.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <functional>
 
 #include "kiosk/easel.hpp"
 
