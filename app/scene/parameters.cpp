@@ -15,10 +15,9 @@ SceneParameters realise(const genome::ParameterValues& v) {
     s.trees.branch_contraction = v[P::tree_branch_contraction];
     s.trees.leaf_length_m = v[P::tree_leaf_length_m];
     s.trees.spacing_m = v[P::tree_spacing_m];
-    s.land.relief_m = v[P::land_relief_m];
-    s.land.gain = v[P::land_gain];
-    s.land.feature_size_m = v[P::land_feature_size_m];
-    s.land.sea_level = v[P::land_sea_level];
+#define PARAMETER(id, name, unit, min, max, standard, bits, genome, meaning) s.land.id = v[P::id];
+#include "genome/parameters_land.inc"
+#undef PARAMETER
     s.sky.cloud_scale_m = v[P::cloud_scale_m];
     s.sky.cloud_sharpness = v[P::cloud_sharpness];
     s.sky.sun_elevation_deg = v[P::sun_elevation_deg];

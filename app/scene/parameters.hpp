@@ -15,18 +15,11 @@ struct TreeParameters {
     float spacing_m = 9;
 };
 
+// A number for each land row of the parameter table, by the row's id.
 struct LandParameters {
-    float relief_m = 110;
-    float gain = 0.44F;
-    float feature_size_m = 420;
-    float sea_level = 0.22F;      // share of the land under water
-    float erosion = 0.9F;         // how deep streams have cut: 0 not at all
-    float erosion_age = 8;        // steps of it on the coarse grid
-    float sediment = 0.4F;        // share of what streams carry that they lay where the ground runs flat
-    float creep = 0.06F;          // how far the ground between streams has evened out
-    float river_area_m2 = 45000;  // drained area from which on a stream is drawn as a river
-    float lake_depth_m = 1.2F;    // hollows shallower than this are filled with earth
-    float repose_deg = 42;        // the steepest slope that earth keeps
+#define PARAMETER(id, name, unit, min, max, standard, bits, genome, meaning) float id = standard;
+#include "genome/parameters_land.inc"
+#undef PARAMETER
 };
 
 struct SkyParameters {

@@ -74,38 +74,41 @@ void sink_under_land(mesh::Field& surround_m) {
 
 }  // namespace
 
-scene::Land make_land(const scene::LandParameters& parameters, base::Seed seed, const scene::Fineness& fineness) {
+scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const scene::Fineness& fineness) {
     scene::Land land;
-    const Terrain terrain(parameters, seed);
+    const Terrain terrain(p, seed);
     land.cell_m = kSide_m / static_cast<float>(fineness.land_samples - 1);
     land.surround_cell_m = kSurroundCell_m;
     land.height_m = field_of(terrain, fineness.land_samples, land.cell_m);
     carve_valleys(land.height_m, land.cell_m,
-                  {.steps = static_cast<int>(std::lround(parameters.erosion_age)),
-                   .strength = parameters.erosion,
-                   .deposit = parameters.sediment,
-                   .hillslope = parameters.creep});
-    slide_to_repose(land.height_m, land.cell_m, std::tan(glm::radians(parameters.repose_deg)), 4);
+                  {.steps = static_cast<int>(std::lround(p.erosion_age)),
+                   .strength = p.erosion_strength,
+                   .deposit = p.erosion_sediment,
+                   .spring_m2 = p.erosion_spring_m2,
+                   .hillslope = p.erosion_creep});
+    slide_to_repose(land.height_m, land.cell_m, std::tan(glm::radians(p.erosion_repose_deg)),
+                    static_cast<int>(std::lround(p.erosion_slides)));
     land.surround_m = field_of(terrain, kSurroundSamples, kSurroundCell_m);
     meet_surround(land.height_m, land.cell_m, land.surround_m);
     sink_under_land(land.surround_m);
-    FreshWater water =
-        make_fresh_water(land.height_m, land.cell_m,
-                         {.river_area_m2 = parameters.river_area_m2, .lake_depth_m = parameters.lake_depth_m});
+    FreshWater water = make_fresh_water(land.height_m, land.cell_m,
+                                        {.river_area_m2 = p.river_area_m2,
+                                         .lake_depth_m = p.lake_depth_m,
+                                         .lake_area_m2 = p.lake_area_m2,
+                                         .width = p.river_width,
+                                         .depth = p.river_depth});
     const mesh::Field over_water_m = height_over_water_m(land.height_m, water);
     land.water_m = std::move(water.surface_m);
     land.fresh_water = std::move(water.mesh);
 
-    const Palette palette = choose_palette(parameters, seed);
-    const float highest_m = parameters.relief_m * (1.0F - parameters.sea_level);
-    const GroundLines lines{.beach_top_m = std::clamp(0.014F * parameters.relief_m, 0.25F, 1.6F),
-                            .snow_line_m = parameters.relief_m < 140.0F ? 1.0e6F : 0.72F * highest_m + 10.0F};
-    land.albedo = ground_albedo(land.height_m, over_water_m, land.cell_m, palette, lines, seed, fineness.albedo_px);
-    land.detail = ground_detail(seed, 256);
+    const Palette palette = choose_palette(p, seed);
+    land.albedo = ground_albedo(land.height_m, over_water_m, land.cell_m, palette, p, seed, fineness.albedo_px);
+    land.detail = ground_detail(seed, 256, p.ground_detail);
+    land.detail_tile_m = p.ground_detail_m;
     land.shallow_colour = palette.shallow;
     land.deep_colour = palette.deep;
     land.far_colour = scene::mix_colours(scene::mix_colours(palette.lush, palette.dry, 0.4F), palette.scree,
-                                         parameters.gain > 0.45F ? 0.5F : 0.2F);
+                                         p.land_gain > 0.45F ? 0.5F : 0.2F);
     return land;
 }
 

@@ -58,7 +58,21 @@ inline float wave(float x) {
     return 2.0F * t * t * (3.0F - 2.0F * t) - 1.0F;
 }
 
-void paint(Row& r, const Palette& palette, const GroundLines& lines) {
+// The genes of the ground, and what follows from them for this land.
+struct GroundLook {
+    scene::LandParameters p;
+    float beach_top_m;
+    float snow_line_m;  // far above everything where no snow lies
+
+    explicit GroundLook(const scene::LandParameters& parameters)
+        : p(parameters),
+          beach_top_m(0.05F + p.ground_beach * std::clamp(0.014F * p.land_relief_m, 0.25F, 1.6F)),
+          snow_line_m(p.land_relief_m < 140.0F
+                          ? 1.0e6F
+                          : 10.0F + p.ground_snow_line * p.land_relief_m * (1.0F - p.land_sea_level)) {}
+};
+
+void paint(Row& r, const Palette& palette, const GroundLook& look) {
     const auto lab = [](const glm::vec3& c) { return scene::oklab_from_linear(c); };
     const glm::vec3 dry = lab(palette.dry);
     std::fill(r.l.begin(), r.l.end(), dry.x);
@@ -70,24 +84,36 @@ void paint(Row& r, const Palette& palette, const GroundLines& lines) {
     const float* p = r.patch.data();
     const float* g = r.grain.data();
     const float* hollow = r.hollow.data();
-    mix_in(r, lab(palette.lush), [=](std::size_t i) { return smooth(-0.9F, 0.9F, 1.5F * hollow[i] + 0.9F * p[i]); });
-    mix_in(r, lab(palette.heath), [=](std::size_t i) { return 0.75F * smooth(0.25F, 0.7F, 0.3F * g[i] - p[i]); });
+    const float lushness = 1.1F * look.p.ground_lushness;
+    const float heath = look.p.ground_heath;
+    const float soil = look.p.ground_soil_slope;
+    const float scree = look.p.ground_scree_slope;
+    const float stone = look.p.ground_rock_slope;
+    const float beds_per_m = 2.0F / look.p.ground_strata_m;
+    const float contrast = 0.5F * look.p.ground_strata;
+    const float broken = look.p.ground_snow_patchiness;
+    const float beach_top_m = look.beach_top_m;
+    const float snow_line_m = look.snow_line_m;
+    const float grain = 0.035F * look.p.ground_grain;
+    mix_in(r, lab(palette.lush),
+           [=](std::size_t i) { return smooth(-0.9F, 0.9F, 1.5F * hollow[i] + 0.9F * p[i] + lushness); });
+    mix_in(r, lab(palette.heath), [=](std::size_t i) { return heath * smooth(0.25F, 0.7F, 0.3F * g[i] - p[i]); });
     const auto steep = [=](std::size_t i, float wander) { return s[i] + wander * (0.5F * p[i] + 0.35F * g[i]); };
-    mix_in(r, lab(palette.soil), [=](std::size_t i) { return smooth(0.42F, 0.66F, steep(i, 0.16F)); });
-    mix_in(r, lab(palette.scree), [=](std::size_t i) { return smooth(0.58F, 0.80F, steep(i, 0.12F)); });
-    const auto strata = [=](std::size_t i) { return 0.5F + 0.5F * wave(0.134F * h[i] + p[i] + 0.25F * g[i]); };
-    const auto rock = [=](std::size_t i) { return smooth(0.74F, 1.05F, steep(i, 0.10F)); };
+    mix_in(r, lab(palette.soil), [=](std::size_t i) { return smooth(soil, soil + 0.24F, steep(i, 0.16F)); });
+    mix_in(r, lab(palette.scree), [=](std::size_t i) { return smooth(scree, scree + 0.22F, steep(i, 0.12F)); });
+    const auto strata = [=](std::size_t i) { return 0.5F + contrast * wave(beds_per_m * h[i] + p[i] + 0.25F * g[i]); };
+    const auto rock = [=](std::size_t i) { return smooth(stone, stone + 0.31F, steep(i, 0.10F)); };
     mix_in(r, lab(palette.rock_dark), rock);
     mix_in(r, lab(palette.rock_light), [=](std::size_t i) { return rock(i) * strata(i); });
-    mix_in(r, lab(palette.sand), [=, &lines](std::size_t i) {
-        const float top_m = lines.beach_top_m * (1.0F + 0.7F * p[i]);
-        return (1.0F - smooth(0.0F, 0.9F * lines.beach_top_m, shore[i] - top_m)) * (1.0F - smooth(0.5F, 0.8F, s[i]));
+    mix_in(r, lab(palette.sand), [=](std::size_t i) {
+        const float top_m = beach_top_m * (1.0F + 0.7F * p[i]);
+        return (1.0F - smooth(0.0F, 0.9F * beach_top_m, shore[i] - top_m)) * (1.0F - smooth(0.5F, 0.8F, s[i]));
     });
-    mix_in(r, lab(palette.snow), [=, &lines](std::size_t i) {
-        return smooth(-10.0F, 16.0F, h[i] - lines.snow_line_m + 7.0F * p[i] + 5.0F * g[i]) *
+    mix_in(r, lab(palette.snow), [=](std::size_t i) {
+        return smooth(-10.0F, 16.0F, h[i] - snow_line_m + broken * (7.0F * p[i] + 5.0F * g[i])) *
                (1.0F - smooth(0.75F, 1.1F, s[i]));
     });
-    for (std::size_t i = 0; i < r.l.size(); ++i) r.l[i] *= 1.0F + 0.035F * g[i];
+    for (std::size_t i = 0; i < r.l.size(); ++i) r.l[i] *= 1.0F + grain * g[i];
 }
 
 void write_row(const Row& r, std::uint8_t* pixel) {
@@ -158,13 +184,15 @@ void interpolate(const mesh::Field& field, float row_at, float per_px, std::span
 }  // namespace
 
 mesh::Image ground_albedo(const mesh::Field& height_m, const mesh::Field& over_water_m, float cell_m,
-                          const Palette& palette, const GroundLines& lines, base::Seed seed, int side_px) {
+                          const Palette& palette, const scene::LandParameters& parameters, base::Seed seed,
+                          int side_px) {
     mesh::Image image(side_px, side_px, 4);
     const noise::Key patches(seed.child("patches"));
     const mesh::Field grain = grain_tile(seed);
     const Relief relief(height_m, cell_m);
     const float per_px = static_cast<float>(height_m.columns - 1) / static_cast<float>(side_px);
-    const float patches_per_px = per_px * cell_m / 70.0F;
+    const GroundLook look(parameters);
+    const float patches_per_px = per_px * cell_m / parameters.ground_patch_m;
     const auto width = static_cast<std::size_t>(side_px);
     std::vector<float> us(width);
     for (std::size_t i = 0; i < width; ++i) us[i] = static_cast<float>(i) * patches_per_px;
@@ -183,14 +211,14 @@ mesh::Image ground_albedo(const mesh::Field& height_m, const mesh::Field& over_w
                 r.patch[i] *= 1.6F;
                 r.grain[i] = grain.at(static_cast<int>(i % kGrainSide), y % kGrainSide);
             }
-            paint(r, palette, lines);
+            paint(r, palette, look);
             write_row(r, image.pixel(0, y));
         }
     });
     return image;
 }
 
-mesh::Image ground_detail(base::Seed seed, int side_px) {
+mesh::Image ground_detail(base::Seed seed, int side_px, float contrast) {
     mesh::Image image(side_px, side_px, 1);
     const noise::Key blades(seed.child("detail"));
     const noise::Key tufts(seed.child("tufts"));
@@ -208,8 +236,8 @@ mesh::Image ground_detail(base::Seed seed, int side_px) {
                          {.count = 3, .gain = 0.6F});
         noise::fbm_tiled(blades, fine_at, std::vector<float>(width, fine_at[y]), fine, 24, {.count = 2, .gain = 0.7F});
         for (int x = 0; x < side_px; ++x)
-            image.pixel(x, y)[0] =
-                static_cast<std::uint8_t>(std::clamp(128.0F + 70.0F * coarse[x] + 49.0F * fine[x], 0.0F, 255.0F));
+            image.pixel(x, y)[0] = static_cast<std::uint8_t>(
+                std::clamp(128.0F + contrast * (70.0F * coarse[x] + 49.0F * fine[x]), 0.0F, 255.0F));
     }
     return image;
 }

@@ -21,16 +21,12 @@ struct Palette {
 // Between two of the hand-chosen countries, by seed; rugged land leans toward stone.
 Palette choose_palette(const scene::LandParameters& parameters, base::Seed seed);
 
-struct GroundLines {
-    float beach_top_m = 1.6F;
-    float snow_line_m = 1.0e6F;  // above it snow lies where it is not steep
-};
-
 // The ground's colour over the land's square, alpha: wetness. over_water_m: height over the nearest water's surface.
 mesh::Image ground_albedo(const mesh::Field& height_m, const mesh::Field& over_water_m, float cell_m,
-                          const Palette& palette, const GroundLines& lines, base::Seed seed, int side_px);
+                          const Palette& palette, const scene::LandParameters& parameters, base::Seed seed,
+                          int side_px);
 
 // The ground's grain: one channel, tileable, mean 128.
-mesh::Image ground_detail(base::Seed seed, int side_px);
+mesh::Image ground_detail(base::Seed seed, int side_px, float contrast);
 
 }  // namespace quadrat::synthesis::land

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "scene/colour.hpp"
 #include "synthesis/land/ground.hpp"
@@ -28,34 +29,49 @@ constexpr std::array<HexPalette, 6> kCountries{{
     {0x4E7A44, 0x84984C, 0x5E8A50, 0x5E4E3C, 0x7A7468, 0x8E8878, 0x54524C, 0xD8C8A0, 0xF1F3F6, 0x52B098,
      0x145868},  // green island
 }};
+constexpr float kAlpine = 3;
 
 }  // namespace
 
-Palette choose_palette(const scene::LandParameters& parameters, base::Seed seed) {
+Palette choose_palette(const scene::LandParameters& p, base::Seed seed) {
     base::RandomStream random{seed.child("palette")};
-    const bool is_rugged = parameters.gain > 0.45F && parameters.relief_m > 120.0F;
-    auto first = random.below(kCountries.size());
-    if (is_rugged && random.unit() < 0.5) first = 3;
-    const auto second = random.below(kCountries.size());
-    const float t = 0.35F * random.unit_f();
+    const bool is_rugged = p.land_gain > 0.45F && p.land_relief_m > 120.0F;
+    constexpr auto kCount = static_cast<float>(kCountries.size());
+    float country = p.ground_country + p.ground_chance * random.between(0, kCount);
+    if (is_rugged && random.unit() < 0.5 * static_cast<double>(p.ground_chance)) country = kAlpine;
+    const float whole = std::floor(country);
+    const auto first = static_cast<std::size_t>(whole) % kCountries.size();
     const HexPalette& a = kCountries[first];
-    const HexPalette& b = kCountries[second];
+    const HexPalette& b = kCountries[(first + 1) % kCountries.size()];
+    const float t = std::clamp((country - whole - 0.35F) / 0.3F, 0.0F, 1.0F);
     const auto mixed = [&](std::uint32_t HexPalette::*member) {
         return scene::mix_colours(scene::linear_from_srgb_hex(a.*member), scene::linear_from_srgb_hex(b.*member), t);
     };
-    Palette p;
-    p.lush = mixed(&HexPalette::lush);
-    p.dry = mixed(&HexPalette::dry);
-    p.heath = mixed(&HexPalette::heath);
-    p.soil = mixed(&HexPalette::soil);
-    p.scree = mixed(&HexPalette::scree);
-    p.rock_light = mixed(&HexPalette::rock_light);
-    p.rock_dark = mixed(&HexPalette::rock_dark);
-    p.sand = mixed(&HexPalette::sand);
-    p.snow = mixed(&HexPalette::snow);
-    p.shallow = mixed(&HexPalette::shallow);
-    p.deep = mixed(&HexPalette::deep);
-    return p;
+    const auto ground = [&](std::uint32_t HexPalette::*member) {
+        return scene::shifted_colour(mixed(member), p.ground_lightness, p.ground_saturation);
+    };
+    Palette palette;
+    palette.lush = ground(&HexPalette::lush);
+    palette.dry = ground(&HexPalette::dry);
+    palette.heath = ground(&HexPalette::heath);
+    palette.soil = ground(&HexPalette::soil);
+    palette.scree = ground(&HexPalette::scree);
+    palette.rock_light = ground(&HexPalette::rock_light);
+    palette.rock_dark = ground(&HexPalette::rock_dark);
+    palette.sand = ground(&HexPalette::sand);
+    palette.snow = mixed(&HexPalette::snow);
+    const bool is_peat = p.water_hue < 0;
+    const float hue = 0.75F * std::abs(p.water_hue);
+    palette.shallow = scene::mix_colours(mixed(&HexPalette::shallow),
+                                         scene::linear_from_srgb_hex(is_peat ? 0x6B5A38 : 0x49C4BC), hue);
+    palette.deep =
+        scene::mix_colours(mixed(&HexPalette::deep), scene::linear_from_srgb_hex(is_peat ? 0x2A2416 : 0x0F5A78), hue);
+    const glm::vec3 milk = scene::linear_from_srgb_hex(0xA9C2BC);
+    const float milky = std::max(0.5F - p.water_clarity, 0.0F);
+    palette.shallow = scene::mix_colours(palette.shallow, milk, milky);
+    palette.deep = scene::mix_colours(palette.deep, milk, 0.7F * milky);
+    palette.deep = scene::shifted_colour(palette.deep, 1.0F - 0.4F * std::max(p.water_clarity - 0.5F, 0.0F));
+    return palette;
 }
 
 }  // namespace quadrat::synthesis::land

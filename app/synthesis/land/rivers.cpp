@@ -59,9 +59,10 @@ struct Channel {
     float depth_m = 0;
 };
 
-Channel channel_of(float area_m2) {
+Channel channel_of(float area_m2, const FreshWaterOptions& options) {
     const float hectares = area_m2 * 1.0e-4F;
-    return {1.0F + 1.25F * std::sqrt(hectares), 0.25F + 0.22F * std::pow(hectares, 0.4F)};
+    return {options.width * (1.0F + 1.25F * std::sqrt(hectares)),
+            options.depth * (0.25F + 0.22F * std::pow(hectares, 0.4F))};
 }
 
 // Beds from the mouth upward: each no lower than the one it runs to.
@@ -73,7 +74,7 @@ void carve_rivers(mesh::Field& h, const Drainage& d, const std::vector<float>& a
         const std::int32_t to = d.receiver[cell];
         if (to == cell || area_m2[cell] < options.river_area_m2 || before.samples[cell] <= options.sea_m) continue;
         if (surface.samples[cell] > kNoWater) continue;  // it runs through a lake
-        const Channel channel = channel_of(area_m2[cell]);
+        const Channel channel = channel_of(area_m2[cell], options);
         const float below =
             bed_m[to] > kNoWater ? bed_m[to] : std::min(before.samples[to], before.samples[cell] - channel.depth_m);
         bed_m[cell] = std::max(below, before.samples[cell] - channel.depth_m);
@@ -84,7 +85,7 @@ void carve_rivers(mesh::Field& h, const Drainage& d, const std::vector<float>& a
     // Across the bed and up its banks.
     for (std::size_t i = 0; i < bed_m.size(); ++i) {
         if (bed_m[i] <= kNoWater) continue;
-        const Channel channel = channel_of(area_m2[i]);
+        const Channel channel = channel_of(area_m2[i], options);
         const int x = static_cast<int>(i) % h.columns;
         const int y = static_cast<int>(i) / h.columns;
         const float half_m = 0.5F * channel.width_m;

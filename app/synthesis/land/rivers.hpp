@@ -12,6 +12,8 @@ struct FreshWaterOptions {
     float river_area_m2 = 45000;  // drained area from which on a stream is a river
     float lake_depth_m = 1.2F;    // shallower hollows are filled with earth
     float lake_area_m2 = 500;     // and so are smaller ones
+    float width = 1;              // of rivers, to what their water asks for
+    float depth = 1;
 };
 
 // Lakes and rivers. Surfaces never rise downstream, lakes are level, and every wet cell has a wet way down to the sea,

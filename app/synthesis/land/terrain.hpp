@@ -4,6 +4,7 @@
 
 #include "base/seed.hpp"
 #include "scene/parameters.hpp"
+#include "synthesis/land/landforms.hpp"
 #include "synthesis/noise/gradient.hpp"
 
 namespace quadrat::synthesis::land {
@@ -22,9 +23,12 @@ class Terrain {
     void add_ranges(std::span<const float> xs_m, float z_m, std::span<float> out) const;
     void above_lowest_m(std::span<const float> xs_m, float z_m, float cell_m, std::span<float> out) const;
     float sea_level_m() const;
+    void add_hills(std::span<const float> xs_m, float z_m, float cell_m, std::span<float> out) const;
 
     scene::LandParameters parameters_;
+    Landforms landforms_;
     noise::Key hills_;
+    noise::Key folds_;
     noise::Key bends_;
     noise::Key range_;
     float rugged_ = 0;  // 0 rolling to 1 ridged

@@ -114,7 +114,7 @@ TEST(Realise, HandsTheDefaultsOverAsTheyAre) {
     EXPECT_EQ(from_genes.trees.type, plain.trees.type);
     EXPECT_FLOAT_EQ(from_genes.trees.branch_angle_deg, 41.25F);
     EXPECT_FLOAT_EQ(from_genes.trees.leaf_length_m, plain.trees.leaf_length_m);
-    EXPECT_FLOAT_EQ(from_genes.land.relief_m, plain.land.relief_m);
+    EXPECT_FLOAT_EQ(from_genes.land.land_relief_m, plain.land.land_relief_m);
     EXPECT_FLOAT_EQ(from_genes.sky.haze_distance_m, plain.sky.haze_distance_m);
 }
 

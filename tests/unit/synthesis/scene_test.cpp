@@ -36,7 +36,8 @@ bool are_same(const scene::Sky& a, const scene::Sky& b) {
 
 bool are_same(const scene::Land& a, const scene::Land& b) {
     return a.height_m == b.height_m && a.surround_m == b.surround_m && a.albedo == b.albedo && a.detail == b.detail &&
-           a.water_m == b.water_m && a.fresh_water == b.fresh_water;
+           a.water_m == b.water_m && a.fresh_water == b.fresh_water && a.shallow_colour == b.shallow_colour &&
+           a.deep_colour == b.deep_colour && a.detail_tile_m == b.detail_tile_m;
 }
 
 bool are_same(const scene::Flora& a, const scene::Flora& b) {
@@ -147,15 +148,32 @@ TEST(Scene, FliesTheSameWayInPlanOverEveryLand) {
     }
 }
 
+// A little of every landform, on high land with rivers, so that each of their numbers has something to act on.
+genome::ParameterValues everything() {
+    genome::ParameterValues values;
+    using P = genome::ParameterId;
+    for (const P id :
+         {P::hill_hybrid, P::hill_hetero, P::hill_cells, P::terrace_share, P::mesa_share, P::dune_share, P::cone_share,
+          P::canyon_share, P::karst_share, P::island_share, P::marsh_share, P::cliff_share, P::hill_warp})
+        values.set(id, 0.3F);
+    values.set(P::land_relief_m, 230);
+    values.set(P::hill_stretch, 1.5F);
+    values.set(P::erosion_slides, 8);
+    values.set(P::ground_lightness, 0.95F);
+    values.set(P::ground_snow_line, 0.5F);
+    return values;
+}
+
 TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
-    const base::Seed seed{11};
-    const scene::SceneParameters plain = scene::realise(genome::ParameterValues{});
+    const base::Seed seed{13};
+    const scene::Fineness fineness{.land_samples = 257, .light_px = 64, .albedo_px = 64};
+    const scene::SceneParameters plain = scene::realise(everything());
     const scene::Flora flora = grow_trees(plain.trees, seed);
-    const scene::Land land = grow_land(plain.land, seed, kCoarse);
+    const scene::Land land = grow_land(plain.land, seed, fineness);
     const scene::Sky sky = grow_sky(plain.sky, seed);
     for (const genome::Parameter& parameter : genome::parameter_table()) {
-        genome::ParameterValues values;
-        const bool is_high = parameter.default_value > 0.5F * (parameter.min + parameter.max);
+        genome::ParameterValues values = everything();
+        const bool is_high = values[parameter.id] > 0.5F * (parameter.min + parameter.max);
         values.set(parameter.id, is_high ? parameter.min : parameter.max);
         const scene::SceneParameters p = scene::realise(values);
         switch (parameter.aspect) {
@@ -163,7 +181,7 @@ TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
                 EXPECT_FALSE(are_same(grow_trees(p.trees, seed), flora)) << parameter.name;
                 break;
             case genome::Aspect::Land:
-                EXPECT_FALSE(are_same(grow_land(p.land, seed, kCoarse), land)) << parameter.name;
+                EXPECT_FALSE(are_same(grow_land(p.land, seed, fineness), land)) << parameter.name;
                 break;
             case genome::Aspect::Sky:
                 EXPECT_FALSE(are_same(grow_sky(p.sky, seed), sky)) << parameter.name;
