@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <benchmark/benchmark.h>
+#include <oneapi/tbb/global_control.h>
+
+#include "genome/recipe.hpp"
+#include "synthesis/grow.hpp"
+#include "synthesis/land/drainage.hpp"
+#include "synthesis/land/erosion.hpp"
+#include "synthesis/land/field_methods.hpp"
+
+namespace {
+
+using namespace quadrat;
+using namespace quadrat::synthesis;
+using Threads = oneapi::tbb::global_control;
+
+land::FieldRequest request(int size) {
+    land::FieldRequest r;
+    r.size = size;
+    r.octaves = 8;
+    r.features = 2.5F;
+    r.seed = base::Seed{5};
+    return r;
+}
+
+mesh::Field hills(int size) {
+    mesh::Field field = land::make_field(*land::field_method("fbm"), request(size));
+    for (float& h : field.samples) h = 220 * h + 60;
+    return field;
+}
+
+void field(benchmark::State& state, const char* name) {
+    const Threads one(Threads::max_allowed_parallelism, 1);
+    const land::FieldMethod& method = *land::field_method(name);
+    const auto size = static_cast<int>(state.range(0));
+    for (auto _ : state) benchmark::DoNotOptimize(method.make(request(size)).samples.data());
+    state.counters["Msamples/s"] =
+        benchmark::Counter(1.0e-6 * size * size * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+BENCHMARK_CAPTURE(field, fbm_8_octaves, "fbm")->Arg(1025)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(field, simplex_8_octaves, "fbm-simplex")->Arg(1025)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(field, ridged_8_octaves, "ridged")->Arg(1025)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(field, diamond_square, "diamond-square")->Arg(2049)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(field, square_square, "square-square")->Arg(2049)->Unit(benchmark::kMillisecond);
+
+void water(benchmark::State& state) {
+    const Threads one(Threads::max_allowed_parallelism, 1);
+    const mesh::Field ground = hills(static_cast<int>(state.range(0)));
+    for (auto _ : state) {
+        const land::Drainage d = land::drain(ground, 0);
+        benchmark::DoNotOptimize(land::drained_area_m2(d, 2).data());
+    }
+    state.SetComplexityN(state.range(0) * state.range(0));
+}
+BENCHMARK(water)->RangeMultiplier(2)->Range(257, 2049)->Arg(1025)->Unit(benchmark::kMillisecond)->Complexity();
+
+void valleys(benchmark::State& state) {
+    const mesh::Field ground = hills(513);
+    for (auto _ : state) {
+        mesh::Field carved = ground;
+        land::carve_valleys(carved, 2, {});
+        benchmark::DoNotOptimize(carved.samples.data());
+    }
+}
+BENCHMARK(valleys)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void finished_land(benchmark::State& state) {
+    const Threads some(Threads::max_allowed_parallelism, static_cast<std::size_t>(state.range(0)));
+    const genome::Recipe recipe = genome::random_recipe(base::Seed{4});
+    const scene::SceneParameters p = scene::realise(recipe.values);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(grow_land(p.land, recipe.seeds[genome::Aspect::Land]).albedo.bytes.data());
+}
+BENCHMARK(finished_land)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
