@@ -55,8 +55,8 @@ float linear_from_srgb(float encoded) {
     return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
 }
 
-std::uint8_t srgb_byte(float linear) {
-    // A table over the square root of the light: exact to half a step and far cheaper than a power a pixel.
+// A table over the square root of the light: exact to half a step and far cheaper than a power a pixel.
+const std::array<std::uint8_t, 4097>& srgb_bytes_by_root() {
     static const std::array<std::uint8_t, 4097> table = [] {
         std::array<std::uint8_t, 4097> t{};
         for (std::size_t i = 0; i < t.size(); ++i) {
@@ -65,9 +65,13 @@ std::uint8_t srgb_byte(float linear) {
         }
         return t;
     }();
+    return table;
+}
+
+std::uint8_t srgb_byte(float linear) {
     // Written so that what is not a number is black.
     const float root = linear > 0.0F ? std::sqrt(std::min(linear, 1.0F)) : 0.0F;
-    return table[static_cast<std::size_t>(root * 4096.0F + 0.5F)];
+    return srgb_bytes_by_root()[static_cast<std::size_t>(root * 4096.0F + 0.5F)];
 }
 
 glm::vec3 linear_from_srgb_hex(std::uint32_t rgb) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 
@@ -18,7 +19,9 @@ glm::vec3 shifted_colour(const glm::vec3& colour, float lightness, float chroma 
 
 float srgb_from_linear(float linear);  // clamped to [0, 1]
 float linear_from_srgb(float encoded);
-std::uint8_t srgb_byte(float linear);               // encoded, rounded
+std::uint8_t srgb_byte(float linear);  // encoded, rounded
+// The same for whole rows: entry i is the byte of the light (i / 4096)^2.
+const std::array<std::uint8_t, 4097>& srgb_bytes_by_root();
 glm::vec3 linear_from_srgb_hex(std::uint32_t rgb);  // 0xRRGGBB
 
 }  // namespace quadrat::scene

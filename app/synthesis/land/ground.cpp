@@ -116,13 +116,28 @@ void paint(Row& r, const Palette& palette, const GroundLook& look) {
     for (std::size_t i = 0; i < r.l.size(); ++i) r.l[i] *= 1.0F + grain * g[i];
 }
 
-void write_row(const Row& r, std::uint8_t* pixel) {
-    for (std::size_t i = 0; i < r.l.size(); ++i, pixel += 4) {
-        const glm::vec3 c = scene::linear_from_oklab({r.l[i], r.a[i], r.b[i]});
-        pixel[0] = scene::srgb_byte(c.x);
-        pixel[1] = scene::srgb_byte(c.y);
-        pixel[2] = scene::srgb_byte(c.z);
-        pixel[3] = static_cast<std::uint8_t>(255.0F * (1.0F - smooth(0.15F, 0.9F, r.shore_m[i])));
+// scene::linear_from_oklab and scene::srgb_byte for a whole row: arithmetic first, then the table.
+void write_row(Row& r, std::uint8_t* pixel) {
+    const std::size_t width = r.l.size();
+    const auto root = [](float linear) { return 4096.0F * std::sqrt(unit(linear)) + 0.5F; };
+    for (std::size_t i = 0; i < width; ++i) {
+        const float l_ = r.l[i] + 0.3963377774F * r.a[i] + 0.2158037573F * r.b[i];
+        const float m_ = r.l[i] - 0.1055613458F * r.a[i] - 0.0638541728F * r.b[i];
+        const float s_ = r.l[i] - 0.0894841775F * r.a[i] - 1.2914855480F * r.b[i];
+        const float l = l_ * l_ * l_;
+        const float m = m_ * m_ * m_;
+        const float s = s_ * s_ * s_;
+        r.l[i] = root(4.0767416621F * l - 3.3077115913F * m + 0.2309699292F * s);
+        r.a[i] = root(-1.2684380046F * l + 2.6097574011F * m - 0.3413193965F * s);
+        r.b[i] = root(-0.0041960863F * l - 0.7034186147F * m + 1.7076147010F * s);
+        r.patch[i] = 255.0F * (1.0F - smooth(0.15F, 0.9F, r.shore_m[i]));
+    }
+    const auto& bytes = scene::srgb_bytes_by_root();
+    for (std::size_t i = 0; i < width; ++i, pixel += 4) {
+        pixel[0] = bytes[static_cast<std::size_t>(static_cast<int>(r.l[i]))];
+        pixel[1] = bytes[static_cast<std::size_t>(static_cast<int>(r.a[i]))];
+        pixel[2] = bytes[static_cast<std::size_t>(static_cast<int>(r.b[i]))];
+        pixel[3] = static_cast<std::uint8_t>(r.patch[i]);
     }
 }
 

@@ -52,7 +52,7 @@ void Landforms::islands(Row xs_m, float z_m, Heights h) const {
         const float n =
             noise::fbm(wander_, xs_m[i] / p_.island_wave_m, z_m / p_.island_wave_m, {.count = 2, .gain = 0.4F});
         const float knoll = 1.0F - off_the_knoll(xs_m[i], z_m);
-        h[i] += p_.island_share * p_.land_relief_m * (1.5F * n + 0.4F * knoll);
+        h[i] += p_.island_share * std::min(p_.land_relief_m, 0.3F * p_.island_wave_m) * (1.5F * n + 0.4F * knoll);
     }
 }
 

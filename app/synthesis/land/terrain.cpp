@@ -62,15 +62,21 @@ void Terrain::add_ranges(std::span<const float> xs_m, float z_m, std::span<float
     const float height_m = p.range_height_m + p.range_relief * p.land_relief_m;
     const noise::Octaves octaves{
         .count = 5, .gain = p.range_gain, .ridged = std::min(p.range_ridged + 0.5F * rugged_, 1.0F)};
+    const float farthest_m = std::max(std::abs(xs_m.front()), std::abs(xs_m.back()));
+    if (farthest_m * farthest_m + z_m * z_m < 700.0F * 700.0F) return;
+    std::vector<float> us(xs_m.begin(), xs_m.end());
+    for (float& u : us) u /= p.range_wave_m;
+    const std::vector<float> vs(xs_m.size(), z_m / p.range_wave_m);
+    std::vector<float> ridges(xs_m.size());
+    noise::fbm(range_, us, vs, ridges, octaves);
     for (std::size_t i = 0; i < xs_m.size(); ++i) {
         const float x_m = xs_m[i];
         const float out_m = std::sqrt(x_m * x_m + z_m * z_m);
         const float rise = smooth(700.0F, p.range_distance_m, out_m);
         if (rise <= 0) continue;
         const float fall = 1.0F - 0.55F * smooth(p.range_distance_m + 400.0F, 8000.0F, out_m);
-        const float ridge = noise::fbm(range_, x_m / p.range_wave_m, z_m / p.range_wave_m, octaves);
         const float toward_north = 1.0F - 0.7F * p.range_north + p.range_north * (-z_m / out_m);
-        out[i] += rise * fall * toward_north * height_m * std::max(0.0F, 0.42F + 1.15F * ridge);
+        out[i] += rise * fall * toward_north * height_m * std::max(0.0F, 0.42F + 1.15F * ridges[i]);
     }
 }
 

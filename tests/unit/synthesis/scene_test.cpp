@@ -159,6 +159,9 @@ genome::ParameterValues everything() {
     values.set(P::land_relief_m, 230);
     values.set(P::hill_stretch, 1.5F);
     values.set(P::erosion_slides, 8);
+    values.set(P::erosion_age, 3);
+    values.set(P::lake_depth_m, 0.6F);
+    values.set(P::lake_area_m2, 210);
     values.set(P::ground_lightness, 0.95F);
     values.set(P::ground_snow_line, 0.5F);
     return values;
