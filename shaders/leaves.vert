@@ -10,6 +10,7 @@ layout(location = 1) in vec3 corner_m;
 layout(location = 2) in vec2 age_sway;
 layout(location = 3) in float rank;  // the blade's place in the shuffled order, 0 to 1
 layout(location = 4) in vec4 leaf_normal;
+layout(location = 0) uniform float largest;  // a blade may be enlarged by this much; beyond it the crown thins instead
 layout(location = 5) in vec4 root_colour_shade;  // rgb: square root of the colour; a: light through the own crown
 
 out vec3 shown;
@@ -18,7 +19,7 @@ out vec3 shown;
 float blade_scale(float grown) {
     float share = turn_grown_share.w;
     float leaving = clamp((1.0 - rank / share) * 6.5, 0.0, 1.0);
-    return grown * leaving * inversesqrt(share);
+    return grown * leaving * min(inversesqrt(share), largest);
 }
 
 void main() {

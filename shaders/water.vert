@@ -8,16 +8,14 @@
 layout(location = 0) in vec2 around_m;
 
 out vec2 over_land;
-out vec2 ripples_at;
 out vec4 before;   // rgb: shown, the mirrored sky and the air, weighted; a: what is left for the water's own colour
-out vec2 glitter;  // x: cosine between the mirrored look and the sun; y: how clear the air is
+out float glitter;  // how bright the sun is in level water, as a power of two
 
 void main() {
     vec2 xz = view.eye_seconds.xz + around_m;
     vec3 at_m = vec3(xz.x, 0.0, xz.y);
     gl_Position = view.clip_from_world * vec4(at_m, 1.0);
     over_land = xz * view.light_above.w + 0.5;
-    ripples_at = xz * (1.0 / 34.0);
 
     vec3 away = normalize(at_m - view.eye_seconds.xyz);
     away.y = max(-away.y, 0.02);
@@ -28,5 +26,5 @@ void main() {
     vec4 haze = haze_at(at_m);
     float clear = 1.0 - haze.a;
     before = vec4(haze.rgb * haze.a + sky * (reflected * clear), (1.0 - reflected) * clear);
-    glitter = vec2(cos_to_sun, clear);
+    glitter = (cos_to_sun - 1.04) * 70.0 + log2(clear + 1e-4);
 }

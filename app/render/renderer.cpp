@@ -98,7 +98,7 @@ Selection Renderer::Parts::select(const View& view, const Frame& frame) {
     gathering.view = s.block;
     gathering.pixels_per_radian = scale;
     gathering.growth = view.growth;
-    gathering.fineness = alpha;
+    gathering.fineness = std::sqrt(alpha);  // the budget takes the rest where there is much to see
     const auto budget = static_cast<std::size_t>(kTriangleBudget * share);
     gathering.triangle_budget = std::max(budget, s.triangles + kFewestPlantTriangles) - s.triangles;
     passes::Crowd crowd = passes::gather(scene.plants, scene.flora->kinds, frustum, gathering, frame_instances);

@@ -60,8 +60,11 @@ void set_clouds(passes::ViewBlock& b, const View& view, float left, float second
 
 void set_water(passes::ViewBlock& b, const LightAndAir& air, float left, float seconds) {
     const glm::vec3 shallow = encode(air.shallow_water * left);
-    b.shallow_water = {shallow, 2 * std::cos(kRippleTurn_rad_s * seconds)};
-    b.deepening = {encode(air.deep_water * left) - shallow, 2 * std::sin(kRippleTurn_rad_s * seconds)};
+    const float cosine = 2 * std::cos(kRippleTurn_rad_s * seconds);
+    const float sine = 2 * std::sin(kRippleTurn_rad_s * seconds);
+    b.far_colour.w = 0.5F * (cosine + sine);
+    b.shallow_water = {shallow, cosine};
+    b.deepening = {encode(air.deep_water * left) - shallow, sine};
     b.mirrored = {encode(air.high_sky * left), 0.35F * encode(brightness(air.foam) * left)};
 }
 
@@ -112,7 +115,7 @@ passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, f
     b.far_colour = {air.far_colour, 0};
     b.haze_colour = {encode(air.haze_colour * left), kLog2E / air.haze_distance_m};
     b.haze_sunward = {encode(air.haze_sunward * left), kLog2E / air.haze_height_m};
-    b.sun_colour = {encode(air.sun_colour * left), std::cos(kDiscRadius_rad)};
+    b.sun_colour = {encode(air.sun_colour * left), kDiscRadius_rad};
     set_water(b, air, left, seconds);
     set_clouds(b, view, left, seconds);
     return b;

@@ -14,13 +14,13 @@ layout(std140, binding = 0) uniform ViewBlock {
     vec4 light_above;    // rgb: light from above; w: 1 / side of the land, 1/m
     vec4 light_around;   // rgb: light from the horizon; w: 1 / tile of the ground's grain, 1/m
     vec4 light_below;    // rgb: light from the ground; w: factor of the grain
-    vec4 far_colour;     // rgb: linear, of the surround
+    vec4 far_colour;     // rgb: linear, of the surround; w: half the sum of the ripples' cosine and sine
     vec4 haze_colour;    // rgb: shown, across the sun; w: log2(e) / haze distance, 1/m
     vec4 haze_sunward;   // rgb: shown, toward the sun; w: log2(e) / haze height, 1/m
     vec4 shallow_water;  // rgb: shown; w: cosine of the ripples' turn
     vec4 deepening;      // rgb: shown, deep water less shallow; w: sine of the ripples' turn
     vec4 mirrored;       // rgb: shown, the high sky in the water; w: brightness of foam, shown
-    vec4 sun_colour;     // rgb: shown, of the disc and its glow; w: cosine of the disc's radius
+    vec4 sun_colour;     // rgb: shown, of the disc and its glow; w: the disc's radius
     vec4 cloud_place[2]; // xy: texture coordinate over the eye; z: (height - eye) / tile; w: opacity
     vec4 cloud_shaded;   // rgb: shown; w: the upper layer's light on the lower one's scale: factor
     vec4 cloud_gain;     // rgb: shown, sunlit less shaded; w: the same: what is added

@@ -147,12 +147,21 @@ Kind kind_of(const scene::Species& species) {
     return kind;
 }
 
+// A blade as long as its crown is wide would be seen as what it is.
+float largest_blade(const scene::Species& species) {
+    float length_m = 1e-3F;
+    for (std::size_t i = 0; i < std::min<std::size_t>(species.leaves.vertices.size(), 64); ++i)
+        length_m = std::max(length_m, glm::length(species.leaves.vertices[i].corner_m));
+    return std::max(0.80F * species.crown_radius_m / length_m, 1.0F);
+}
+
 void add_species(gl::Slices& slices, FloraOnGpu& flora, std::size_t index,
                  const std::shared_ptr<const scene::Flora>& source) {
     const scene::Species& from = source->species[index];
     SpeciesOnGpu& species = flora.species[index];
     species.bark_colour = from.bark_colour;
     species.height_m = from.height_m;
+    species.largest_blade = largest_blade(from);
     flora.kinds[index] = kind_of(from);
     std::vector<std::shared_ptr<const scene::Wood>> levels;
     for (const scene::Wood& wood : from.wood) levels.emplace_back(source, &wood);
@@ -221,6 +230,7 @@ void PlantsPass::draw_wood(const SpeciesOnGpu& species, const Batch& batch, GLui
 }
 
 void PlantsPass::draw_leaves(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
+    glUniform1f(0, species.largest_blade);
     leaf_vertices_.feed(0, species.leaf_places.name());
     leaf_vertices_.feed(1, species.leaf_surfaces.name());
     leaf_vertices_.feed(2, instances, batch.first * sizeof(Instance));

@@ -25,6 +25,7 @@ struct SpeciesOnGpu {
     gl::Buffer leaf_surfaces;
     gl::Buffer leaf_indices;
     std::size_t indices_per_blade = 0;
+    float largest_blade = 1;  // times its size
     glm::vec3 bark_colour{0.2F};
     float height_m = 1;
 };

@@ -17,7 +17,7 @@
 namespace quadrat::render::passes {
 namespace {
 
-constexpr int kSectors = 48;
+constexpr int kSectors = 64;
 constexpr float kLowest_rad = -10.0F / 180.0F * std::numbers::pi_v<float>;
 
 // Encoded as the display wants it, in sixteen bits: eight would show as bands.
@@ -34,6 +34,8 @@ glm::vec2 dome_place(float azimuth_rad, float elevation_rad) {
 std::vector<float> ring_elevations_deg() {
     return {90, 74, 59, 46, 36, 28, 21, 15.5F, 11, 7.5F, 4.5F, 2, 0, -3, -10, -40};
 }
+
+constexpr std::array<glm::vec2, 4> kSunCorners{glm::vec2{-1, -1}, glm::vec2{1, -1}, glm::vec2{-1, 1}, glm::vec2{1, 1}};
 
 struct DomePlace {
     float azimuth_rad;
@@ -127,9 +129,13 @@ void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scen
 
 SkyPass::SkyPass()
     : program_("sky.vert", "sky.frag"),
+      sun_("sun.vert", "sun.frag"),
       vertices_{
           {0, sizeof(glm::vec3), gl::Advance::PerVertex, {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}},
-          {1, sizeof(DomeColour), gl::Advance::PerVertex, {{1, 4, GL_UNSIGNED_SHORT, gl::Numbers::Normalised, 0}}}} {
+          {1, sizeof(DomeColour), gl::Advance::PerVertex, {{1, 4, GL_UNSIGNED_SHORT, gl::Numbers::Normalised, 0}}}},
+      sun_vertices_{{0, sizeof(glm::vec2), gl::Advance::PerVertex, {{0, 2, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}}} {
+    sun_corners_ = gl::Buffer{GL_ARRAY_BUFFER, sizeof(kSunCorners)};
+    sun_corners_.write<glm::vec2>(0, kSunCorners);
     std::vector<glm::vec3> directions;
     for (const DomePlace& place : dome_places()) directions.push_back(direction_of(place));
     directions_ = gl::Buffer{GL_ARRAY_BUFFER, directions.size() * sizeof(glm::vec3)};
@@ -149,6 +155,15 @@ void SkyPass::draw(const SkyOnGpu& sky) const {
     vertices_.feed(1, sky.dome.name());
     vertices_.feed_indices(indices_.name());
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(index_count_), GL_UNSIGNED_SHORT, nullptr);
+    sun_.use();
+    sun_vertices_.bind();
+    sun_vertices_.feed(0, sun_corners_.name());
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glDisable(GL_CULL_FACE);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glEnable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
 }
 
 }  // namespace quadrat::render::passes

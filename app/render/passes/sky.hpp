@@ -29,7 +29,10 @@ class SkyPass {
 
   private:
     gl::Program program_;
+    gl::Program sun_;
     gl::VertexArray vertices_;
+    gl::VertexArray sun_vertices_;
+    gl::Buffer sun_corners_;
     gl::Buffer directions_;
     gl::Buffer indices_;
     std::size_t index_count_ = 0;

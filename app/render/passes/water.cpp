@@ -17,8 +17,8 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr int kSectors = 32;
-constexpr int kRippleSide = 256;
-constexpr int kWaves = 28;
+constexpr int kRippleSide = 512;
+constexpr int kWaves = 40;
 
 std::vector<float> ring_radii_m() {
     return {0,   1.5F, 3,   5,   7.5F, 11,   16,   23,   33,   48,   70,   100,  150,
@@ -57,7 +57,7 @@ std::vector<std::uint16_t> ring_indices() {
 // kept with its quarter turn, so that cos(kx - wt) = cos(kx) cos(wt) + sin(kx) sin(wt) makes all of them travel with
 // one fetch.
 struct Wave {
-    glm::vec2 turns;  // across and down the tile
+    glm::vec2 turns;  // across and down the tile, which repeats eleven times over the land
     float phase;
     float steepness;
 };
@@ -66,35 +66,41 @@ std::array<Wave, kWaves> waves() {
     std::array<Wave, kWaves> all{};
     for (std::uint64_t i = 0; i < kWaves; ++i) {
         base::RandomStream stream{base::Seed{0x52'69'70'70'6c'65}.child(i)};
-        const float length = 2.0F + 22.0F * stream.unit_f();
-        const float bearing = 0.5F + 0.75F * stream.normal();
+        const float length = 4.0F + 44.0F * stream.unit_f();
+        const float bearing = 0.5F + 0.6F * stream.normal();
         all[i].turns = {1 + std::round(length * std::cos(bearing)), std::round(length * std::sin(bearing))};
         all[i].phase = 6.2832F * stream.unit_f();
-        all[i].steepness = 1.0F / std::sqrt(std::max(glm::length(all[i].turns), 1.0F));
+        all[i].steepness = 1.2F / std::sqrt(std::max(glm::length(all[i].turns), 1.0F));
     }
     return all;
 }
 
+// cos and sin of turns * x + phase for every x along the tile.
+std::vector<glm::vec2> turned_along(float turns, float phase) {
+    std::vector<glm::vec2> along(kRippleSide);
+    for (std::size_t x = 0; x < along.size(); ++x) {
+        const float turn = turns * static_cast<float>(x) * (2 * std::numbers::pi_v<float> / kRippleSide) + phase;
+        along[x] = {std::cos(turn), std::sin(turn)};
+    }
+    return along;
+}
+
 mesh::Image ripple_slopes() {
-    mesh::Image image(kRippleSide, kRippleSide, 4);
-    const auto all = waves();
-    for (int y = 0; y < kRippleSide; ++y) {
-        for (int x = 0; x < kRippleSide; ++x) {
-            const glm::vec2 at = glm::vec2{static_cast<float>(x), static_cast<float>(y)} * (6.2831853F / kRippleSide);
-            glm::vec2 now{0};
-            glm::vec2 quarter{0};
-            for (const Wave& wave : all) {
-                const glm::vec2 slope = glm::normalize(wave.turns) * wave.steepness;
-                const float turn = glm::dot(wave.turns, at) + wave.phase;
-                now += slope * std::cos(turn);
-                quarter += slope * std::sin(turn);
-            }
-            std::uint8_t* pixel = image.pixel(x, y);
-            for (int c = 0; c < 2; ++c) {
-                pixel[c] = unsigned_byte(0.5F + 0.11F * now[c]);
-                pixel[c + 2] = unsigned_byte(0.5F + 0.11F * quarter[c]);
-            }
+    std::vector<glm::vec2> sums(static_cast<std::size_t>(kRippleSide) * kRippleSide);
+    for (const Wave& wave : waves()) {
+        const auto across = turned_along(wave.turns.x, wave.phase);
+        const auto down = turned_along(wave.turns.y, 0);
+        for (std::size_t y = 0; y < down.size(); ++y) {
+            glm::vec2* row = &sums[y * kRippleSide];
+            const glm::vec2 d = down[y] * wave.steepness;
+            for (std::size_t x = 0; x < across.size(); ++x)
+                row[x] += glm::vec2{across[x].x * d.x - across[x].y * d.y, across[x].y * d.x + across[x].x * d.y};
         }
+    }
+    mesh::Image image(kRippleSide, kRippleSide, 2);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        image.bytes[2 * i] = unsigned_byte(0.5F + 0.15F * sums[i].x);
+        image.bytes[2 * i + 1] = unsigned_byte(0.5F + 0.15F * sums[i].y);
     }
     return image;
 }
