@@ -149,7 +149,7 @@ scene::Flora make_flora(const scene::TreeParameters& p, base::Seed seed) {
     const Wear other = choose_wear(seed.child("bush"));
     scene::Species shrub = bush(scene::mix_colours(wear.leaf, other.leaf, 0.35F), wear.second, wear.bark,
                                 random.between(1.1F, 1.9F), seed.child("bush"));
-    scene::Species grass = grass_tuft(wear.grass, herb_m, seed.child("grass"));
+    scene::Species grass = grass_tuft(scene::shifted_colour(wear.grass, 0.86F, 0.78F), herb_m, seed.child("grass"));
     scene::Species ferns = fern(scene::mix_colours(wear.leaf, wear.grass, 0.5F), 1.15F * herb_m, seed.child("fern"));
     scene::Species flowers = flower(wear.grass, wear.blossom, 0.95F * herb_m, seed.child("flower"));
     grass.share = 0.72F;
