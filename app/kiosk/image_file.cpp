@@ -4,13 +4,16 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/owned.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -53,6 +56,23 @@ std::vector<float> linear_samples(const mesh::Image& pixels) {
     }
     return samples;
 }
+
+// libpng prints what it also reports; while one of these lives, standard error goes nowhere.
+class StandardErrorMuted {
+  public:
+    StandardErrorMuted() : kept_(::dup(STDERR_FILENO)) {
+        const base::OwnedDescriptor nowhere(::open("/dev/null", O_WRONLY | O_CLOEXEC));
+        if (kept_ && nowhere) ::dup2(nowhere.get(), STDERR_FILENO);
+    }
+    ~StandardErrorMuted() {
+        if (kept_) ::dup2(kept_.get(), STDERR_FILENO);
+    }
+    StandardErrorMuted(const StandardErrorMuted&) = delete;
+    StandardErrorMuted& operator=(const StandardErrorMuted&) = delete;
+
+  private:
+    base::OwnedDescriptor kept_;
+};
 
 }  // namespace
 
@@ -99,6 +119,7 @@ bool is_image_file(std::string_view bytes) {
 }
 
 std::optional<std::string> scene_inside(const std::filesystem::path& path) {
+    const StandardErrorMuted muted;
     const auto input = oiio::ImageInput::open(path.string());
     if (!input) fail(path.string(), fmt::format("cannot read as a picture: {}", oiio::geterror()));
     const std::string json = input->spec().get_string_attribute(kSceneKey);
