@@ -8,6 +8,7 @@
 #include "render/passes/ground.hpp"
 #include "render/passes/plants.hpp"
 #include "render/passes/sky.hpp"
+#include "render/passes/water.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene.hpp"
 
@@ -17,6 +18,7 @@ namespace quadrat::render {
 class GpuScene {
   public:
     passes::LandOnGpu land;
+    passes::FreshWaterOnGpu fresh_water;
     passes::SkyOnGpu sky;
     std::shared_ptr<passes::FloraOnGpu> flora;  // shared with scenes that inherited it
     std::vector<scene::Plant> plants;

@@ -133,6 +133,11 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
         drawn.triangles += water.triangles();
         ++drawn.draw_calls;
     }
+    if (scene.fresh_water.index_count > 0) {
+        water.draw_fresh(scene.fresh_water, scene.land.lit);
+        drawn.triangles += scene.fresh_water.index_count / 3;
+        ++drawn.draw_calls;
+    }
     sky.draw(scene.sky);
 }
 

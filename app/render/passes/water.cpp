@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "base/seed.hpp"
@@ -107,8 +108,30 @@ mesh::Image ripple_slopes() {
 
 }  // namespace
 
+void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shared_ptr<const scene::Scene>& scene) {
+    constexpr std::size_t kPiece = 1U << 15U;
+    const mesh::Mesh& mesh = scene->land->fresh_water;
+    if (mesh.indices.empty()) return;
+    slices.add(0, [&water, scene] {
+        const mesh::Mesh& from = scene->land->fresh_water;
+        water.corners = gl::Buffer{GL_ARRAY_BUFFER, from.positions_m.size() * sizeof(glm::vec3)};
+        water.indices = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, from.indices.size() * sizeof(std::uint32_t)};
+        water.index_count = from.indices.size();
+    });
+    slices.add_pieces(
+        mesh.positions_m.size(), kPiece, sizeof(glm::vec3), [&water, scene](std::size_t first, std::size_t many) {
+            water.corners.write<glm::vec3>(first, std::span(scene->land->fresh_water.positions_m).subspan(first, many));
+        });
+    slices.add_pieces(
+        mesh.indices.size(), kPiece, sizeof(std::uint32_t), [&water, scene](std::size_t first, std::size_t many) {
+            water.indices.write<std::uint32_t>(first, std::span(scene->land->fresh_water.indices).subspan(first, many));
+        });
+}
+
 WaterPass::WaterPass()
     : program_("water.vert", "water.frag"),
+      fresh_program_("fresh_water.vert", "water.frag"),
+      fresh_vertices_{{0, sizeof(glm::vec3), gl::Advance::PerVertex, {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}}},
       vertices_{{0, sizeof(glm::vec2), gl::Advance::PerVertex, {{0, 2, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}}} {
     const auto vertices = ring_vertices();
     const auto indices = ring_indices();
@@ -126,15 +149,28 @@ WaterPass::WaterPass()
 
 void WaterPass::draw(const gl::Texture2D& ground) const {
     program_.use();
-    ground.bind(0);
-    ripples_.bind(1);
     vertices_.bind();
     vertices_.feed(0, rings_.name());
     vertices_.feed_indices(indices_.name());
+    draw_blended(ground, index_count_, GL_UNSIGNED_SHORT);
+}
+
+void WaterPass::draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground) const {
+    if (water.index_count == 0) return;
+    fresh_program_.use();
+    fresh_vertices_.bind();
+    fresh_vertices_.feed(0, water.corners.name());
+    fresh_vertices_.feed_indices(water.indices.name());
+    draw_blended(ground, water.index_count, GL_UNSIGNED_INT);
+}
+
+void WaterPass::draw_blended(const gl::Texture2D& ground, std::size_t index_count, GLenum index_type) const {
+    ground.bind(0);
+    ripples_.bind(1);
     // The shore shows through shallow water; depth is still written, for the sky comes later.
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(index_count_), GL_UNSIGNED_SHORT, nullptr);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(index_count), index_type, nullptr);
     glDisable(GL_BLEND);
 }
 

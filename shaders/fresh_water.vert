@@ -1,0 +1,10 @@
+#version 310 es
+// SPDX-License-Identifier: Apache-2.0
+// Lakes and rivers: their own surface, above the sea's.
+#include "common/view.glsl"
+#include "common/haze.glsl"
+#include "common/water_surface.glsl"
+
+layout(location = 0) in vec3 at_m;
+
+void main() { show_water(at_m); }
