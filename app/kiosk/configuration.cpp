@@ -8,6 +8,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <optional>
 
@@ -185,9 +186,13 @@ Configuration configuration_from(std::string_view source_text, const std::string
     read_visit(reader, configuration.visit);
     read_breeding(reader, configuration.breeding);
     reader.read("picture", "alpha", configuration.picture.alpha, 0.05, 20);
-    reader.read("picture", "flight_s", configuration.picture.flight_s, 10, 600);
+    reader.read("picture", "land_samples", configuration.picture.land_samples, 65, 1025);
     reader.read_texts(configuration.texts);
     reader.refuse_what_was_not_read();
+    const auto land = static_cast<unsigned>(configuration.picture.land_samples - 1);
+    if (!std::has_single_bit(land))
+        throw base::InputError(fmt::format("{}: picture.land_samples is {}; it must be 65, 129, 257, 513 or 1025",
+                                           source, configuration.picture.land_samples));
     if (configuration.screen.rotation_deg % 90 != 0)
         throw base::InputError(fmt::format("{}: screen.rotation_deg is {}; it must be 0, 90, 180 or 270", source,
                                            configuration.screen.rotation_deg));

@@ -40,8 +40,8 @@ struct Configuration {
     } breeding;
 
     struct Picture {
-        double alpha = 1;      // detail
-        double flight_s = 80;  // there and back
+        double alpha = 1;        // detail
+        int land_samples = 513;  // a side of the land, 2^k + 1: 129 grows in a tenth of the time, and is smoother
     } picture;
 
     std::map<std::string, std::string> texts;  // prompts in the site's language, by key

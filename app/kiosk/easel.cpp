@@ -42,7 +42,8 @@ Easel::Easel(int width, int height) : display_(open_headless(width, height)) {
 
 mesh::Image Easel::draw(const Picture& picture) {
     Scenes scenes;
-    for (const genome::Recipe& recipe : picture.scenes) scenes.push_back(grow(recipe));
+    for (const genome::Recipe& recipe : picture.scenes)
+        scenes.push_back(grow(recipe, fineness_of(picture.land_samples)));
     return draw(picture, scenes);
 }
 

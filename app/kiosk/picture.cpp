@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
@@ -68,6 +69,9 @@ Picture picture_in(const ordered_json& object, const std::string& source) {
     picture.seconds = number_in(object, "seconds", 0, 1e6F, 0, source);
     picture.growth = number_in(object, "growth", 0, 1, 1, source);
     picture.alpha = number_in(object, "alpha", 0.01F, 100, 1, source);
+    picture.land_samples = static_cast<int>(number_in(object, "land_samples", 65, 1025, 513, source));
+    if (!std::has_single_bit(static_cast<unsigned>(picture.land_samples - 1)))
+        refuse(source, fmt::format("land_samples is {}; it must be 65, 129, 257, 513 or 1025", picture.land_samples));
     picture.camera = camera_in(object, source);
     return picture;
 }
@@ -85,12 +89,18 @@ std::optional<std::uint64_t> seed_number(const std::string& scene) {
 
 }  // namespace
 
+scene::Fineness fineness_of(int land_samples) {
+    const int cells = land_samples - 1;
+    return {land_samples, cells, 2 * cells};
+}
+
 bool operator==(const Picture& a, const Picture& b) { return to_json(a) == to_json(b); }
 
 std::string to_json(const Picture& picture) {
-    ordered_json json{{"quadrat", "picture"},     {"version", kVersion},        {"width", picture.width},
-                      {"height", picture.height}, {"seconds", picture.seconds}, {"growth", picture.growth},
-                      {"alpha", picture.alpha}};
+    ordered_json json{{"quadrat", "picture"},       {"version", kVersion},
+                      {"width", picture.width},     {"height", picture.height},
+                      {"seconds", picture.seconds}, {"growth", picture.growth},
+                      {"alpha", picture.alpha},     {"land_samples", picture.land_samples}};
     if (picture.camera)
         json["camera"] = {{"eye", vector_json(picture.camera->eye_m)},
                           {"target", vector_json(picture.camera->target_m)},

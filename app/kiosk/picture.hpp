@@ -8,6 +8,7 @@
 #include "genome/recipe.hpp"
 #include "mesh/image.hpp"
 #include "scene/camera.hpp"
+#include "scene/scene.hpp"
 
 namespace quadrat::kiosk {
 
@@ -19,9 +20,13 @@ struct Picture {
     float seconds = 0;                    // into the flight, and of wind, water and clouds
     float growth = 1;                     // 0 seedlings, 1 grown
     float alpha = 1;                      // detail
+    int land_samples = 513;               // how finely its scenes are grown, see fineness_of
     std::optional<scene::Camera> camera;  // instead of the flight's
     friend bool operator==(const Picture& a, const Picture& b);
 };
+
+// How finely everything is grown beside a land of so many samples a side.
+scene::Fineness fineness_of(int land_samples);
 
 std::string to_json(const Picture& picture);
 // A picture's or a scene's JSON. Throws InputError naming source and what is wrong.

@@ -126,7 +126,7 @@ class Loop {
         const bool is_worth_it = screen == Screen::Ask || screen == Screen::Finale;
         if (parts_.album == nullptr || !is_worth_it || act.number == photographed_ || act.recipes.empty()) return;
         photographed_ = act.number;
-        const Picture picture = picture_of(act, canvas, static_cast<float>(parts_.configuration.picture.alpha));
+        const Picture picture = picture_of(act, canvas, parts_.configuration);
         const bool is_finale = screen == Screen::Finale;
         const std::string name =
             is_finale ? fmt::format("finale-{:02}", ++finales_) : fmt::format("generation-{:02}", ++generations_);

@@ -67,12 +67,13 @@ mesh::Image Theatre::photograph(const Act& act, const Picture& picture, const di
     return draw_picture(*renderer_, stage_->writer(), picture, cast_of(act), canvas);
 }
 
-Picture picture_of(const Act& act, const display::Canvas& canvas, float alpha) {
+Picture picture_of(const Act& act, const display::Canvas& canvas, const Configuration& configuration) {
     Picture picture;
     picture.scenes = act.recipes;
     picture.width = canvas.size.width;
     picture.height = canvas.size.height;
-    picture.alpha = alpha;
+    picture.alpha = static_cast<float>(configuration.picture.alpha);
+    picture.land_samples = configuration.picture.land_samples;
     return picture;
 }
 

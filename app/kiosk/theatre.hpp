@@ -42,6 +42,6 @@ class Theatre {
 };
 
 // What the exhibit shows of an act: the picture that an album keeps.
-Picture picture_of(const Act& act, const display::Canvas& canvas, float alpha);
+Picture picture_of(const Act& act, const display::Canvas& canvas, const Configuration& configuration);
 
 }  // namespace quadrat::kiosk

@@ -20,8 +20,8 @@ std::string endless_visit() {
 }
 
 std::vector<std::string> exhibit_command() {
-    return program({"run", "--display", "headless", "--size", "64x64", "--input", "script:visit.script", "--state",
-                    "state", "--capture", "pictures", "--seed", "5"});
+    return program({"run", "--config", "small.toml", "--display", "headless", "--size", "64x64", "--input",
+                    "script:visit.script", "--state", "state", "--capture", "pictures", "--seed", "5"});
 }
 
 int last_round_shown(const std::string& log) {
@@ -39,6 +39,7 @@ void wait_for(Process& process, const std::filesystem::path& log, const std::str
 
 TEST(PowerCut, TheExhibitGoesOnWithTheGenerationItLastShowed) {
     const TemporaryFolder folder;
+    folder.write("small.toml", "[picture]\nland_samples = 129\n");
     folder.write("visit.script", endless_visit());
     for (int cut = 0; cut < 4; ++cut) {
         std::filesystem::remove_all(folder / "state");
@@ -62,6 +63,7 @@ TEST(PowerCut, TheExhibitGoesOnWithTheGenerationItLastShowed) {
 
 TEST(PowerCut, ADamagedStateIsSetAsideAndThePublicIsLetIn) {
     const TemporaryFolder folder;
+    folder.write("small.toml", "[picture]\nland_samples = 129\n");
     folder.write("visit.script", "at 1s press A\nafter 2s press B\n");
     std::filesystem::create_directory(folder / "state");
     folder.write("state/quadrat.db", "SQLite format 3\0 but not for long");

@@ -63,6 +63,7 @@ class Database {
 
 Ended play(const TemporaryFolder& folder, const std::vector<std::string>& more) {
     folder.write("visit.script", lively_visit());
+    folder.write("small.toml", "[picture]\nland_samples = 129\n");
     std::vector<std::string> command{
         "run",     "--display", "headless",  "--size",   "320x180", "--input", "script:visit.script",
         "--state", "state",     "--capture", "pictures", "--seed",  "7"};
@@ -109,8 +110,9 @@ TEST(Visit, TheSameScriptAndSeedLeaveTheSamePictures) {
 
 TEST(Visit, WithoutScreenAndButtonsAVisitorIsPlayedAndPicturesAreLeft) {
     const TemporaryFolder folder;
-    const Ended ended = run(
-        program({"run", "--display", "headless", "--size", "320x180", "--rounds", "2", "--state", "state"}), folder);
+    const Ended ended = run(program({"run", "--config", "small.toml", "--display", "headless", "--size", "320x180",
+                                     "--rounds", "2", "--state", "state"}),
+                            folder);
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_EQ(count_of(ended.err, "a visitor of 2 rounds is played"), 1U) << ended.err;
     for (const char* name : {"generation-01.png", "generation-02.png", "finale-01.png", "contact-sheet.png"})

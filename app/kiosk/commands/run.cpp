@@ -148,7 +148,8 @@ int run(const Options& options) {
         clock = std::make_unique<SimulatedClock>();
     else
         clock = std::make_unique<SteadyClock>();
-    Show show(configuration, {seed, {}, wall_time}, std::move(opened.archive));
+    const GrowerOptions growing{0, fineness_of(configuration.picture.land_samples)};
+    Show show(configuration, {seed, growing, wall_time}, std::move(opened.archive));
     stop_on_signals();
     const RunEnd end = run_loop({configuration, *clock, *screen, *buttons.source, show, album.get(),
                                  options.rounds.has_value() || is_demonstration, &stop_flag()});

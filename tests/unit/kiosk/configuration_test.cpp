@@ -35,7 +35,7 @@ TEST(Configuration, TheFileThatIsDeliveredSaysTheDefaults) {
     EXPECT_EQ(delivered.breeding.learning_rate, standard.breeding.learning_rate);
     EXPECT_EQ(delivered.breeding.mutation, standard.breeding.mutation);
     EXPECT_EQ(delivered.picture.alpha, standard.picture.alpha);
-    EXPECT_EQ(delivered.picture.flight_s, standard.picture.flight_s);
+    EXPECT_EQ(delivered.picture.land_samples, standard.picture.land_samples);
     for (const auto& [key, words] : delivered.texts) EXPECT_EQ(words, text(standard, key)) << key;
     EXPECT_EQ(delivered.texts.size(), 8U);
 }
@@ -61,6 +61,7 @@ TEST(Configuration, RefusesInOneLineWithTheLineTheKeyAndWhatWouldBeRight) {
     EXPECT_THAT(refusal_of("[visit]\n\npatience_s = true\n"),
                 HasSubstr("site.toml:3: visit.patience_s is not a number"));
     EXPECT_THAT(refusal_of("[screen]\ndisplay = \"tv\"\n"), HasSubstr("one of auto, kms, window, headless"));
+    EXPECT_THAT(refusal_of("[picture]\nland_samples = 300\n"), HasSubstr("65, 129, 257, 513 or 1025"));
     EXPECT_THAT(refusal_of("[screen]\nrotation_deg = 45\n"), HasSubstr("0, 90, 180 or 270"));
     EXPECT_THAT(refusal_of("[buttons]\ninputs = \"hid:\"\n"), HasSubstr("is not a list"));
     EXPECT_THAT(refusal_of("[vist]\nrounds = 3\n"), HasSubstr("vist is not known; there are"));
