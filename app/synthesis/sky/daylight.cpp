@@ -52,7 +52,7 @@ Daylight::Daylight(const scene::SkyParameters& p) {
     haziness_ = 1.0F - smooth(400.0F, 3600.0F, p.haze_distance_m);
 
     glm::vec3 sun = clear_air(p.sun_elevation_deg);
-    sun = warmed(sun / std::pow(brightest(sun), 0.8F), 0.75F * p.sun_warmth);
+    sun = warmed(sun / std::pow(brightest(sun), 0.8F), 1.1F * p.sun_warmth);
     // Exposed for the hour: what a low sun lights aslant is not left in the dark.
     sunlight_ = sun * (p.sun_strength * (1.02F + 0.55F * lowness_));
     sun_colour_ = sun / brightest(sun);

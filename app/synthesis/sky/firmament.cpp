@@ -56,8 +56,8 @@ glm::vec3 mean_radiance(const Daylight& daylight, float altitude_deg) {
 }
 
 glm::vec3 tinted(const glm::vec3& colour, float warmth) {
-    const glm::vec3 rose{1.16F, 0.95F, 0.90F};
-    const glm::vec3 blue{0.86F, 0.97F, 1.14F};
+    const glm::vec3 rose{1.42F, 0.90F, 0.78F};
+    const glm::vec3 blue{0.66F, 0.95F, 1.38F};
     return colour * (glm::vec3{1} + ((warmth > 0 ? rose : blue) - glm::vec3{1}) * std::abs(warmth));
 }
 
