@@ -37,7 +37,7 @@ std::unique_ptr<oiio::ImageOutput> output_for(const std::filesystem::path& path,
 }
 
 void write(oiio::ImageOutput& output, const std::filesystem::path& path, const std::string& name,
-           const oiio::ImageSpec& spec, oiio::TypeDesc type, const void* samples) {
+           const oiio::ImageSpec& spec, const oiio::TypeDesc& type, const void* samples) {
     if (!output.open(path.string(), spec) || !output.write_image(type, samples) || !output.close())
         fail(name, fmt::format("cannot write: {}", output.geterror()));
 }

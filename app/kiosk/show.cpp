@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
 #include "base/log.hpp"
@@ -15,7 +16,7 @@ using exhibit::Screen;
 constexpr std::size_t kGallery = 3;  // landscapes of former visitors that stay on the GPU
 
 std::chrono::milliseconds milliseconds_of(double seconds) {
-    return std::chrono::milliseconds(static_cast<std::int64_t>(seconds * 1000.0 + 0.5));
+    return std::chrono::milliseconds(std::llround(seconds * 1000.0));
 }
 
 constexpr const char* kButtonNames[] = {"A", "B", "C", "D", "Back"};

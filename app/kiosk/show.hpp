@@ -32,6 +32,15 @@ struct ShowOptions {
     std::function<exhibit::WallTime()> wall_time;  // for the archive's rows; never decides anything
 };
 
+// Landscapes on their way to the screen.
+struct Waiting {
+    int generation = 0;
+    Keeper::Ticket kept = 0;
+    std::vector<genome::Recipe> recipes;
+    bool is_finale = false;
+    std::unique_ptr<Act> act;  // once it has grown
+};
+
 // Carries out what the exhibit wishes: breeds, keeps, grows. Knows nothing of GL, of displays and of where presses
 // come from. One thread; no call waits, but finish_growing().
 class Show {
@@ -61,14 +70,6 @@ class Show {
     bool can_go_back() const;
 
   private:
-    struct Waiting {
-        int generation = 0;
-        Keeper::Ticket kept = 0;
-        std::vector<genome::Recipe> recipes;
-        bool is_finale = false;
-        std::unique_ptr<Act> act;  // once it has grown
-    };
-
     void step(exhibit::Step step, Instant now);
     void carry_out(const exhibit::Acknowledge& wish, Instant now);
     void carry_out(const exhibit::PrepareVisit& wish, Instant now);

@@ -29,7 +29,7 @@ const Quarter& quarter(std::size_t index) { return kQuarterTable.at(index); }
 
 SignWriter::Written SignWriter::keep(const Key& key, const mesh::Image& image) {
     if (written_.size() >= kWrittenKept) written_.clear();
-    const Written written{renderer_.texture(image), image.width, image.height};
+    Written written{renderer_.texture(image), image.width, image.height};
     written_.emplace(key, written);
     return written;
 }
