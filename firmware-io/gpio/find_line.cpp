@@ -46,7 +46,7 @@ std::string to_string(const LineAddress& address) {
 }
 
 LinePlace find_line(std::span<const ChipFacts> chips, const LineAddress& address) {
-    const LinePlace place = address.name.empty() ? address.place : find_by_name(chips, address.name);
+    LinePlace place = address.name.empty() ? address.place : find_by_name(chips, address.name);
     const auto chip =
         std::find_if(chips.begin(), chips.end(), [&](const ChipFacts& facts) { return facts.path == place.chip_path; });
     if (chip == chips.end() || place.offset >= chip->lines.size())
