@@ -9,6 +9,7 @@ namespace quadrat::firmware_io::hid {
 namespace {
 
 std::int64_t field(std::span<const std::uint8_t> body, std::uint32_t bit, unsigned bits, bool is_signed) {
+    if (bits == 0) return 0;
     std::uint64_t value = 0;
     for (unsigned i = 0; i < bits; ++i) {
         const std::size_t byte = (bit + i) / 8;
