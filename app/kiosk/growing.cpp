@@ -3,6 +3,7 @@
 
 #include <sys/resource.h>
 #include <sys/syscall.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_scheduler_observer.h>
@@ -75,6 +76,12 @@ struct Order {
     std::vector<genome::Candidate> candidates;
     base::Seed flight;
 };
+
+#if defined(__SANITIZE_THREAD__)
+// Debian's TBB is not instrumented: what its workers hand each other looks like races by the million. One thread at a
+// time then; what the frame loop, the grower and the keeper share is checked all the same.
+const tbb::global_control kOneWorker(tbb::global_control::max_allowed_parallelism, 1);
+#endif
 
 constexpr std::size_t kAspectsKept = 48;
 
