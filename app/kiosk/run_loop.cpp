@@ -73,7 +73,6 @@ class Loop {
             theatre_.draw(parts_.show, parts_.show.growing_progress(), now, canvas);
             const display::Presented presented = parts_.display.present();
             report(presented);
-            ++frames_;
             if (const auto end = ending(presented)) return *end;
             pass_time(now, presented);
         }
@@ -186,7 +185,6 @@ class Loop {
     int photographed_ = 0;
     int generations_ = 0;
     int finales_ = 0;
-    std::uint64_t frames_ = 0;
 };
 
 }  // namespace
