@@ -110,6 +110,7 @@ TEST(Visit, TheSameScriptAndSeedLeaveTheSamePictures) {
 
 TEST(Visit, WithoutScreenAndButtonsAVisitorIsPlayedAndPicturesAreLeft) {
     const TemporaryFolder folder;
+    folder.write("small.toml", "[picture]\nland_samples = 129\n");
     const Ended ended = run(program({"run", "--config", "small.toml", "--display", "headless", "--size", "320x180",
                                      "--rounds", "2", "--state", "state"}),
                             folder);
