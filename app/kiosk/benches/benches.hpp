@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "genome/offer.hpp"
+#include "genome/recipe.hpp"
+#include "kiosk/measurement.hpp"
+
+namespace quadrat::kiosk::benches {
+
+using Results = std::vector<Measurement>;
+
+// What `quadrat bench` was asked for, beyond the group.
+struct Options {
+    std::string size = "1280x720";
+    int frames = 120;
+    float alpha = 1;
+};
+
+// One function a group of `quadrat bench`; each appends its figures. A file a group.
+void frame(Results& results, const Options& options, std::string& gpu);
+void generation(Results& results);
+void trees(Results& results);
+void land(Results& results);
+void sky(Results& results);
+
+// Shared by the groups.
+double milliseconds_of(const std::function<void()>& work);
+int cores();
+
+// The median over scenes seed:1 to seed:N: one landscape says little about the next.
+double median_over_scenes(int scenes, const std::function<void(const genome::Recipe&)>& work);
+
+// The same with 1 and with all threads, as two rows of that name.
+void over_threads(Results& results, const std::string& name, const std::function<void(const genome::Recipe&)>& work);
+
+std::vector<genome::Candidate> random_candidates(std::uint64_t seed);
+
+}  // namespace quadrat::kiosk::benches
