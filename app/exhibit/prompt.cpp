@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "exhibit/visit.hpp"
@@ -28,26 +26,6 @@ std::optional<int> countdown_s(const State& state, Instant now, const Timings& t
     if (state.screen != Screen::StillThere) return std::nullopt;
     const Instant left = state.since + timings.countdown - std::max(now, state.since);
     return static_cast<int>(std::chrono::ceil<std::chrono::seconds>(std::max(left, Instant{0})).count());
-}
-
-std::string caption(const State& state, Instant now, const Timings& timings) {
-    switch (prompt_of(state)) {
-        case Prompt::PressAnyButton:
-            return "Press any button";
-        case Prompt::BestTrees:
-            return "Which has the best trees?";
-        case Prompt::BestLand:
-            return "Which has the best land?";
-        case Prompt::BestSky:
-            return "Which has the best sky?";
-        case Prompt::Growing:
-            return "Growing";
-        case Prompt::StillThere:
-            return fmt::format("Still there? {}", countdown_s(state, now, timings).value_or(0));
-        case Prompt::YourLandscape:
-            return "The landscape you bred";
-    }
-    return {};
 }
 
 }  // namespace quadrat::exhibit

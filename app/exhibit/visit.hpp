@@ -2,7 +2,6 @@
 #pragma once
 #include <chrono>
 #include <optional>
-#include <string>
 #include <variant>
 #include <vector>
 
@@ -160,8 +159,5 @@ Prompt prompt_of(const State& state);
 
 // Seconds left, rounded up, where a countdown is shown: in StillThere.
 std::optional<int> countdown_s(const State& state, Instant now, const Timings& timings);
-
-// One short line, in English.
-std::string caption(const State& state, Instant now, const Timings& timings);
 
 }  // namespace quadrat::exhibit

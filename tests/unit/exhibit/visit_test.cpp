@@ -297,7 +297,7 @@ TEST(Visit, HasAPromptForEveryScreenAndQuestion) {
     EXPECT_EQ(prompt_of(state), Prompt::Growing);
     state.screen = Screen::StillThere;
     EXPECT_EQ(prompt_of(state), Prompt::StillThere);
-    EXPECT_EQ(caption(state, seconds(4), {}), "Still there? 6");
+    EXPECT_EQ(countdown_s(state, seconds(4), {}), 6);
     state.screen = Screen::Finale;
     EXPECT_EQ(prompt_of(state), Prompt::YourLandscape);
 }
