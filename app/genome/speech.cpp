@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "genome/speech.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/error.hpp"
+#include "genome/json_text.hpp"
+#include "genome/language_texts.hpp"
+
+namespace quadrat::genome {
+namespace {
+
+using nlohmann::json;
+
+// Below this nobody would use the word; from kVery on they would add to it.
+constexpr float kNoticed = 0.25F;
+constexpr float kVery = 0.8F;
+
+// The one text between two pieces of a template. `holes` are all it may name.
+std::string text_from(const json& object, std::string_view key, std::string_view source,
+                      std::initializer_list<std::string_view> holes) {
+    const json& value = member(object, key, source);
+    if (!value.is_string()) throw base::InputError(fmt::format("{}: {} should be a text", source, key));
+    auto text = value.get<std::string>();
+    for (const std::string_view hole : holes)
+        if (text.find(hole) == std::string::npos)
+            throw base::InputError(fmt::format("{}: {} has no place for {}", source, key, hole));
+    return text;
+}
+
+std::string filled(std::string text, std::string_view hole, std::string_view with) {
+    const std::size_t at = text.find(hole);
+    if (at != std::string::npos) text.replace(at, hole.size(), with);
+    return text;
+}
+
+std::array<std::string, 2> ends_from(const json& words, const Word& word, std::string_view source) {
+    const auto found = words.find(std::string(word.name));
+    if (found == words.end()) return {std::string(word.low), std::string(word.high)};
+    if (!found->is_array() || found->size() != 2 || !(*found)[0].is_string() || !(*found)[1].is_string())
+        throw base::InputError(
+            fmt::format("{}: words.{} should be two texts, low end and high end", source, word.name));
+    return {(*found)[0].get<std::string>(), (*found)[1].get<std::string>()};
+}
+
+// The aspect's words whose measure is large enough to notice, largest first, two at most.
+template <typename Measure>
+std::vector<WordId> strongest(Aspect aspect, const Measure& measure) {
+    std::vector<WordId> ids;
+    for (const Word& word : vocabulary(aspect))
+        if (std::abs(measure(word.id)) >= kNoticed) ids.push_back(word.id);
+    std::ranges::stable_sort(ids, std::greater{}, [&](WordId id) { return std::abs(measure(id)); });
+    if (ids.size() > 2) ids.resize(2);
+    return ids;
+}
+
+}  // namespace
+
+Language Language::from_json(std::string_view text, std::string_view source) {
+    const json root = parse_json(text, source);
+    require_object(root, {"language", "sentence", "and", "very", "trees", "land", "sky", "words"}, source,
+                   "the language");
+    Language read;
+    read.name_ = text_from(root, "language", source, {});
+    read.sentence_ = text_from(root, "sentence", source, {"{trees}", "{land}", "{sky}"});
+    read.and_ = text_from(root, "and", source, {"{}"});
+    read.very_ = text_from(root, "very", source, {"{}"});
+    for (const Aspect aspect : kAspects) {
+        const json& phrase = member(root, name_of(aspect), source);
+        require_object(phrase, {"with", "plain"}, source, name_of(aspect));
+        read.phrases_[aspect] = {text_from(phrase, "with", source, {"{}"}), text_from(phrase, "plain", source, {})};
+    }
+    const json& words = member(root, "words", source);
+    if (!words.is_object()) throw base::InputError(fmt::format("{}: words should be an object", source));
+    for (const auto& [name, ends] : words.items())
+        if (!word_named(name)) throw base::InputError(fmt::format("{}: there is no word \"{}\"", source, name));
+    for (const Word& word : vocabulary())
+        read.ends_[static_cast<std::size_t>(word.id)] = ends_from(words, word, source);
+    return read;
+}
+
+std::string Language::adjective(WordId id, float value) const {
+    std::string plain(end(id, value > 0));
+    return std::abs(value) >= kVery ? filled(very_, "{}", plain) : plain;
+}
+
+std::string Language::describe(const Description& description, Aspect aspect) const {
+    const auto ids = strongest(aspect, [&](WordId id) { return description[id]; });
+    if (ids.empty()) return phrases_[aspect].plain;
+    std::string adjectives = adjective(ids[0], description[ids[0]]);
+    if (ids.size() == 2)
+        adjectives = filled(filled(and_, "{}", adjectives), "{}", adjective(ids[1], description[ids[1]]));
+    return filled(phrases_[aspect].with, "{}", adjectives);
+}
+
+std::string Language::describe(const Description& description) const {
+    std::string text = sentence_;
+    for (const Aspect aspect : kAspects)
+        text = filled(std::move(text), fmt::format("{{{}}}", name_of(aspect)), describe(description, aspect));
+    return text;
+}
+
+std::string Language::heredity(const Description& from, const Description& to, Aspect aspect) const {
+    std::string text;
+    for (const WordId id : strongest(aspect, [&](WordId word) { return to[word] - from[word]; }))
+        text += fmt::format("{}{}", text.empty() ? "" : ", ", end(id, to[id] > from[id]));
+    return text;
+}
+
+const Language& language(std::string_view code) {
+    static const std::map<std::string, Language, std::less<>> kSpoken = [] {
+        std::map<std::string, Language, std::less<>> spoken;
+        for (const base::EmbeddedText& text : language_texts())
+            spoken.emplace(text.name, Language::from_json(text.text, fmt::format("languages/{}.json", text.name)));
+        return spoken;
+    }();
+    const auto found = kSpoken.find(code.substr(0, code.find_first_of("-_.@")));
+    return found == kSpoken.end() ? kSpoken.at("en") : found->second;
+}
+
+std::vector<std::string_view> language_codes() {
+    std::vector<std::string_view> codes;
+    for (const base::EmbeddedText& text : language_texts()) codes.push_back(text.name);
+    std::ranges::sort(codes);
+    return codes;
+}
+
+}  // namespace quadrat::genome

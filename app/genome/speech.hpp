@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "genome/words.hpp"
+
+namespace quadrat::genome {
+
+// How one language speaks of a Description: an adjective for each end of each word, agreeing with its aspect's noun,
+// and the templates that join them. Data: genome/languages/*.json, inside the binary.
+class Language {
+  public:
+    // Throws InputError naming source and the key. A word left out is spoken in English.
+    static Language from_json(std::string_view json, std::string_view source);
+
+    const std::string& name() const { return name_; }  // in itself: "Deutsch"
+
+    // "steep and wet land; sparse tall trees; a red sky": for each aspect the two strongest of its words, if any is
+    // strong enough to notice.
+    std::string describe(const Description& description) const;
+    std::string describe(const Description& description, Aspect aspect) const;
+
+    // What changed most for an aspect from one to the other, as its two adjectives at most: "tall, sparse"; "" if
+    // nothing did that one would notice.
+    std::string heredity(const Description& from, const Description& to, Aspect aspect) const;
+
+    std::string_view end(WordId id, bool is_high) const { return ends_[static_cast<std::size_t>(id)][is_high ? 1 : 0]; }
+
+  private:
+    struct Phrase {
+        std::string with;   // "{} trees"
+        std::string plain;  // when no word stands out
+    };
+    std::string adjective(WordId id, float value) const;
+
+    std::string name_;
+    std::string sentence_;
+    std::string and_;
+    std::string very_;
+    PerAspect<Phrase> phrases_;
+    std::array<std::array<std::string, 2>, kWordCount> ends_;
+};
+
+// By code ("en", "de", "ar", …, "de-AT", "fr_CA.UTF-8"); English for one that is not spoken.
+const Language& language(std::string_view code);
+std::vector<std::string_view> language_codes();  // sorted
+
+}  // namespace quadrat::genome

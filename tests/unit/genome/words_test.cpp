@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "genome/words.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+
+#include "base/error.hpp"
+#include "genome/speech.hpp"
+
+namespace quadrat::genome {
+namespace {
+
+TEST(Words, HoldThePapersSeven) {
+    for (const char* name : {"wet", "sparse", "tropical", "cloudy", "light", "mountainous", "undulating"})
+        EXPECT_TRUE(word_named(name)) << name;
+    EXPECT_FALSE(word_named("nice"));
+}
+
+TEST(Words, AreSixToEightAnAspectWithDifferentNamesAndEnds) {
+    std::set<std::string_view> names;
+    for (const Aspect aspect : kAspects) {
+        EXPECT_GE(vocabulary(aspect).size(), 6U);
+        EXPECT_LE(vocabulary(aspect).size(), 8U);
+    }
+    for (const Word& word : vocabulary()) {
+        EXPECT_TRUE(names.insert(word.name).second) << word.name;
+        EXPECT_NE(word.low, word.high);
+        EXPECT_EQ(word_named(word.name), word.id);
+    }
+}
+
+TEST(Words, AreClampedToTheirEnds) {
+    Description description;
+    description.set(WordId::wet, 3);
+    description.set(WordId::tall, -7);
+    description.set(WordId::misty, std::numeric_limits<float>::quiet_NaN());
+    EXPECT_EQ(description[WordId::wet], 1);
+    EXPECT_EQ(description[WordId::tall], -1);
+    EXPECT_EQ(description[WordId::misty], 0);
+}
+
+Description evening() {
+    Description description;
+    description.set(WordId::tall, 0.9F);
+    description.set(WordId::sparse, 0.5F);
+    description.set(WordId::leafy, 0.3F);  // the third: not said
+    description.set(WordId::wet, -0.4F);
+    description.set(WordId::warm, 0.2F);  // too weak to say
+    return description;
+}
+
+TEST(Speech, SaysTheTwoStrongestWordsOfEachAspect) {
+    EXPECT_EQ(language("en").describe(evening()), "dry land; very tall and scattered trees; an everyday sky");
+    EXPECT_EQ(language("de").describe(evening()),
+              "trockenes Land; sehr hohe und vereinzelte Bäume; gewöhnlicher Himmel");
+}
+
+TEST(Speech, SaysWhatChanged) {
+    Description later = evening();
+    later.set(WordId::tall, -0.2F);
+    later.set(WordId::gnarled, 0.6F);
+    EXPECT_EQ(language("en").heredity(evening(), later, Aspect::Trees), "low, gnarled");
+    EXPECT_EQ(language("en").heredity(evening(), later, Aspect::Sky), "");
+}
+
+TEST(Speech, FallsBackToEnglish) {
+    EXPECT_EQ(language("tlh").name(), "English");
+    EXPECT_EQ(language("").name(), "English");
+    EXPECT_EQ(language("de_AT.UTF-8").name(), "Deutsch");
+    EXPECT_EQ(language("fr-CA").name(), "Français");
+}
+
+TEST(Speech, KnowsEveryWordInEveryLanguageAndNoTwoEndsOfAnAspectAlike) {
+    EXPECT_THAT(language_codes(), testing::ElementsAre("ar", "de", "en", "es", "fr", "xh"));
+    for (const std::string_view code : language_codes())
+        for (const Aspect aspect : kAspects) {
+            std::set<std::string_view> ends;
+            for (const Word& word : vocabulary(aspect))
+                for (const bool is_high : {false, true}) {
+                    EXPECT_FALSE(language(code).end(word.id, is_high).empty());
+                    EXPECT_TRUE(ends.insert(language(code).end(word.id, is_high)).second)
+                        << code << " " << language(code).end(word.id, is_high);
+                }
+        }
+}
+
+TEST(Speech, RefusesABrokenLanguageByKey) {
+    const auto message = [](std::string_view text) -> std::string {
+        try {
+            Language::from_json(text, "xx.json");
+        } catch (const base::InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(message(R"({"language":"X","sentence":"{trees}"})"),
+                testing::HasSubstr("sentence has no place for {land}"));
+    EXPECT_THAT(message(R"({"lang":"X"})"), testing::HasSubstr("xx.json"));
+    EXPECT_THAT(message(R"({"language":"X","sentence":"{trees}{land}{sky}","and":"{}","very":"{}",
+        "trees":{"with":"{}","plain":""},"land":{"with":"{}","plain":""},"sky":{"with":"{}","plain":""},
+        "words":{"nice":["a","b"]}})"),
+                testing::HasSubstr("there is no word \"nice\""));
+}
+
+}  // namespace
+}  // namespace quadrat::genome
