@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -96,6 +97,51 @@ void write_field_file(const std::filesystem::path& path, const std::string& name
     oiio::ImageSpec spec(field.columns, field.rows, 1, oiio::TypeDesc::FLOAT);
     spec.channelnames = {"Y"};
     write(*output, path, name, spec, oiio::TypeDesc::FLOAT, field.samples.data());
+}
+
+std::size_t write_height_picture(const std::filesystem::path& path, const std::string& name, const mesh::Field& field,
+                                 float low, float high) {
+    std::vector<std::uint16_t> samples(field.samples.size());
+    std::size_t cut = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const float share = (field.samples[i] - low) / (high - low);
+        cut += share < 0 || share > 1;
+        samples[i] = static_cast<std::uint16_t>(std::lround(65535.0F * std::clamp(share, 0.0F, 1.0F)));
+    }
+    const auto output = output_for(path, name);
+    oiio::ImageSpec spec(field.columns, field.rows, 1, oiio::TypeDesc::UINT16);
+    spec.attribute("png:compressionLevel", 4);
+    write(*output, path, name, spec, oiio::TypeDesc::UINT16, samples.data());
+    return cut;
+}
+
+mesh::Field read_mask_file(const std::filesystem::path& path) {
+    constexpr int kLargest = 8193;
+    constexpr std::array kKinds{"png", "tiff", "openexr", "pnm"};
+    const StandardErrorMuted muted;
+    const auto input = oiio::ImageInput::open(path.string());
+    if (!input) fail(path.string(), fmt::format("cannot read as a picture: {}", oiio::geterror()));
+    if (std::ranges::find(kKinds, std::string_view(input->format_name())) == kKinds.end())
+        fail(path.string(),
+             fmt::format("a {} picture cannot be a mask; use PNG, TIFF, EXR or PNM", input->format_name()));
+    const oiio::ImageSpec spec = input->spec();
+    if (spec.width < 1 || spec.height < 1 || spec.width > kLargest || spec.height > kLargest || spec.depth > 1)
+        fail(path.string(),
+             fmt::format("it is {} by {} pixels; a mask has 1 to {} a side", spec.width, spec.height, kLargest));
+    const auto channels = static_cast<std::size_t>(std::max(spec.nchannels, 1));
+    std::vector<float> samples(channels * static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height));
+    if (!input->read_image(0, 0, 0, spec.nchannels, oiio::TypeDesc::FLOAT, samples.data()))
+        fail(path.string(), fmt::format("cannot read as a picture: {}", input->geterror()));
+    const std::size_t colours = channels >= 3 ? 3 : 1;  // what follows is opacity
+    mesh::Field mask(spec.width, spec.height);
+    for (std::size_t i = 0; i < mask.samples.size(); ++i) {
+        for (std::size_t c = 0; c < colours; ++c)
+            mask.samples[i] += samples[i * channels + c] / static_cast<float>(colours);
+        if (!std::isfinite(mask.samples[i]))
+            fail(path.string(), fmt::format("pixel {} {} is not a number", i % static_cast<std::size_t>(spec.width),
+                                            i / static_cast<std::size_t>(spec.width)));
+    }
+    return mask;
 }
 
 mesh::Image read_image_file(const std::filesystem::path& path) {

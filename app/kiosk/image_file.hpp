@@ -18,6 +18,15 @@ void write_image_file(const std::filesystem::path& path, const std::string& name
 // Heights as 32-bit floats (.exr, .tif), one channel.
 void write_field_file(const std::filesystem::path& path, const std::string& name, const mesh::Field& field);
 
+// Heights as 16-bit grey (.png), low to high over the whole of it; what lies beyond is cut. Returns how many samples
+// did.
+std::size_t write_height_picture(const std::filesystem::path& path, const std::string& name, const mesh::Field& field,
+                                 float low, float high);
+
+// A grey picture, PNG, TIFF, EXR or PNM, of any size to 8193: 0 black to 1 white; floats as they are. Of colours the
+// mean. Anything else is refused by its name.
+mesh::Field read_mask_file(const std::filesystem::path& path);
+
 mesh::Image read_image_file(const std::filesystem::path& path);  // RGBA
 
 bool is_image_file(std::string_view bytes);  // PNG or EXR, by its first bytes

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// R. Barnes, C. Lehman & D. Mulla, "Priority-flood: an optimal depression-filling and watershed-labeling algorithm",
-// 2014. Changed: the queue is a row of buckets of which only the lowest is kept as a heap, and the order in which cells
-// leave it is kept as the order of drainage.
+// G. Cordonnier, B. Bovy & J. Braun, "A versatile, linear complexity algorithm for flow routing in topographies with
+// depressions", 2019: every cell drains to a neighbour, the hollows so found are joined over their lowest passes by a
+// minimum spanning tree (Boruvka), and the way from each pass down to its hollow's floor is turned about. The levels
+// are those of R. Barnes, C. Lehman & D. Mulla, "Priority-flood", 2014, to the bit, without its queue. Changed: chance
+// disturbs the choice among the ways down.
 #include "synthesis/land/drainage.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
@@ -9,216 +11,247 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-
-#include "base/seed.hpp"
+#include <limits>
+#include <tuple>
+#include <utility>
 
 namespace quadrat::synthesis::land {
 namespace {
 
-// All that the flood touches of a cell, side by side; the grid has a rim of reached cells, so that no neighbour needs a
-// check.
-struct FloodCell {
-    float height_m = 0;
-    float level_m = 0;
-    std::int32_t receiver = kRim;
-    std::int32_t next = kNone;  // in its bucket's list
-
-    static constexpr std::int32_t kNone = -1;
-    static constexpr std::int32_t kDry = -1;  // not reached yet
-    static constexpr std::int32_t kRim = 0;
-};
-
-// A priority queue of cells for levels that never come in below the one last taken: buckets are lists threaded through
-// the cells, and only the lowest is kept as a heap.
-class RisingQueue {
-  public:
-    RisingQueue(std::vector<FloodCell>& cells, float low, float high)
-        : cells_(cells), low_(low), first_(cells.size() / 16 + 2, FloodCell::kNone) {
-        per_unit_ = static_cast<float>(first_.size() - 1) / std::max(high - low, 1.0e-6F);
-    }
-
-    void push(std::int32_t cell) {
-        const float level_m = cells_[cell].level_m;
-        const std::size_t b = bucket_of(level_m);
-        if (b <= current_) {
-            heap_.push_back({level_m, cell});
-            std::push_heap(heap_.begin(), heap_.end());
-        } else {
-            cells_[cell].next = first_[b];
-            first_[b] = cell;
-        }
-        ++size_;
-    }
-    bool is_empty() const { return size_ == 0; }
-    std::int32_t pop() {
-        while (heap_.empty()) {
-            ++current_;
-            for (std::int32_t cell = first_[current_]; cell != FloodCell::kNone; cell = cells_[cell].next)
-                heap_.push_back({cells_[cell].level_m, cell});
-            std::make_heap(heap_.begin(), heap_.end());
-        }
-        std::pop_heap(heap_.begin(), heap_.end());
-        const std::int32_t cell = heap_.back().cell;
-        heap_.pop_back();
-        --size_;
-        return cell;
-    }
-
-  private:
-    struct Entry {
-        float level_m;
-        std::int32_t cell;
-        friend bool operator<(const Entry& a, const Entry& b) {  // the lowest on top
-            return a.level_m != b.level_m ? a.level_m > b.level_m : a.cell > b.cell;
-        }
-    };
-    std::size_t bucket_of(float level_m) const {
-        return std::min(static_cast<std::size_t>(std::max((level_m - low_) * per_unit_, 0.0F)), first_.size() - 1);
-    }
-
-    std::vector<FloodCell>& cells_;
-    float low_;
-    float per_unit_ = 0;
-    std::vector<std::int32_t> first_;
-    std::vector<Entry> heap_;
-    std::size_t current_ = 0;
-    std::size_t size_ = 0;
-};
-
 constexpr std::array<std::array<int, 2>, 8> kNeighbours{
     {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
+constexpr std::int32_t kUnknown = -1;
+constexpr std::int32_t kOutside = 0;  // the basin of all that drains to an outlet by itself
 
-// The flood itself, over cells with a rim; returns them in the order it reached them for good.
-std::vector<std::int32_t> flood(std::vector<FloodCell>& cells, int columns, int rows, float sea_m) {
-    const int width = columns + 2;
-    float low = cells[width + 1].height_m;
-    float high = low;
-    for (const FloodCell& cell : cells) {
-        if (cell.receiver == FloodCell::kRim) continue;
-        low = std::min(low, cell.height_m);
-        high = std::max(high, cell.height_m);
-    }
-    RisingQueue queue(cells, low, high);
-    std::array<std::int32_t, 8> offsets{};
-    for (std::size_t k = 0; k < 8; ++k) offsets[k] = kNeighbours[k][1] * width + kNeighbours[k][0];
-    std::vector<std::int32_t> order;
-    order.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-    const auto is_sea = [&](int cell) { return cells[cell].height_m <= sea_m; };
-    for (int y = 1; y <= rows; ++y) {
-        for (int x = 1; x <= columns; ++x) {
-            const int cell = y * width + x;
-            const bool is_border = x == 1 || y == 1 || x == columns || y == rows;
-            if (!is_border && !is_sea(cell)) continue;
-            cells[cell].receiver = cell;
-            cells[cell].level_m = cells[cell].height_m;
-            // The open sea has nothing to flood; it only comes first.
-            bool is_open_sea = !is_border;
-            for (std::size_t k = 0; is_open_sea && k < 8; ++k) is_open_sea = is_sea(cell + offsets[k]);
-            if (is_open_sea)
-                order.push_back(cell);
-            else
-                queue.push(cell);
-        }
-    }
-    // Cells that stand no higher than the water beside them need no queue.
-    std::vector<std::int32_t> level_ones;
-    const auto spread = [&](std::int32_t cell) {
-        order.push_back(cell);
-        const float level_m = cells[cell].level_m;
-        for (const std::int32_t offset : offsets) {
-            FloodCell& next = cells[cell + offset];
-            if (next.receiver != FloodCell::kDry) continue;
-            next.receiver = cell;
-            next.level_m = std::max(next.height_m, level_m);
-            if (next.height_m <= level_m)
-                level_ones.push_back(cell + offset);
-            else
-                queue.push(cell + offset);
-        }
-    };
-    while (!queue.is_empty()) {
-        spread(queue.pop());
-        for (std::size_t i = 0; i < level_ones.size(); ++i) spread(level_ones[i]);
-        level_ones.clear();
-    }
-    return order;
+template <typename Rows>
+void for_rows(int first, int last, const Rows& rows) {
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(first, last, 16),
+                              [&](const auto& range) { rows(range.begin(), range.end()); });
 }
 
-std::vector<FloodCell> with_rim(const mesh::Field& height_m) {
-    const int width = height_m.columns + 2;
-    std::vector<FloodCell> cells(static_cast<std::size_t>(width) * static_cast<std::size_t>(height_m.rows + 2));
-    for (int y = 0; y < height_m.rows; ++y)
-        for (int x = 0; x < height_m.columns; ++x)
-            cells[(y + 1) * width + x + 1] = {height_m.at(x, y), 0, FloodCell::kDry, FloodCell::kNone};
-    return cells;
+// One row of interior cells: the steepest way down, as an offset to a neighbour; 0: a pit. Whole rows at a time and
+// without branches, for the vector units.
+void steepest_of_row(const float* here, int columns, std::uint32_t first_cell, std::uint32_t wander,
+                     std::int32_t* offset, std::uint32_t* chance, float* best) {
+    for (int x = 1; x < columns - 1; ++x) {
+        std::uint32_t c = ((first_cell + static_cast<std::uint32_t>(x)) ^ wander) * 0x9E3779B9U;
+        c = (c ^ (c >> 15U)) * 0x2C1B3C6DU;
+        chance[x] = c ^ (c >> 13U);
+        best[x] = 0;
+        offset[x] = 0;
+    }
+    for (std::size_t k = 0; k < kNeighbours.size(); ++k) {
+        const std::int32_t step = kNeighbours[k][1] * columns + kNeighbours[k][0];
+        const float* next = here + step;
+        const float reach = k < 4 ? 1.0F : 0.70710678F;
+        const auto shift = static_cast<int>(4U * k);
+        for (int x = 1; x < columns - 1; ++x) {
+            const float luck =
+                0.55F + 0.06F * static_cast<float>(static_cast<std::int32_t>((chance[x] >> shift) & 15U));
+            const float slope = (here[x] - next[x]) * luck * reach;
+            const bool is_steeper = slope > best[x];
+            best[x] = is_steeper ? slope : best[x];
+            offset[x] = is_steeper ? step : offset[x];
+        }
+    }
 }
 
-// Fills spill levels, the flood's own ways and its order.
-void flood_into(Drainage& d, const mesh::Field& height_m, float sea_m) {
-    const int columns = height_m.columns;
-    const int width = columns + 2;
-    std::vector<FloodCell> cells = with_rim(height_m);
-    const std::vector<std::int32_t> order = flood(cells, columns, height_m.rows, sea_m);
-    const auto without_rim = [width](std::int32_t cell) {
-        const auto row =
-            static_cast<std::int32_t>(static_cast<std::uint32_t>(cell) / static_cast<std::uint32_t>(width));
-        return cell - width - 1 - 2 * (row - 1);
-    };
-    d.order.resize(order.size());
-    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, order.size(), 4096), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) d.order[i] = without_rim(order[i]);
+// Each cell's receiver on the bare ground; outlets and pits are their own.
+void descend(Drainage& d, const mesh::Field& h, float sea_m, std::uint32_t wander) {
+    const int columns = h.columns;
+    const std::uint32_t turn = wander * 0x85EBCA6BU;
+    for_rows(0, h.rows, [&](int first, int last) {
+        const auto width = static_cast<std::size_t>(columns);
+        std::vector<std::int32_t> offset(width);
+        std::vector<std::uint32_t> chance(width);
+        std::vector<float> best(width);
+        for (int y = first; y < last; ++y) {
+            const std::int32_t cell = y * columns;
+            std::fill(offset.begin(), offset.end(), 0);
+            if (y > 0 && y < h.rows - 1)
+                steepest_of_row(&h.samples[cell], columns, static_cast<std::uint32_t>(cell), turn, offset.data(),
+                                chance.data(), best.data());
+            for (int x = 0; x < columns; ++x)
+                d.receiver[cell + x] = cell + x + (h.samples[cell + x] > sea_m ? offset[x] : 0);
+        }
     });
-    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, height_m.rows, 16), [&](const auto& lines) {
-        for (int y = lines.begin(); y != lines.end(); ++y) {
-            for (int x = 0; x < columns; ++x) {
-                const FloodCell& cell = cells[(y + 1) * width + x + 1];
-                d.spill_m.at(x, y) = cell.level_m;
-                d.receiver[height_m.index(x, y)] = without_rim(cell.receiver);
+}
+
+// Which hollow every cell drains to: numbers from 1, a floor each; kOutside for outlets.
+struct Basins {
+    std::vector<std::int32_t> of;     // a cell
+    std::vector<std::int32_t> floor;  // a basin: its pit; nothing sensible for kOutside
+};
+
+Basins find_basins(const Drainage& d, const mesh::Field& h, float sea_m) {
+    Basins basins{std::vector<std::int32_t>(h.samples.size(), kUnknown), {kUnknown}};
+    const auto own_basin = [&](std::int32_t cell) {
+        const int x = cell % h.columns;
+        const int y = cell / h.columns;
+        const bool is_border = x == 0 || y == 0 || x == h.columns - 1 || y == h.rows - 1;
+        if (is_border || h.samples[cell] <= sea_m) return kOutside;
+        basins.floor.push_back(cell);
+        return static_cast<std::int32_t>(basins.floor.size() - 1);
+    };
+    const auto count = static_cast<std::int32_t>(h.samples.size());
+    for (std::int32_t start = 0; start < count; ++start) {
+        std::int32_t end = start;
+        while (basins.of[end] == kUnknown && d.receiver[end] != end) end = d.receiver[end];
+        if (basins.of[end] == kUnknown) basins.of[end] = own_basin(end);
+        const std::int32_t basin = basins.of[end];
+        for (std::int32_t cell = start; basins.of[cell] == kUnknown; cell = d.receiver[cell]) basins.of[cell] = basin;
+    }
+    return basins;
+}
+
+// A way over from one basin to another between two neighbouring cells, as high as the higher of them.
+struct Pass {
+    float height_m;
+    std::int32_t basins[2];  // as they were joined so far
+    std::int32_t cells[2];
+
+    bool is_lower(const Pass& other) const {
+        return std::tie(height_m, cells[0], cells[1]) < std::tie(other.height_m, other.cells[0], other.cells[1]);
+    }
+};
+
+std::vector<Pass> find_passes(const Basins& basins, const mesh::Field& h) {
+    std::vector<Pass> passes;
+    for (int y = 0; y < h.rows; ++y) {
+        for (int x = 0; x < h.columns; ++x) {
+            const auto cell = static_cast<std::int32_t>(h.index(x, y));
+            for (const std::size_t k : {0U, 2U, 4U, 5U}) {
+                const int nx = x + kNeighbours[k][0];
+                const int ny = y + kNeighbours[k][1];
+                if (nx < 0 || nx >= h.columns || ny >= h.rows) continue;
+                const auto next = static_cast<std::int32_t>(h.index(nx, ny));
+                if (basins.of[cell] == basins.of[next]) continue;
+                passes.push_back(
+                    {std::max(h.samples[cell], h.samples[next]), {basins.of[cell], basins.of[next]}, {cell, next}});
             }
         }
-    });
+    }
+    return passes;
 }
 
-// The steepest way down the flooded surface, where there is one.
-void find_steepest(Drainage& d, std::uint32_t wander) {
-    const int columns = d.spill_m.columns;
-    const int rows = d.spill_m.rows;
-    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(1, rows - 1, 16), [&](const auto& lines) {
-        for (int y = lines.begin(); y != lines.end(); ++y) {
-            for (int x = 1; x < columns - 1; ++x) {
-                const std::int32_t cell = y * columns + x;
-                if (d.receiver[cell] == cell) continue;
-                const float here = d.spill_m.samples[cell];
-                std::uint32_t chance = (static_cast<std::uint32_t>(cell) ^ (wander * 0x85EBCA6BU)) * 0x9E3779B9U;
-                chance = (chance ^ (chance >> 15U)) * 0x2C1B3C6DU;
-                chance ^= chance >> 13U;
-                float steepest = 0;
-                for (std::size_t k = 0; k < kNeighbours.size(); ++k) {
-                    const std::int32_t next = cell + kNeighbours[k][1] * columns + kNeighbours[k][0];
-                    const float fall = here - d.spill_m.samples[next];
-                    if (fall <= 0) continue;
-                    const float luck = 0.55F + 0.9F * static_cast<float>((chance >> (4U * k)) & 15U) / 15.0F;
-                    const float slope = fall * luck * (k < 4 ? 1.0F : 0.70710678F);
-                    if (slope > steepest) {
-                        steepest = slope;
-                        d.receiver[cell] = next;
-                    }
-                }
-            }
+// The passes of the minimum spanning tree over all basins: each round every group of basins takes its lowest pass.
+std::vector<Pass> lowest_passes(std::vector<Pass> passes, std::size_t basin_count) {
+    std::vector<Pass> tree;
+    std::vector<std::int32_t> group(basin_count);
+    for (std::size_t i = 0; i < basin_count; ++i) group[i] = static_cast<std::int32_t>(i);
+    const auto root_of = [&group](std::int32_t basin) {
+        while (group[basin] != basin) basin = group[basin] = group[group[basin]];
+        return basin;
+    };
+    std::vector<std::int32_t> lowest(basin_count);
+    while (!passes.empty()) {
+        std::fill(lowest.begin(), lowest.end(), kUnknown);
+        std::size_t kept = 0;
+        for (Pass pass : passes) {
+            for (std::int32_t& basin : pass.basins) basin = root_of(basin);
+            if (pass.basins[0] == pass.basins[1]) continue;
+            for (const std::int32_t basin : pass.basins)
+                if (lowest[basin] == kUnknown || pass.is_lower(passes[lowest[basin]]))
+                    lowest[basin] = static_cast<std::int32_t>(kept);
+            passes[kept++] = pass;
         }
-    });
+        passes.resize(kept);
+        for (const std::int32_t way : lowest) {
+            if (way == kUnknown) continue;
+            const std::int32_t a = root_of(passes[way].basins[0]);
+            const std::int32_t b = root_of(passes[way].basins[1]);
+            if (a == b) continue;
+            group[std::max(a, b)] = std::min(a, b);
+            tree.push_back(passes[way]);
+        }
+    }
+    return tree;
+}
+
+// From the pass down to the floor, every cell is made to drain to the one before it.
+void turn_about(Drainage& d, std::int32_t at_pass, std::int32_t over_it, std::int32_t floor) {
+    std::int32_t cell = at_pass;
+    std::int32_t before = over_it;
+    while (true) {
+        const std::int32_t next = d.receiver[cell];
+        d.receiver[cell] = before;
+        if (cell == floor) return;
+        before = cell;
+        cell = next;
+    }
+}
+
+// Joins every basin to the outside; returns the level each fills to.
+std::vector<float> join(Drainage& d, const Basins& basins, const std::vector<Pass>& tree) {
+    const std::size_t count = basins.floor.size();
+    std::vector<std::int32_t> first(count + 1, 0);
+    for (const Pass& pass : tree)
+        for (const std::int32_t cell : pass.cells) ++first[basins.of[cell] + 1];
+    for (std::size_t i = 0; i < count; ++i) first[i + 1] += first[i];
+    std::vector<std::int32_t> ways(2 * tree.size());
+    std::vector<std::int32_t> filled(first.begin(), first.end() - 1);
+    for (std::size_t i = 0; i < tree.size(); ++i)
+        for (const std::int32_t cell : tree[i].cells) ways[filled[basins.of[cell]]++] = static_cast<std::int32_t>(i);
+    std::vector<float> level_m(count, std::numeric_limits<float>::infinity());
+    level_m[kOutside] = -std::numeric_limits<float>::infinity();
+    std::vector<std::int32_t> reached{kOutside};
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+        const std::int32_t basin = reached[i];
+        for (std::int32_t k = first[basin]; k < first[basin + 1]; ++k) {
+            const Pass& pass = tree[ways[k]];
+            const std::size_t near = basins.of[pass.cells[0]] == basin ? 0 : 1;
+            const std::int32_t next = basins.of[pass.cells[1 - near]];
+            if (level_m[next] < std::numeric_limits<float>::infinity()) continue;
+            level_m[next] = std::max(level_m[basin], pass.height_m);
+            turn_about(d, pass.cells[1 - near], pass.cells[near], basins.floor[next]);
+            reached.push_back(next);
+        }
+    }
+    return level_m;
+}
+
+// Receivers first: springs are walked down until a confluence waits for its other arms; the list fills from its end.
+void put_in_order(Drainage& d) {
+    const std::size_t count = d.receiver.size();
+    std::vector<std::uint8_t> arms(count, 0);
+    for (std::size_t i = 0; i < count; ++i)
+        if (d.receiver[i] != static_cast<std::int32_t>(i)) ++arms[d.receiver[i]];
+    constexpr std::uint8_t kDone = 255;
+    d.order.resize(count);
+    std::size_t at = count;
+    for (std::size_t i = 0; i < count; ++i) {
+        auto cell = static_cast<std::int32_t>(i);
+        while (arms[cell] == 0) {
+            arms[cell] = kDone;
+            d.order[--at] = cell;
+            const std::int32_t to = d.receiver[cell];
+            if (to == cell) break;
+            --arms[to];
+            // What lies ahead of the scan is left to it, in its turn, so that memory is read in order.
+            if (to > cell && static_cast<std::size_t>(to) > i && arms[to] == 0) break;
+            cell = to;
+        }
+    }
 }
 
 }  // namespace
 
 Drainage drain(const mesh::Field& height_m, float sea_m, std::uint32_t wander) {
     Drainage d;
-    d.spill_m = mesh::Field(height_m.columns, height_m.rows);
-    d.receiver.assign(height_m.samples.size(), -1);
+    d.spill_m = height_m;
+    d.receiver.resize(height_m.samples.size());
     if (height_m.samples.empty()) return d;
-    flood_into(d, height_m, sea_m);
-    find_steepest(d, wander);
+    descend(d, height_m, sea_m, wander);
+    const Basins basins = find_basins(d, height_m, sea_m);
+    if (basins.floor.size() > 1) {
+        const auto tree = lowest_passes(find_passes(basins, height_m), basins.floor.size());
+        const std::vector<float> level_m = join(d, basins, tree);
+        for_rows(0, height_m.rows, [&](int first, int last) {
+            for (std::size_t i = height_m.index(0, first); i < height_m.index(0, last); ++i)
+                d.spill_m.samples[i] = std::max(height_m.samples[i], level_m[basins.of[i]]);
+        });
+    }
+    put_in_order(d);
     return d;
 }
 

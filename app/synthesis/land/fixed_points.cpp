@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "synthesis/land/field_methods.hpp"
@@ -16,33 +18,53 @@ namespace quadrat::synthesis::land {
 namespace {
 
 constexpr int kLargest = 8193;
+constexpr float kHighest = 1.0e4F;
 
 void require(bool is_right, const std::string& message) {
     if (!is_right) throw base::InputError(message);
 }
 
-void check(const FieldRequest& r) {
-    require(r.size >= 2 && r.size <= kLargest,
-            fmt::format("size is {}; a field has 2 to {} samples a side", r.size, kLargest));
+void check_window(const FieldRequest& r) {
     const noise::Window& w = r.window;
     require(w.columns == 0 || (w.columns > 0 && w.rows > 0 && w.column >= 0 && w.row >= 0 &&
                                w.columns <= r.size - w.column && w.rows <= r.size - w.row),
             fmt::format("window {},{},{},{} does not lie inside a field of {} samples a side", w.column, w.row,
                         w.columns, w.rows, r.size));
-    require(r.octaves >= 1 && r.octaves <= 16, fmt::format("octaves is {}; 1 to 16 are right", r.octaves));
-    require(r.gain > 0 && r.gain <= 1, fmt::format("gain is {}; more than 0, to 1 is right", r.gain));
-    require(r.features > 0 && r.features <= 1024,
-            fmt::format("features is {}; more than 0, to 1024 is right", r.features));
-    require(r.fixed.size() <= kMostFixedPoints,
-            fmt::format("{} fixed points; at most {} can be met", r.fixed.size(), kMostFixedPoints));
-    std::set<std::pair<int, int>> places;
-    for (const FixedPoint& p : r.fixed) {
-        require(p.column >= 0 && p.row >= 0 && p.column < r.size && p.row < r.size,
-                fmt::format("fixed point {} {} lies outside a field of {} samples a side", p.column, p.row, r.size));
-        require(std::isfinite(p.height),
-                fmt::format("the height of fixed point {} {} is not a number", p.column, p.row));
-        require(places.insert({p.column, p.row}).second,
+}
+
+void check_place(const FixedPoint& p, int size, std::string_view what) {
+    require(p.column >= 0 && p.row >= 0 && p.column < size && p.row < size,
+            fmt::format("{} {} {} lies outside a field of {} samples a side", what, p.column, p.row, size));
+    require(std::isfinite(p.height), fmt::format("the height of {} {} {} is not a number", what, p.column, p.row));
+    require(std::abs(p.height) <= kHighest,
+            fmt::format("the height of {} {} {} is {}; -{} to {} is right", what, p.column, p.row, p.height, kHighest,
+                        kHighest));
+}
+
+void check_line(const Line& line, int size) {
+    require(line.corners.size() >= 2, "a line has two or more corners");
+    for (const FixedPoint& p : line.corners) check_place(p, size, "corner");
+    if (line.kind != Line::Kind::River) return;
+    for (std::size_t i = 1; i < line.corners.size(); ++i)
+        require(line.corners[i].height <= line.corners[i - 1].height,
+                fmt::format("the river rises toward {} {}; write it from its spring to its mouth",
+                            line.corners[i].column, line.corners[i].row));
+}
+
+// Every sample that is known, with its height.
+using Known = std::map<std::pair<int, int>, float>;
+
+void check_crossings(const FieldRequest& r) {
+    Known known;
+    for (const FixedPoint& p : r.fixed)
+        require(known.insert({{p.column, p.row}, p.height}).second,
                 fmt::format("fixed point {} {} is given twice", p.column, p.row));
+    for (const Line& line : r.lines) {
+        for (const FixedPoint& p : points_along(line.corners, 1)) {
+            const float there = known.insert({{p.column, p.row}, p.height}).first->second;
+            require(std::abs(there - p.height) <= 1.0e-5F * std::max(1.0F, std::abs(there)),
+                    fmt::format("at {} {} two heights are asked for: {} and {}", p.column, p.row, there, p.height));
+        }
     }
 }
 
@@ -92,17 +114,79 @@ std::vector<double> estimate(const std::vector<FixedPoint>& points, const std::v
     return solve(std::move(m), std::move(rhs));
 }
 
-void carry(mesh::Field& field, const noise::Window& w, const std::vector<FixedPoint>& points,
-           const std::vector<double>& weights, float unit) {
-    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, w.rows, 4), [&](const auto& rows) {
+// Of all lines together.
+int corner_length(const std::vector<Line>& lines) {
+    int length = 0;
+    for (const Line& line : lines) length += static_cast<int>(points_along(line.corners, 1).size());
+    return length;
+}
+
+}  // namespace
+
+void check(const FieldRequest& r) {
+    require(r.size >= 2 && r.size <= kLargest,
+            fmt::format("size is {}; a field has 2 to {} samples a side", r.size, kLargest));
+    check_window(r);
+    require(r.octaves >= 1 && r.octaves <= 16, fmt::format("octaves is {}; 1 to 16 are right", r.octaves));
+    require(r.gain > 0 && r.gain <= 1, fmt::format("gain is {}; more than 0, to 1 is right", r.gain));
+    require(r.features > 0 && r.features <= 1024,
+            fmt::format("features is {}; more than 0, to 1024 is right", r.features));
+    require(r.fixed.size() <= kMostFixedPoints,
+            fmt::format("{} fixed points; at most {} can be met", r.fixed.size(), kMostFixedPoints));
+    std::size_t corners = 0;
+    for (const Line& line : r.lines) corners += line.corners.size();
+    require(corners <= kMostCorners, fmt::format("{} corners of lines; at most {} can be met", corners, kMostCorners));
+    for (const FixedPoint& p : r.fixed) check_place(p, r.size, "fixed point");
+    for (const Line& line : r.lines) check_line(line, r.size);
+    check_crossings(r);
+}
+
+Conditions::Conditions(const FieldRequest& request, const Heights& without)
+    : size_(request.size), reach_(0), fixed_(request.fixed), points_(request.fixed) {
+    // Some of each line is carried; what is left between is no larger than their distance, and met beside the line.
+    constexpr int kPointsOnLines = 500;
+    const int step = std::max(4, corner_length(request.lines) / kPointsOnLines);
+    reach_ = 2 * step;
+    std::set<std::pair<int, int>> places;
+    for (const FixedPoint& p : fixed_) places.insert({p.column, p.row});
+    for (const Line& line : request.lines)
+        for (const FixedPoint& p : points_along(line.corners, step))
+            if (places.insert({p.column, p.row}).second) points_.push_back(p);
+    std::vector<double> residuals;
+    for (const FixedPoint& p : points_)
+        residuals.push_back(static_cast<double>(p.height) - static_cast<double>(without(p.column, p.row)));
+    if (!points_.empty()) weights_ = estimate(points_, residuals, 1.0F / static_cast<float>(size_ - 1));
+    for (const Line& line : request.lines) {
+        const float side = line.kind == Line::Kind::Ridge ? 1.0F : -1.0F;
+        for (const FixedPoint& p : points_along(line.corners, 1)) {
+            mesh::Field here(1, 1, without(p.column, p.row));
+            carry(here, {p.column, p.row, 1, 1});
+            on_lines_.push_back({p, p.height - here.at(0, 0), side});
+        }
+    }
+}
+
+void Conditions::apply(mesh::Field& part, const noise::Window& of) const {
+    if (points_.empty()) return;
+    carry(part, of);
+    if (!on_lines_.empty()) meet_lines(part, of);
+    // What rounding left.
+    for (const FixedPoint& p : fixed_)
+        if (part.is_inside(p.column - of.column, p.row - of.row))
+            part.at(p.column - of.column, p.row - of.row) = p.height;
+}
+
+void Conditions::carry(mesh::Field& part, const noise::Window& of) const {
+    const float unit = 1.0F / static_cast<float>(size_ - 1);
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, of.rows, 4), [&](const auto& rows) {
         for (int row = rows.begin(); row != rows.end(); ++row) {
-            float* line = field.samples.data() + field.index(0, row);
-            for (int x = 0; x < w.columns; ++x) line[x] += static_cast<float>(weights.back());
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                const float dy = static_cast<float>(w.row + row - points[i].row) * unit;
-                const auto weight = static_cast<float>(weights[i]);
-                for (int x = 0; x < w.columns; ++x) {
-                    const float dx = static_cast<float>(w.column + x - points[i].column) * unit;
+            float* line = part.samples.data() + part.index(0, row);
+            for (int x = 0; x < of.columns; ++x) line[x] += static_cast<float>(weights_.back());
+            for (std::size_t i = 0; i < points_.size(); ++i) {
+                const float dy = static_cast<float>(of.row + row - points_[i].row) * unit;
+                const auto weight = static_cast<float>(weights_[i]);
+                for (int x = 0; x < of.columns; ++x) {
+                    const float dx = static_cast<float>(of.column + x - points_[i].column) * unit;
                     const float r = std::sqrt(dx * dx + dy * dy);
                     line[x] += weight * r * std::sqrt(r);
                 }
@@ -111,26 +195,69 @@ void carry(mesh::Field& field, const noise::Window& w, const std::vector<FixedPo
     });
 }
 
-}  // namespace
+// Beside a line: what is left to add, and how high the line is, as means weighted by nearness (Shepard 1968).
+void Conditions::meet_lines(mesh::Field& part, const noise::Window& of) const {
+    struct Beside {
+        float weight = 0;
+        float residual = 0;
+        float height = 0;
+        float side = 0;
+        float line_away = 1;   // to the reach
+        float point_away = 1;  // of the nearest fixed point
+    };
+    mesh::Grid<Beside> beside(of.columns, of.rows);
+    const auto over = [&](const FixedPoint& p, const auto& visit) {
+        for (int y = std::max(p.row - reach_, of.row); y <= std::min(p.row + reach_, of.row + of.rows - 1); ++y) {
+            for (int x = std::max(p.column - reach_, of.column);
+                 x <= std::min(p.column + reach_, of.column + of.columns - 1); ++x) {
+                const auto squared = static_cast<float>((x - p.column) * (x - p.column) + (y - p.row) * (y - p.row));
+                const float away = std::sqrt(squared) / static_cast<float>(reach_);
+                if (away < 1) visit(beside.at(x - of.column, y - of.row), squared, away);
+            }
+        }
+    };
+    for (const OnLine& s : on_lines_) {
+        over(s.at, [&s](Beside& b, float squared, float away) {
+            const float weight = (1 - away) * (1 - away) / (squared + 0.01F);
+            b.weight += weight;
+            b.residual += weight * s.residual;
+            b.height += weight * s.at.height;
+            b.side += weight * s.side;
+            b.line_away = std::min(b.line_away, away);
+        });
+    }
+    for (const FixedPoint& p : fixed_)
+        over(p, [](Beside& b, float, float away) { b.point_away = std::min(b.point_away, away); });
+    for (std::size_t i = 0; i < part.samples.size(); ++i) {
+        const Beside& b = beside.samples[i];
+        if (b.weight <= 0) continue;
+        const float t = 1 - b.line_away;
+        const float felt = t * t * (3 - 2 * t);
+        float& h = part.samples[i];
+        h += felt * b.residual / b.weight;
+        // What stands over a crest, or lies under a bed, is turned down or up about it.
+        const float side = b.side / b.weight;
+        const float wrong = std::max(side * (h - b.height / b.weight), 0.0F);
+        h -= 2 * felt * b.point_away * side * wrong;
+    }
+    for (const OnLine& s : on_lines_)
+        if (part.is_inside(s.at.column - of.column, s.at.row - of.row))
+            part.at(s.at.column - of.column, s.at.row - of.row) = s.at.height;
+}
 
 mesh::Field make_field(const FieldMethod& method, const FieldRequest& request) {
     check(request);
     mesh::Field field = method.make(request);
-    if (request.fixed.empty()) return field;
-    const noise::Window w =
-        request.window.columns > 0 ? request.window : noise::Window{0, 0, request.size, request.size};
-    std::vector<double> residuals;
-    for (const FixedPoint& p : request.fixed) {
-        FieldRequest there = request;
-        there.window = {p.column, p.row, 1, 1};
-        residuals.push_back(static_cast<double>(p.height) - method.make(there).at(0, 0));
-    }
-    const float unit = 1.0F / static_cast<float>(request.size - 1);
-    carry(field, w, request.fixed, estimate(request.fixed, residuals, unit), unit);
-    // What rounding left.
-    for (const FixedPoint& p : request.fixed)
-        if (field.is_inside(p.column - w.column, p.row - w.row))
-            field.at(p.column - w.column, p.row - w.row) = p.height;
+    if (request.fixed.empty() && request.lines.empty()) return field;
+    const noise::Window whole{0, 0, request.size, request.size};
+    FieldRequest alone = request;
+    alone.fixed.clear();
+    alone.lines.clear();
+    const Conditions conditions(request, [&](int column, int row) {
+        alone.window = {column, row, 1, 1};
+        return method.make(alone).at(0, 0);
+    });
+    conditions.apply(field, request.window.columns > 0 ? request.window : whole);
     return field;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+#include <vector>
 
 namespace quadrat::synthesis::land {
 namespace {
@@ -22,6 +24,17 @@ float inside(float x_m, float z_m) { return 1.0F - smooth(390.0F, 500.0F, std::m
 float off_the_knoll(float x_m, float z_m) {
     const float dz = z_m - 300.0F;
     return 1.0F - std::exp(-(x_m * x_m + dz * dz) / (150.0F * 150.0F));
+}
+
+// Noise along a row of places, waves of this length.
+std::vector<float> noise_row(noise::Key key, std::span<const float> xs_m, float z_m, float wave_m, glm::vec2 shift,
+                             const noise::Octaves& octaves) {
+    std::vector<float> us(xs_m.size());
+    const std::vector<float> vs(xs_m.size(), z_m / wave_m + shift.y);
+    std::vector<float> out(xs_m.size());
+    for (std::size_t i = 0; i < us.size(); ++i) us[i] = xs_m[i] / wave_m + shift.x;
+    noise::fbm(key, us, vs, out, octaves);
+    return out;
 }
 
 }  // namespace
@@ -48,11 +61,10 @@ void Landforms::shape_shore(Row xs_m, float z_m, Heights h) const {
 }
 
 void Landforms::islands(Row xs_m, float z_m, Heights h) const {
+    const auto n = noise_row(wander_, xs_m, z_m, p_.island_wave_m, {0, 0}, {.count = 2, .gain = 0.4F});
     for (std::size_t i = 0; i < h.size(); ++i) {
-        const float n =
-            noise::fbm(wander_, xs_m[i] / p_.island_wave_m, z_m / p_.island_wave_m, {.count = 2, .gain = 0.4F});
         const float knoll = 1.0F - off_the_knoll(xs_m[i], z_m);
-        h[i] += p_.island_share * std::min(p_.land_relief_m, 0.3F * p_.island_wave_m) * (1.5F * n + 0.4F * knoll);
+        h[i] += p_.island_share * std::min(p_.land_relief_m, 0.3F * p_.island_wave_m) * (1.5F * n[i] + 0.4F * knoll);
     }
 }
 
@@ -70,8 +82,9 @@ void Landforms::mesas(Heights h) const {
 }
 
 void Landforms::terraces(Row xs_m, float z_m, Heights h) const {
+    const auto bends = noise_row(wander_, xs_m, z_m, 160.0F, {31.0F, 0}, {.count = 1});
     for (std::size_t i = 0; i < h.size(); ++i) {
-        const float bend = 0.5F * noise::gradient(wander_, xs_m[i] / 160.0F + 31.0F, z_m / 160.0F);
+        const float bend = 0.5F * bends[i];
         const float steps = h[i] / p_.terrace_step_m + bend;
         const float on = std::floor(steps);
         const float half_edge = 0.5F * p_.terrace_edge;
@@ -97,6 +110,7 @@ void Landforms::cone(Row xs_m, float z_m, Heights h) const {
 void Landforms::karst(Row xs_m, float z_m, Heights h) const {
     const float spacing_m = p_.karst_spacing_m;
     const base::Seed towers = seed_.child("towers");
+    const auto roughness = noise_row(wander_, xs_m, z_m, 34.0F, {0, 0}, {.count = 3});
     for (std::size_t i = 0; i < h.size(); ++i) {
         const float where = inside(xs_m[i], z_m) * off_the_knoll(xs_m[i], z_m);
         if (where <= 0.01F) continue;
@@ -104,7 +118,7 @@ void Landforms::karst(Row xs_m, float z_m, Heights h) const {
         const float v = z_m / spacing_m;
         const int cu = static_cast<int>(std::floor(u));
         const int cv = static_cast<int>(std::floor(v));
-        const float rough = 1.0F + 0.55F * noise::fbm(wander_, xs_m[i] / 34.0F, z_m / 34.0F, {.count = 3});
+        const float rough = 1.0F + 0.55F * roughness[i];
         float most = 0;
         for (int dv = -1; dv <= 1; ++dv) {
             for (int du = -1; du <= 1; ++du) {
@@ -142,16 +156,16 @@ void Landforms::dunes(Row xs_m, float z_m, Heights h) const {
     // The lee side keeps sand's angle of repose.
     const float tall_m = p_.dune_share * std::min(p_.dune_height_m, 0.58F * p_.dune_lee * p_.dune_wave_m);
     const float windward = 1.0F - p_.dune_lee;
+    const auto bends = noise_row(wander_, xs_m, z_m, p_.dune_wave_m / 0.6F, {0, 0}, {.count = 2});
+    const auto patches = noise_row(wander_, xs_m, z_m, 140.0F, {0, 77.0F}, {.count = 1});
     for (std::size_t i = 0; i < h.size(); ++i) {
         const float low = smooth(0.4F, 2.5F, h[i]) * (1.0F - smooth(0.35F, 0.75F, h[i] / p_.land_relief_m));
         const float where = low * inside(xs_m[i], z_m);
         if (where <= 0) continue;
-        const float bend =
-            0.9F * noise::fbm(wander_, 0.6F * xs_m[i] / p_.dune_wave_m, 0.6F * z_m / p_.dune_wave_m, {.count = 2});
-        const float phase = xs_m[i] * along_x + z_m * along_z + bend;
+        const float phase = xs_m[i] * along_x + z_m * along_z + 0.9F * bends[i];
         const float t = phase - std::floor(phase);
         const float rise = t < windward ? smooth(0.0F, windward, t) : 1.0F - smooth(windward, 1.0F, t);
-        const float patch = 0.6F + 0.9F * noise::gradient(wander_, xs_m[i] / 140.0F, z_m / 140.0F + 77.0F);
+        const float patch = 0.6F + 0.9F * patches[i];
         h[i] += tall_m * where * std::max(patch, 0.15F) * rise;
     }
 }
@@ -164,11 +178,12 @@ void Landforms::cliffs(Heights h) const {
 }
 
 void Landforms::marsh(Row xs_m, float z_m, Heights h) const {
+    const auto ground = noise_row(wander_, xs_m, z_m, 17.0F, {0, 0}, {.count = 2});
     for (std::size_t i = 0; i < h.size(); ++i) {
         const float depth = std::abs(h[i]) / p_.marsh_height_m;
         if (depth >= 1) continue;
         const float flat = mix(1.0F, 0.18F + 0.82F * depth * depth, p_.marsh_share);
-        const float hummocks = noise::fbm(wander_, xs_m[i] / 17.0F, z_m / 17.0F, {.count = 2}) * inside(xs_m[i], z_m);
+        const float hummocks = ground[i] * inside(xs_m[i], z_m);
         h[i] = h[i] * flat + 1.1F * p_.marsh_share * (1.0F - depth) * hummocks;
     }
 }

@@ -128,6 +128,95 @@ TEST(FieldMethods, RefuseWhatIsOutOfRangeByName) {
     EXPECT_NE(message([](auto& r) { r.fixed = {{3, 4, std::nanf("")}}; }).find("not a number"), std::string::npos);
 }
 
+std::vector<land::Line> crest_and_bed() {
+    return {{land::Line::Kind::Ridge, {{20, 30, 1.5F}, {120, 60, 1.2F}, {230, 40, 1.6F}}},
+            {land::Line::Kind::River, {{30, 200, 0.1F}, {130, 150, -0.4F}, {240, 220, -0.9F}}}};
+}
+
+TEST_P(EveryFieldMethod, MeetsItsLinesAllAlongInTheWholeAndInAPatch) {
+    FieldRequest r = request(257);
+    r.lines = crest_and_bed();
+    r.fixed = {{128, 10, 0.5F}, {126, 158, 0.2F}};
+    const mesh::Field whole = land::make_field(method(), r);
+    for (const land::Line& line : r.lines)
+        for (const land::FixedPoint& p : land::points_along(line.corners, 1))
+            EXPECT_EQ(whole.at(p.column, p.row), p.height) << method().name;
+    for (const land::FixedPoint& p : r.fixed) EXPECT_EQ(whole.at(p.column, p.row), p.height) << method().name;
+    r.window = {90, 120, 60, 50};
+    const mesh::Field patch = land::make_field(method(), r);
+    for (int y = 0; y < 50; ++y)
+        for (int x = 0; x < 60; ++x) ASSERT_EQ(patch.at(x, y), whole.at(90 + x, 120 + y)) << method().name;
+}
+
+// Two samples to each side nothing stands over a crest nor lies under a bed by more than one part in fifty.
+TEST(Lines, AreCrestsAndBeds) {
+    FieldRequest r;
+    r.size = 257;
+    r.seed = base::Seed{91};
+    r.lines = crest_and_bed();
+    const mesh::Field field = land::make_field(*land::field_method("fbm"), r);
+    for (const land::Line& line : r.lines) {
+        for (const land::FixedPoint& p : land::points_along(line.corners, 1)) {
+            for (const int aside : {-2, 2}) {
+                const float there = field.at(p.column, p.row + aside);
+                if (line.kind == land::Line::Kind::Ridge)
+                    EXPECT_LT(there, p.height + 0.02F) << p.column;
+                else
+                    EXPECT_GT(there, p.height - 0.02F) << p.column;
+            }
+        }
+    }
+}
+
+// Beside a line the ground is as rough as anywhere: no smooth bank, no torn one.
+TEST(Lines, LeaveTheGroundBesideThemAsRoughAsElsewhere) {
+    FieldRequest r;
+    r.size = 257;
+    r.seed = base::Seed{91};
+    const land::FieldMethod& method = *land::field_method("fbm");
+    const mesh::Field plain = land::make_field(method, r);
+    r.lines = crest_and_bed();
+    const mesh::Field bent = land::make_field(method, r);
+    const auto roughness = [&](const mesh::Field& field) {
+        double sum = 0;
+        for (const land::Line& line : r.lines)
+            for (const land::FixedPoint& p : land::points_along(line.corners, 1))
+                for (int y = p.row - 6; y <= p.row + 6; ++y)
+                    sum += std::abs(field.at(p.column - 1, y) - 2 * field.at(p.column, y) + field.at(p.column + 1, y));
+        return sum;
+    };
+    EXPECT_GT(roughness(bent), 0.6 * roughness(plain));
+    EXPECT_LT(roughness(bent), 2.0 * roughness(plain));
+}
+
+TEST(Lines, RefuseWhatCannotBe) {
+    const auto message = [](const auto& change) -> std::string {
+        FieldRequest r;
+        r.size = 65;
+        change(r);
+        try {
+            land::check(r);
+        } catch (const base::InputError& error) {
+            return error.what();
+        }
+        return {};
+    };
+    using Kind = land::Line::Kind;
+    EXPECT_NE(message([](auto& r) { r.lines = {{Kind::Ridge, {{1, 1, 0}}}}; }).find("two or more"), std::string::npos);
+    EXPECT_NE(message([](auto& r) {
+                  r.lines = {{Kind::Ridge, {{1, 1, 0}, {65, 1, 0}}}};
+              }).find("65 1"),
+              std::string::npos);
+    EXPECT_NE(message([](auto& r) {
+                  r.lines = {{Kind::River, {{1, 1, 0}, {9, 9, 0.5F}}}};
+              }).find("rises"),
+              std::string::npos);
+    EXPECT_NE(message([](auto& r) {
+                  r.lines = {{Kind::Ridge, {{0, 32, 1}, {64, 32, 1}}}, {Kind::River, {{32, 0, 0}, {32, 64, 0}}}};
+              }).find("32 32"),
+              std::string::npos);
+}
+
 TEST(PointsAlong, RunFromCornerToCornerWithoutGapsOrRepeats) {
     const std::vector<land::FixedPoint> line{{0, 0, 0}, {40, 10, 4}, {40, 50, 0}};
     const auto points = land::points_along(line, 8);
