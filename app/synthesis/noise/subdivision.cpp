@@ -17,8 +17,16 @@ namespace {
 // Inclusive range of lattice points of one level, both ways.
 struct Region {
     int x0, x1, y0, y1;
-    int columns() const { return x1 - x0 + 1; }
-    int rows() const { return y1 - y0 + 1; }
+    int columns() const { return std::max(0, x1 - x0 + 1); }
+    int rows() const { return std::max(0, y1 - y0 + 1); }
+};
+
+// A row of a region, by the lattice's own column numbers.
+template <typename Value>
+struct Row {
+    Value* first = nullptr;
+    int x0 = 0;
+    Value& operator[](int x) const { return first[x - x0]; }
 };
 
 struct Lattice {
@@ -27,10 +35,13 @@ struct Lattice {
 
     explicit Lattice(const Region& r)
         : region(r), values(static_cast<std::size_t>(r.columns()) * static_cast<std::size_t>(r.rows())) {}
-    const float* row(int y) const {
-        return values.data() + static_cast<std::size_t>(y - region.y0) * region.columns() - region.x0;
+    Row<const float> row(int y) const { return {values.data() + offset(y), region.x0}; }
+    Row<float> row(int y) { return {values.data() + offset(y), region.x0}; }
+
+  private:
+    std::size_t offset(int y) const {
+        return static_cast<std::size_t>(y - region.y0) * static_cast<std::size_t>(region.columns());
     }
-    float* row(int y) { return values.data() + static_cast<std::size_t>(y - region.y0) * region.columns() - region.x0; }
 };
 
 // The displacement of a point: unit deviation, triangular, from the hash of what the point is.
@@ -101,11 +112,12 @@ class MidpointStep {
 
   private:
     void fill_centres(Lattice& centres, int y) const {
-        const float* above = coarse_.row(y);
-        const float* below = coarse_.row(y + 1);
-        float* out = centres.row(y);
         const Region& cells = centres.region;
         // Cells at the border of the region may lack corners only when no point in it asks for them.
+        if (y < coarse_.region.y0 || y + 1 > coarse_.region.y1) return;
+        const auto above = coarse_.row(y);
+        const auto below = coarse_.row(y + 1);
+        const auto out = centres.row(y);
         const int first = std::max(cells.x0, coarse_.region.x0);
         const int last = std::min(cells.x1, coarse_.region.x1 - 1);
         for (int x = first; x <= last; ++x) {
@@ -124,19 +136,20 @@ class MidpointStep {
     void even_row(const Lattice& centres, int y) const {
         const Region& r = fine_.region;
         const int line = y / 2;
-        const float* on = coarse_.row(line);
-        float* out = fine_.row(y);
+        const auto on = coarse_.row(line);
+        const auto out = fine_.row(y);
         for (int x = r.x0 + (r.x0 & 1); x <= r.x1; x += 2) out[x] = on[x / 2];
-        const bool sees_diamonds = scheme_ == Scheme::DiamondSquare;
-        const float* above = sees_diamonds && line > 0 ? centres.row(line - 1) : nullptr;
-        const float* below = sees_diamonds && line < last_ ? centres.row(line) : nullptr;
+        const bool has_above = scheme_ == Scheme::DiamondSquare && line > 0;
+        const bool has_below = scheme_ == Scheme::DiamondSquare && line < last_;
+        const auto above = has_above ? centres.row(line - 1) : Row<const float>{};
+        const auto below = has_below ? centres.row(line) : Row<const float>{};
         for (int x = r.x0 | 1; x <= r.x1; x += 2) {
             const int i = x / 2;
             float mean = 0.5F * (on[i] + on[i + 1]);
-            if (above != nullptr && below != nullptr)
+            if (has_above && has_below)
                 mean = 0.25F * ((on[i] + on[i + 1]) + (above[i] + below[i]));
-            else if (above != nullptr || below != nullptr)
-                mean = ((on[i] + on[i + 1]) + (above != nullptr ? above[i] : below[i])) * (1.0F / 3.0F);
+            else if (has_above || has_below)
+                mean = ((on[i] + on[i + 1]) + (has_above ? above[i] : below[i])) * (1.0F / 3.0F);
             out[x] = mean + edge_(x, y);
         }
     }
@@ -145,10 +158,10 @@ class MidpointStep {
     void odd_row(const Lattice& centres, int y) const {
         const Region& r = fine_.region;
         const int line = y / 2;
-        const float* above = coarse_.row(line);
-        const float* below = coarse_.row(line + 1);
-        const float* centre = centres.row(line);
-        float* out = fine_.row(y);
+        const auto above = coarse_.row(line);
+        const auto below = coarse_.row(line + 1);
+        const auto centre = centres.row(line);
+        const auto out = fine_.row(y);
         for (int x = r.x0 | 1; x <= r.x1; x += 2) out[x] = centre[x / 2];
         for (int x = r.x0 + (r.x0 & 1); x <= r.x1; x += 2) {
             const int i = x / 2;
@@ -173,7 +186,7 @@ class MidpointStep {
 mesh::Field cut(const Lattice& lattice, const Window& w) {
     mesh::Field field(w.columns, w.rows);
     for (int row = 0; row < w.rows; ++row) {
-        const float* from = lattice.row(w.row + row) + w.column;
+        const float* from = &lattice.row(w.row + row)[w.column];
         std::copy(from, from + w.columns, field.samples.begin() + static_cast<std::ptrdiff_t>(field.index(0, row)));
     }
     return field;
@@ -224,9 +237,9 @@ mesh::Field by_quarters(const Subdivision& how, const Window& window, base::Seed
         Lattice fine(regions[level]);
         const Displacement move = displacement(seed, 2 * level, static_cast<float>(level), how.hurst);
         for_rows(fine.region.y0, fine.region.y1, [&](int y) {
-            const float* near = lattice.row((y + 1) / 2);
-            const float* far = lattice.row((y & 1) == 0 ? y / 2 + 1 : y / 2);
-            float* out = fine.row(y);
+            const auto near = lattice.row((y + 1) / 2);
+            const auto far = lattice.row((y & 1) == 0 ? y / 2 + 1 : y / 2);
+            const auto out = fine.row(y);
             for (int x = fine.region.x0; x <= fine.region.x1; ++x) {
                 const int i = (x + 1) / 2;
                 const int k = (x & 1) == 0 ? x / 2 + 1 : x / 2;
