@@ -5,6 +5,6 @@
 #include "common/haze.glsl"
 #include "common/water_surface.glsl"
 
-layout(location = 0) in vec3 at_m;
+layout(location = 0) in vec4 at_m_foam;
 
-void main() { show_water(at_m); }
+void main() { show_water(at_m_foam.xyz, at_m_foam.w); }

@@ -19,6 +19,7 @@ class GpuScene {
   public:
     passes::LandOnGpu land;
     passes::FreshWaterOnGpu fresh_water;
+    passes::StoneOnGpu stone;
     passes::SkyOnGpu sky;
     std::shared_ptr<passes::FloraOnGpu> flora;  // shared with scenes that inherited it
     std::vector<scene::Plant> plants;

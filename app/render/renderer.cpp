@@ -56,6 +56,7 @@ struct Selection {
 struct Renderer::Parts {
     passes::GroundPass ground;
     passes::SurroundPass surround;
+    passes::StonePass stone;
     passes::PlantsPass plants;
     passes::WaterPass water;
     passes::SkyPass sky;
@@ -92,6 +93,7 @@ Selection Renderer::Parts::select(const View& view, const Frame& frame) {
         return passes::IndexRange{first, frame_indices.size() - first};
     };
     s.ground = chosen(scene.land.land, 1.3F, kGroundBudget);
+    s.triangles += scene.stone.index_count / 3;
     s.surround = chosen(scene.land.surround, 1.6F, kSurroundBudget);
 
     passes::Gathering gathering;
@@ -124,9 +126,10 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
     glScissor(place.x, place.y, place.width, place.height);
     gl::bind_uniforms(blocks, passes::kViewBinding, slot * passes::kViewBlockBytes, passes::kViewBlockBytes);
     drawn.draw_calls += plants.draw(*scene.flora, selection.batches, instances);
+    stone.draw(scene.stone);
     ground.draw(scene.land, indices, selection.ground);
     surround.draw(scene.land, indices, selection.surround);
-    drawn.draw_calls += 3;
+    drawn.draw_calls += scene.stone.index_count > 0 ? 4 : 3;
     drawn.triangles += selection.triangles + sky.triangles();
     if (scene.land.has_water) {
         water.draw(scene.land.lit);

@@ -16,6 +16,7 @@ class SceneUpload final : public Upload {
         passes::add_sky(slices_, made_->sky, source->sky);
         passes::add_land(slices_, made_->land, source);
         passes::add_fresh_water(slices_, made_->fresh_water, source);
+        passes::add_stone(slices_, made_->stone, source);
         made_->flora = shelf->find(source->flora);
         if (!made_->flora) {
             made_->flora = std::make_shared<passes::FloraOnGpu>();

@@ -108,7 +108,7 @@ passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, f
     b.clip_from_world = clip_from_world;
     b.eye_seconds = {view.camera.eye_m, seconds};
     b.to_sun = {air.to_sun, std::pow(left, 0.45F)};
-    b.sunlight = {air.sunlight * left, root * (1 - 0.25F * kGrain)};
+    b.sunlight = {air.sunlight * left, root};
     b.light_above = {air.light_above * left, 1 / air.side_m};
     b.light_around = {air.light_around * left, 1 / air.grain_tile_m};
     b.light_below = {air.light_below * left, root * 0.5F * kGrain};

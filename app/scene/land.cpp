@@ -36,6 +36,10 @@ float water_depth_m(const Land& land, glm::vec2 at_m) {
     return std::max(surface_m - ground_height_m(land, at_m), 0.0F);
 }
 
+float to_road_m(const Land& land, glm::vec2 at_m) {
+    return land.kept_clear_m.samples.empty() ? kFarFromRoads_m : sample_at(land.kept_clear_m, land.cell_m, at_m);
+}
+
 glm::vec3 ground_normal(const Land& land, glm::vec2 at_m) {
     const float half = 0.5F * land.cell_m;
     const float dx = ground_height_m(land, {at_m.x + half, at_m.y}) - ground_height_m(land, {at_m.x - half, at_m.y});

@@ -2,12 +2,33 @@
 #pragma once
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
 
 #include "mesh/field.hpp"
 #include "mesh/image.hpp"
 #include "mesh/mesh.hpp"
 
 namespace quadrat::scene {
+
+// A way made for feet and wheels; its ground is already levelled to it.
+struct Road {
+    std::vector<glm::vec3> line_m;  // its middle, a few metres from point to point, on the ground
+    float width_m = 4;
+    float grade = 0.1F;  // rise over run that it nowhere passes
+};
+
+// Level ground kept for a settlement; a road leads to it where the land lets one.
+struct Site {
+    glm::vec3 middle_m{0};
+    float radius_m = 40;
+};
+
+// Bare stone that no heightfield can hold: arches, overhangs. Closed meshes that reach into the ground.
+struct Stone {
+    mesh::Mesh mesh;
+    std::vector<glm::vec3> colours;  // linear, one a vertex
+};
 
 // World: x east, y up, z south, in metres; the land's middle is x = z = 0, the sea's surface y = 0.
 // A point (x, z) lies at column x / cell_m + (columns - 1) / 2, row z / cell_m + (rows - 1) / 2.
@@ -19,16 +40,31 @@ struct Land {
     mesh::Field water_m;  // the surface of lakes and rivers at each sample; kNoWater where there is none; may be empty
     mesh::Mesh fresh_water;  // that surface, drawn; it ends under its banks; texcoords: the current, m/s east and south
     mesh::Image albedo;      // RGBA, colour: what the ground is made of, over the land's square; alpha: wetness
-    mesh::Image detail;      // one channel, tileable, mean 128: the ground's grain
+    mesh::Image detail;  // tileable, mean 128: the grain of soft ground (grass, earth) and of stone, a channel each;
+                         // one channel: the same for both
+    mesh::Image detail_slopes;  // their slopes: soft east, south, stone east, south; 128 is level, 255 is 1; or empty
+    mesh::Image
+        kinds;  // two channels, a pixel a sample: how far its grain is soft ground's, how far stone's; empty: soft
+    mesh::Image surround_albedo;                   // RGBA, a pixel a sample of surround_m; empty: far_colour
     float detail_tile_m = 7;                       // one tile of it on the ground
     glm::vec3 shallow_colour{0.2F, 0.45F, 0.42F};  // of water, linear
     glm::vec3 deep_colour{0.02F, 0.10F, 0.14F};
-    glm::vec3 far_colour{0.3F, 0.35F, 0.25F};  // of the surround, linear
+    glm::vec3 far_colour{0.3F, 0.35F, 0.25F};  // of the surround as a whole, linear
+
+    std::vector<Road> roads;
+    std::optional<Site> site;
+    mesh::Field kept_clear_m;  // from each sample to the edge of the nearest road or site, at most kFarFromRoads_m,
+                               // less than 0 on them; empty: none
+    Stone stone;
 
     float side_m() const { return cell_m * static_cast<float>(height_m.columns - 1); }
 };
 
 inline constexpr float kNoWater = -1.0e6F;
+inline constexpr float kFarFromRoads_m = 24.0F;
+
+// How far a place lies from the edge of the nearest road or site, so that nothing is planted on it; less than 0: on it.
+float to_road_m(const Land& land, glm::vec2 at_m);
 
 // Depth of water over the ground, of the sea, a lake or a river; 0 on dry land.
 float water_depth_m(const Land& land, glm::vec2 at_m);

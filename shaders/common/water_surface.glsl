@@ -5,8 +5,10 @@
 out vec2 over_land;
 out vec4 before;   // rgb: shown, the mirrored sky and the air, weighted; a: what is left for the water's own colour
 out float glitter;  // how bright the sun is in level water, as a power of two
+out float white;    // from how deep water on there is no foam: at the sea's shore some, in a fall's all of it
 
-void show_water(vec3 at_m) {
+void show_water(vec3 at_m, float foams) {
+    white = foams;
     gl_Position = view.clip_from_world * vec4(at_m, 1.0);
     over_land = at_m.xz * view.light_above.w + 0.5;
 

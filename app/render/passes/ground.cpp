@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <span>
 #include <vector>
 
 #include "render/gl/picture_upload.hpp"
@@ -17,18 +19,33 @@ struct GridPlace {
     std::int16_t column;
     std::int16_t row;
     float height_m;
+    std::uint8_t kinds[4];  // how far its grain is soft ground's, how far stone's; two to spare
+};
+
+// Of the surround, which has no picture of its own.
+struct Facing {
+    PackedNormal normal;
+    std::uint8_t root_colour[4];
 };
 
 constexpr int kLandBlock = 32;
 constexpr int kSurroundBlock = 8;
 constexpr std::size_t kPieceBytes = 128U << 10U;
 
-void write_places(GridOnGpu& grid, const mesh::Field& field, std::size_t first, std::size_t count) {
+void write_places(GridOnGpu& grid, const mesh::Field& field, const mesh::Image& kinds, std::size_t first,
+                  std::size_t count) {
     std::vector<GridPlace> places(count);
     for (std::size_t i = 0; i < count; ++i) {
         const auto at = static_cast<int>(first + i);
-        places[i] = {static_cast<std::int16_t>(at % field.columns), static_cast<std::int16_t>(at / field.columns),
-                     field.samples[first + i]};
+        const int column = at % field.columns;
+        const int row = at / field.columns;
+        places[i] = {static_cast<std::int16_t>(column),
+                     static_cast<std::int16_t>(row),
+                     field.samples[first + i],
+                     {255, 0, 0, 0}};
+        if (kinds.bytes.empty()) continue;
+        places[i].kinds[0] = kinds.pixel(column, row)[0];
+        places[i].kinds[1] = kinds.pixel(column, row)[1];
     }
     grid.places.write<GridPlace>(first, places);
 }
@@ -41,33 +58,59 @@ PackedNormal normal_at(const mesh::Field& field, float cell_m, int column, int r
                                                   height(column, row - 1) - height(column, row + 1)}));
 }
 
-void write_normals(GridOnGpu& grid, const mesh::Field& field, std::size_t first, std::size_t count) {
-    std::vector<PackedNormal> normals(count);
+void write_facings(GridOnGpu& grid, const scene::Land& land, std::size_t first, std::size_t count) {
+    const mesh::Field& field = land.surround_m;
+    std::vector<Facing> facings(count);
     for (std::size_t i = 0; i < count; ++i) {
         const auto at = static_cast<int>(first + i);
-        normals[i] = normal_at(field, grid.cell_m, at % field.columns, at / field.columns);
+        const int column = at % field.columns;
+        const int row = at / field.columns;
+        Facing& facing = facings[i];
+        facing.normal = normal_at(field, grid.cell_m, column, row);
+        for (int c = 0; c < 3; ++c)
+            facing.root_colour[c] = land.surround_albedo.bytes.empty()
+                                        ? unsigned_byte(std::sqrt(land.far_colour[c]))
+                                        : gl::root_of_srgb(land.surround_albedo.pixel(column, row)[c]);
     }
-    grid.normals.write<PackedNormal>(first, normals);
+    grid.facings.write<Facing>(first, facings);
 }
 
-enum class Normals { None, Stored };
-
-void add_grid(gl::Slices& slices, GridOnGpu& grid, std::shared_ptr<const mesh::Field> field, float cell_m,
-              Normals normals) {
+void add_places(gl::Slices& slices, GridOnGpu& grid, std::shared_ptr<const mesh::Field> field,
+                std::shared_ptr<const mesh::Image> kinds, float cell_m) {
     const std::size_t samples = field->samples.size();
     grid.cell_m = cell_m;
     grid.middle_column = static_cast<float>(field->columns - 1) / 2;
-    slices.add(0, [&grid, samples, normals] {
-        grid.places = gl::Buffer{GL_ARRAY_BUFFER, samples * sizeof(GridPlace)};
-        if (normals == Normals::Stored) grid.normals = gl::Buffer{GL_ARRAY_BUFFER, samples * sizeof(PackedNormal)};
-    });
+    slices.add(0, [&grid, samples] { grid.places = gl::Buffer{GL_ARRAY_BUFFER, samples * sizeof(GridPlace)}; });
+    slices.add_pieces(samples, kPieceBytes / sizeof(GridPlace), sizeof(GridPlace),
+                      [&grid, field, kinds](std::size_t first, std::size_t count) {
+                          write_places(grid, *field, *kinds, first, count);
+                      });
+}
+
+void add_facings(gl::Slices& slices, GridOnGpu& grid, std::shared_ptr<const scene::Land> land) {
+    const std::size_t samples = land->surround_m.samples.size();
+    slices.add(0, [&grid, samples] { grid.facings = gl::Buffer{GL_ARRAY_BUFFER, samples * sizeof(Facing)}; });
     slices.add_pieces(
-        samples, kPieceBytes / sizeof(GridPlace), sizeof(GridPlace),
-        [&grid, field](std::size_t first, std::size_t count) { write_places(grid, *field, first, count); });
-    if (normals == Normals::None) return;
-    slices.add_pieces(
-        samples, kPieceBytes / sizeof(GridPlace), sizeof(PackedNormal),
-        [&grid, field](std::size_t first, std::size_t count) { write_normals(grid, *field, first, count); });
+        samples, kPieceBytes / sizeof(Facing), sizeof(Facing),
+        [&grid, land](std::size_t first, std::size_t count) { write_facings(grid, *land, first, count); });
+}
+
+// The ground's grain in the light of the sun, which stands still: what faces it is brighter than level ground, what
+// turns away darker.
+void light_grain_row(const scene::Land& land, glm::vec3 to_sun, mesh::Image& lit, int row) {
+    const glm::vec2 tilt = glm::vec2{to_sun.x, to_sun.z} / std::max(to_sun.y, 0.35F);
+    const int channels = land.detail.channels;
+    for (int x = 0; x < lit.width; ++x) {
+        for (int kind = 0; kind < 2; ++kind) {
+            float light = static_cast<float>(land.detail.pixel(x, row)[std::min(kind, channels - 1)]);
+            if (!land.detail_slopes.bytes.empty()) {
+                const std::uint8_t* slopes = land.detail_slopes.pixel(x, row) + 2 * kind;
+                const glm::vec2 rise{static_cast<float>(slopes[0]) - 128, static_cast<float>(slopes[1]) - 128};
+                light -= glm::dot(rise, tilt);
+            }
+            lit.pixel(x, row)[kind] = static_cast<std::uint8_t>(std::clamp(light + 0.5F, 0.0F, 255.0F));
+        }
+    }
 }
 
 // The light over one row of the ground's picture, as roots: between the rows and columns of a coarser image.
@@ -139,7 +182,8 @@ std::shared_ptr<const Part> part_of(const std::shared_ptr<const scene::Scene>& s
 
 const std::initializer_list<gl::Attribute> kPlaceAttributes{
     {0, 2, GL_SHORT, gl::Numbers::AsTheyAre, offsetof(GridPlace, column)},
-    {1, 1, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(GridPlace, height_m)}};
+    {1, 1, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(GridPlace, height_m)},
+    {3, 2, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(GridPlace, kinds)}};
 
 void draw_range(const gl::VertexArray& vertices, const gl::StreamBuffer& indices, IndexRange range) {
     vertices.feed_indices(indices.name());
@@ -161,9 +205,12 @@ void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<const s
         const float hole_m = from.side_m() / 2 - from.surround_cell_m;
         land.surround.blocks.emplace(from.surround_m, from.surround_cell_m, kSurroundBlock, hole_m);
     });
-    add_grid(slices, land.land, part_of(scene, source.height_m), source.cell_m, Normals::None);
-    if (source.surround_m.columns >= 2)
-        add_grid(slices, land.surround, part_of(scene, source.surround_m), source.surround_cell_m, Normals::Stored);
+    add_places(slices, land.land, part_of(scene, source.height_m), part_of(scene, source.kinds), source.cell_m);
+    if (source.surround_m.columns >= 2) {
+        add_places(slices, land.surround, part_of(scene, source.surround_m), std::make_shared<mesh::Image>(),
+                   source.surround_cell_m);
+        add_facings(slices, land.surround, scene->land);
+    }
     gl::TextureShape shape;
     shape.width = source.albedo.width;
     shape.height = source.albedo.height;
@@ -171,7 +218,12 @@ void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<const s
         light_row(scene->land->albedo, scene->light.ground, lit, row);
     });
     shape.wrap_s = shape.wrap_t = gl::Wrap::Repeat;
-    gl::add_picture(slices, land.grain, part_of(scene, source.detail), shape);
+    shape.width = source.detail.width;
+    shape.height = source.detail.height;
+    shape.channels = 2;
+    gl::add_painting(slices, land.grain, shape, [scene](mesh::Image& lit, int row) {
+        light_grain_row(*scene->land, scene->sky->sun_direction, lit, row);
+    });
 }
 
 GroundPass::GroundPass()
@@ -192,7 +244,11 @@ void GroundPass::draw(const LandOnGpu& land, const gl::StreamBuffer& indices, In
 SurroundPass::SurroundPass()
     : program_("surround.vert", "lit.frag"),
       vertices_{{0, sizeof(GridPlace), gl::Advance::PerVertex, kPlaceAttributes},
-                {1, sizeof(PackedNormal), gl::Advance::PerVertex, {{2, 4, GL_BYTE, gl::Numbers::Normalised, 0}}}} {}
+                {1,
+                 sizeof(Facing),
+                 gl::Advance::PerVertex,
+                 {{2, 4, GL_BYTE, gl::Numbers::Normalised, 0},
+                  {4, 3, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Facing, root_colour)}}}} {}
 
 void SurroundPass::draw(const LandOnGpu& land, const gl::StreamBuffer& indices, IndexRange range) const {
     if (range.count == 0) return;
@@ -200,8 +256,56 @@ void SurroundPass::draw(const LandOnGpu& land, const gl::StreamBuffer& indices, 
     glUniform2f(0, land.surround.cell_m, land.surround.middle_column);
     vertices_.bind();
     vertices_.feed(0, land.surround.places.name());
-    vertices_.feed(1, land.surround.normals.name());
+    vertices_.feed(1, land.surround.facings.name());
     draw_range(vertices_, indices, range);
+}
+
+void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<const scene::Scene>& scene) {
+    const std::size_t corners = scene->land->stone.mesh.positions_m.size();
+    if (scene->land->stone.mesh.indices.empty()) return;
+    slices.add(0, [&stone, scene, corners] {
+        const mesh::Mesh& from = scene->land->stone.mesh;
+        stone.corners = gl::Buffer{GL_ARRAY_BUFFER, corners * sizeof(glm::vec3)};
+        stone.facings = gl::Buffer{GL_ARRAY_BUFFER, corners * sizeof(Facing)};
+        stone.indices = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, from.indices.size() * sizeof(std::uint32_t)};
+        stone.index_count = from.indices.size();
+    });
+    constexpr std::size_t kPiece = 1U << 13U;
+    slices.add_pieces(corners, kPiece, sizeof(glm::vec3) + sizeof(Facing),
+                      [&stone, scene](std::size_t first, std::size_t many) {
+                          const scene::Stone& from = scene->land->stone;
+                          std::vector<Facing> facings;
+                          for (std::size_t i = first; i < first + many; ++i) {
+                              const auto root = [&](int c) { return unsigned_byte(std::sqrt(from.colours[i][c])); };
+                              facings.push_back({packed_normal(from.mesh.normals[i]), {root(0), root(1), root(2), 0}});
+                          }
+                          stone.corners.write<glm::vec3>(first, std::span(from.mesh.positions_m).subspan(first, many));
+                          stone.facings.write<Facing>(first, facings);
+                      });
+    slices.add_pieces(scene->land->stone.mesh.indices.size(), kPiece, sizeof(std::uint32_t),
+                      [&stone, scene](std::size_t first, std::size_t many) {
+                          stone.indices.write<std::uint32_t>(
+                              first, std::span(scene->land->stone.mesh.indices).subspan(first, many));
+                      });
+}
+
+StonePass::StonePass()
+    : program_("stone.vert", "lit.frag"),
+      vertices_{{0, sizeof(glm::vec3), gl::Advance::PerVertex, {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}},
+                {1,
+                 sizeof(Facing),
+                 gl::Advance::PerVertex,
+                 {{2, 4, GL_BYTE, gl::Numbers::Normalised, 0},
+                  {4, 3, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Facing, root_colour)}}}} {}
+
+void StonePass::draw(const StoneOnGpu& stone) const {
+    if (stone.index_count == 0) return;
+    program_.use();
+    vertices_.bind();
+    vertices_.feed(0, stone.corners.name());
+    vertices_.feed(1, stone.facings.name());
+    vertices_.feed_indices(stone.indices.name());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(stone.index_count), GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace quadrat::render::passes

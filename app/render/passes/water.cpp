@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -19,7 +20,7 @@ namespace {
 
 constexpr int kSectors = 32;
 constexpr int kRippleSide = 512;
-constexpr int kWaves = 40;
+constexpr int kWaves = 56;
 
 std::vector<float> ring_radii_m() {
     return {0,   1.5F, 3,   5,   7.5F, 11,   16,   23,   33,   48,   70,   100,  150,
@@ -67,11 +68,12 @@ std::array<Wave, kWaves> waves() {
     std::array<Wave, kWaves> all{};
     for (std::uint64_t i = 0; i < kWaves; ++i) {
         base::RandomStream stream{base::Seed{0x52'69'70'70'6c'65}.child(i)};
-        const float length = 4.0F + 44.0F * stream.unit_f();
-        const float bearing = 0.5F + 0.6F * stream.normal();
+        // Of one to seven metres: a few longer ones would show as the tile's own lattice.
+        const float length = 13.0F + 62.0F * stream.unit_f();
+        const float bearing = 0.5F + 0.75F * stream.normal();
         all[i].turns = {1 + std::round(length * std::cos(bearing)), std::round(length * std::sin(bearing))};
         all[i].phase = 6.2832F * stream.unit_f();
-        all[i].steepness = 1.2F / std::sqrt(std::max(glm::length(all[i].turns), 1.0F));
+        all[i].steepness = 1.6F / std::sqrt(std::max(glm::length(all[i].turns), 1.0F));
     }
     return all;
 }
@@ -106,6 +108,12 @@ mesh::Image ripple_slopes() {
     return image;
 }
 
+// What water.frag is told: a little foam at the banks of what runs, all over where it falls.
+float foam_of(glm::vec2 current_m_s) {
+    const float speed_m_s = glm::length(current_m_s);
+    return 0.25F + 4.5F * std::clamp((speed_m_s - 2.4F) / 3.0F, 0.0F, 1.0F);
+}
+
 }  // namespace
 
 void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shared_ptr<const scene::Scene>& scene) {
@@ -114,14 +122,18 @@ void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shar
     if (mesh.indices.empty()) return;
     slices.add(0, [&water, scene] {
         const mesh::Mesh& from = scene->land->fresh_water;
-        water.corners = gl::Buffer{GL_ARRAY_BUFFER, from.positions_m.size() * sizeof(glm::vec3)};
+        water.corners = gl::Buffer{GL_ARRAY_BUFFER, from.positions_m.size() * sizeof(glm::vec4)};
         water.indices = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, from.indices.size() * sizeof(std::uint32_t)};
         water.index_count = from.indices.size();
     });
-    slices.add_pieces(
-        mesh.positions_m.size(), kPiece, sizeof(glm::vec3), [&water, scene](std::size_t first, std::size_t many) {
-            water.corners.write<glm::vec3>(first, std::span(scene->land->fresh_water.positions_m).subspan(first, many));
-        });
+    slices.add_pieces(mesh.positions_m.size(), kPiece, sizeof(glm::vec4),
+                      [&water, scene](std::size_t first, std::size_t many) {
+                          const mesh::Mesh& from = scene->land->fresh_water;
+                          std::vector<glm::vec4> corners;
+                          for (std::size_t i = first; i < first + many; ++i)
+                              corners.emplace_back(from.positions_m[i], foam_of(from.texcoords[i]));
+                          water.corners.write<glm::vec4>(first, corners);
+                      });
     slices.add_pieces(
         mesh.indices.size(), kPiece, sizeof(std::uint32_t), [&water, scene](std::size_t first, std::size_t many) {
             water.indices.write<std::uint32_t>(first, std::span(scene->land->fresh_water.indices).subspan(first, many));
@@ -131,7 +143,7 @@ void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shar
 WaterPass::WaterPass()
     : program_("water.vert", "water.frag"),
       fresh_program_("fresh_water.vert", "water.frag"),
-      fresh_vertices_{{0, sizeof(glm::vec3), gl::Advance::PerVertex, {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}}},
+      fresh_vertices_{{0, sizeof(glm::vec4), gl::Advance::PerVertex, {{0, 4, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}}},
       vertices_{{0, sizeof(glm::vec2), gl::Advance::PerVertex, {{0, 2, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}}} {
     const auto vertices = ring_vertices();
     const auto indices = ring_indices();

@@ -14,6 +14,8 @@
 #include "synthesis/land/erosion.hpp"
 #include "synthesis/land/ground.hpp"
 #include "synthesis/land/rivers.hpp"
+#include "synthesis/land/roads.hpp"
+#include "synthesis/land/stone.hpp"
 #include "synthesis/land/terrain.hpp"
 
 namespace quadrat::synthesis::land {
@@ -72,11 +74,29 @@ void sink_under_land(mesh::Field& surround_m) {
                 surround_m.at(column, row) -= kBelow_m;
 }
 
+// The country around has been worn as the land has; next to it, it stays as it was.
+void carve_surround(mesh::Field& surround_m, const scene::LandParameters& p) {
+    mesh::Field worn = surround_m;
+    carve_valleys(worn, kSurroundCell_m,
+                  {.steps = 8, .strength = 0.5F + 0.6F * p.erosion_strength, .spring_m2 = 12000, .hillslope = 0.03F});
+    const float half = 0.5F * static_cast<float>(surround_m.columns - 1);
+    for (int row = 0; row < surround_m.rows; ++row) {
+        for (int column = 0; column < surround_m.columns; ++column) {
+            const float out_m =
+                kSurroundCell_m * std::hypot(static_cast<float>(column) - half, static_cast<float>(row) - half);
+            const float t = std::clamp((out_m - 800.0F) / 700.0F, 0.0F, 1.0F);
+            float& h = surround_m.at(column, row);
+            h += t * t * (3.0F - 2.0F * t) * (worn.at(column, row) - h);
+        }
+    }
+}
+
 }  // namespace
 
 scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const scene::Fineness& fineness) {
     scene::Land land;
     const Terrain terrain(p, seed);
+    const Palette palette = choose_palette(p, seed);
     land.cell_m = kSide_m / static_cast<float>(fineness.land_samples - 1);
     land.surround_cell_m = kSurroundCell_m;
     land.height_m = field_of(terrain, fineness.land_samples, land.cell_m);
@@ -89,6 +109,8 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     slide_to_repose(land.height_m, land.cell_m, std::tan(glm::radians(p.erosion_repose_deg)),
                     static_cast<int>(std::lround(p.erosion_slides)));
     land.surround_m = field_of(terrain, kSurroundSamples, kSurroundCell_m);
+    carve_surround(land.surround_m, p);
+    land.surround_albedo = surround_colours(land.surround_m, kSurroundCell_m, palette, p, seed);
     meet_surround(land.height_m, land.cell_m, land.surround_m);
     sink_under_land(land.surround_m);
     FreshWater water = make_fresh_water(land.height_m, land.cell_m,
@@ -96,14 +118,29 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
                                          .lake_depth_m = p.lake_depth_m,
                                          .lake_area_m2 = p.lake_area_m2,
                                          .width = p.river_width,
-                                         .depth = p.river_depth});
+                                         .depth = p.river_depth,
+                                         .fall_m = p.fall_height_m});
+    if (p.site_share > 0) land.site = make_site(land.height_m, water.surface_m, land.cell_m, p.site_radius_m);
+    if (p.road_share > 0 || land.site)
+        land.roads = make_roads(land.height_m, water.surface_m, land.cell_m, land.site,
+                                {.width_m = p.road_width_m, .grade = p.road_grade, .goes_on = p.road_share > 0}, seed);
+    land.kept_clear_m = distance_to_roads_m(fineness.land_samples, land.cell_m, land.roads, land.site);
     const mesh::Field over_water_m = height_over_water_m(land.height_m, water);
     land.water_m = std::move(water.surface_m);
     land.fresh_water = std::move(water.mesh);
 
-    const Palette palette = choose_palette(p, seed);
-    land.albedo = ground_albedo(land.height_m, over_water_m, land.cell_m, palette, p, seed, fineness.albedo_px);
-    land.detail = ground_detail(seed, 256, p.ground_detail);
+    const mesh::Field moisture = moisture_of(land.height_m, water.drained_area_m2, land.cell_m);
+    const mesh::Field to_road_m = distance_to_roads_m(fineness.land_samples, land.cell_m, land.roads, std::nullopt);
+    Ground ground = lay_ground({land.height_m, over_water_m, moisture, to_road_m, land.cell_m}, palette, p, seed,
+                               fineness.albedo_px);
+    land.albedo = std::move(ground.albedo);
+    land.kinds = std::move(ground.kinds);
+    Stones stones = make_stones({land, over_water_m, palette}, p, seed.child("stones"));
+    shade_under(land.albedo, kSide_m, stones.footprints);
+    land.stone = std::move(stones.stone);
+    GroundDetail detail = ground_detail(seed, 256, p.ground_detail, p.ground_bumps);
+    land.detail = std::move(detail.grain);
+    land.detail_slopes = std::move(detail.slopes);
     land.detail_tile_m = p.ground_detail_m;
     land.shallow_colour = palette.shallow;
     land.deep_colour = palette.deep;

@@ -15,6 +15,8 @@
 #include <tuple>
 #include <utility>
 
+#include "synthesis/land/steepest_row.hpp"
+
 namespace quadrat::synthesis::land {
 namespace {
 
@@ -29,37 +31,19 @@ void for_rows(int first, int last, const Rows& rows) {
                               [&](const auto& range) { rows(range.begin(), range.end()); });
 }
 
-// One row of interior cells: the steepest way down, as an offset to a neighbour; 0: a pit. Whole rows at a time and
-// without branches, for the vector units.
-void steepest_of_row(const float* here, int columns, std::uint32_t first_cell, std::uint32_t wander,
-                     std::int32_t* offset, std::uint32_t* chance, float* best) {
-    for (int x = 1; x < columns - 1; ++x) {
-        std::uint32_t c = ((first_cell + static_cast<std::uint32_t>(x)) ^ wander) * 0x9E3779B9U;
-        c = (c ^ (c >> 15U)) * 0x2C1B3C6DU;
-        chance[x] = c ^ (c >> 13U);
-        best[x] = 0;
-        offset[x] = 0;
-    }
-    for (std::size_t k = 0; k < kNeighbours.size(); ++k) {
-        const std::int32_t step = kNeighbours[k][1] * columns + kNeighbours[k][0];
-        const float* next = here + step;
-        const float reach = k < 4 ? 1.0F : 0.70710678F;
-        const auto shift = static_cast<int>(4U * k);
-        for (int x = 1; x < columns - 1; ++x) {
-            const float luck =
-                0.55F + 0.06F * static_cast<float>(static_cast<std::int32_t>((chance[x] >> shift) & 15U));
-            const float slope = (here[x] - next[x]) * luck * reach;
-            const bool is_steeper = slope > best[x];
-            best[x] = is_steeper ? slope : best[x];
-            offset[x] = is_steeper ? step : offset[x];
-        }
-    }
+// steepest_of_row for the processor at hand.
+auto steepest_row_here() {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx2") != 0) return &steepest_of_row_avx2;
+#endif
+    return &steepest_of_row;
 }
 
 // Each cell's receiver on the bare ground; outlets and pits are their own.
 void descend(Drainage& d, const mesh::Field& h, float sea_m, std::uint32_t wander) {
     const int columns = h.columns;
     const std::uint32_t turn = wander * 0x85EBCA6BU;
+    static const auto steepest = steepest_row_here();
     for_rows(0, h.rows, [&](int first, int last) {
         const auto width = static_cast<std::size_t>(columns);
         std::vector<std::int32_t> offset(width);
@@ -69,8 +53,8 @@ void descend(Drainage& d, const mesh::Field& h, float sea_m, std::uint32_t wande
             const std::int32_t cell = y * columns;
             std::fill(offset.begin(), offset.end(), 0);
             if (y > 0 && y < h.rows - 1)
-                steepest_of_row(&h.samples[cell], columns, static_cast<std::uint32_t>(cell), turn, offset.data(),
-                                chance.data(), best.data());
+                steepest(&h.samples[cell], columns, static_cast<std::uint32_t>(cell), turn, offset.data(),
+                         chance.data(), best.data());
             for (int x = 0; x < columns; ++x)
                 d.receiver[cell + x] = cell + x + (h.samples[cell + x] > sea_m ? offset[x] : 0);
         }
@@ -95,6 +79,7 @@ Basins find_basins(const Drainage& d, const mesh::Field& h, float sea_m) {
     };
     const auto count = static_cast<std::int32_t>(h.samples.size());
     for (std::int32_t start = 0; start < count; ++start) {
+        if (basins.of[start] != kUnknown) continue;
         std::int32_t end = start;
         while (basins.of[end] == kUnknown && d.receiver[end] != end) end = d.receiver[end];
         if (basins.of[end] == kUnknown) basins.of[end] = own_basin(end);
@@ -115,22 +100,76 @@ struct Pass {
     }
 };
 
-std::vector<Pass> find_passes(const Basins& basins, const mesh::Field& h) {
+// The lowest passes found lately, one a slot: most divides run on for many cells between the same two basins.
+class LatePasses {
+  public:
+    explicit LatePasses(std::vector<Pass>& found) : found_(found), late_(kSlots, Pass{0, {0, 0}, {0, 0}}) {}
+
+    void add(const Pass& pass) {
+        Pass& late = late_[(static_cast<std::uint32_t>(pass.basins[0]) * 0x9E3779B9U ^
+                            static_cast<std::uint32_t>(pass.basins[1]) * 0x85EBCA6BU) >>
+                           kShift];
+        if (late.basins[0] == pass.basins[0] && late.basins[1] == pass.basins[1]) {
+            if (pass.height_m < late.height_m) late = pass;
+            return;
+        }
+        keep(late);
+        late = pass;
+    }
+    void keep_all() {
+        for (const Pass& late : late_) keep(late);
+    }
+
+  private:
+    static constexpr std::size_t kSlots = 2048;
+    static constexpr int kShift = 21;  // to as many bits
+    void keep(const Pass& late) {
+        if (late.basins[0] != late.basins[1]) found_.push_back(late);
+    }
+
+    std::vector<Pass>& found_;
+    std::vector<Pass> late_;
+};
+
+// Those between a band of rows and the row after each.
+std::vector<Pass> passes_of(const Basins& basins, const mesh::Field& h, int first, int last) {
+    const int columns = h.columns;
     std::vector<Pass> passes;
-    for (int y = 0; y < h.rows; ++y) {
-        for (int x = 0; x < h.columns; ++x) {
+    LatePasses late(passes);
+    std::vector<std::int32_t> differs(static_cast<std::size_t>(columns), 1);
+    for (int y = first; y < last; ++y) {
+        const std::int32_t* on = &basins.of[h.index(0, y)];
+        const std::int32_t* below = y + 1 < h.rows ? on + columns : on;
+        for (int x = 1; x + 1 < columns; ++x)
+            differs[x] = (on[x] ^ on[x + 1]) | (on[x] ^ below[x]) | (on[x] ^ below[x + 1]) | (on[x] ^ below[x - 1]);
+        for (int x = 0; x < columns; ++x) {
+            if (differs[x] == 0) continue;
             const auto cell = static_cast<std::int32_t>(h.index(x, y));
             for (const std::size_t k : {0U, 2U, 4U, 5U}) {
                 const int nx = x + kNeighbours[k][0];
-                const int ny = y + kNeighbours[k][1];
-                if (nx < 0 || nx >= h.columns || ny >= h.rows) continue;
-                const auto next = static_cast<std::int32_t>(h.index(nx, ny));
-                if (basins.of[cell] == basins.of[next]) continue;
-                passes.push_back(
-                    {std::max(h.samples[cell], h.samples[next]), {basins.of[cell], basins.of[next]}, {cell, next}});
+                if (nx < 0 || nx >= columns || y + kNeighbours[k][1] >= h.rows) continue;
+                const std::int32_t next = cell + kNeighbours[k][1] * columns + kNeighbours[k][0];
+                const std::int32_t a = basins.of[cell];
+                const std::int32_t b = basins.of[next];
+                if (a == b) continue;
+                late.add(a < b ? Pass{std::max(h.samples[cell], h.samples[next]), {a, b}, {cell, next}}
+                               : Pass{std::max(h.samples[cell], h.samples[next]), {b, a}, {next, cell}});
             }
         }
     }
+    late.keep_all();
+    return passes;
+}
+
+std::vector<Pass> find_passes(const Basins& basins, const mesh::Field& h) {
+    constexpr int kBand = 128;  // of rows: what is found does not hang on the number of threads
+    std::vector<std::vector<Pass>> by_band(static_cast<std::size_t>((h.rows + kBand - 1) / kBand));
+    oneapi::tbb::parallel_for(std::size_t{0}, by_band.size(), [&](std::size_t band) {
+        const int first = static_cast<int>(band) * kBand;
+        by_band[band] = passes_of(basins, h, first, std::min(first + kBand, h.rows));
+    });
+    std::vector<Pass> passes;
+    for (const auto& some : by_band) passes.insert(passes.end(), some.begin(), some.end());
     return passes;
 }
 
@@ -210,7 +249,8 @@ std::vector<float> join(Drainage& d, const Basins& basins, const std::vector<Pas
     return level_m;
 }
 
-// Receivers first: springs are walked down until a confluence waits for its other arms; the list fills from its end.
+// Receivers first: springs are walked down until a confluence waits for its other arms; the list fills from its end,
+// and the cells drained through each are counted on the way.
 void put_in_order(Drainage& d) {
     const std::size_t count = d.receiver.size();
     std::vector<std::uint8_t> arms(count, 0);
@@ -218,6 +258,7 @@ void put_in_order(Drainage& d) {
         if (d.receiver[i] != static_cast<std::int32_t>(i)) ++arms[d.receiver[i]];
     constexpr std::uint8_t kDone = 255;
     d.order.resize(count);
+    d.drained_cells.assign(count, 1.0F);
     std::size_t at = count;
     for (std::size_t i = 0; i < count; ++i) {
         auto cell = static_cast<std::int32_t>(i);
@@ -226,6 +267,7 @@ void put_in_order(Drainage& d) {
             d.order[--at] = cell;
             const std::int32_t to = d.receiver[cell];
             if (to == cell) break;
+            d.drained_cells[to] += d.drained_cells[cell];
             --arms[to];
             // What lies ahead of the scan is left to it, in its turn, so that memory is read in order.
             if (to > cell && static_cast<std::size_t>(to) > i && arms[to] == 0) break;
@@ -256,12 +298,9 @@ Drainage drain(const mesh::Field& height_m, float sea_m, std::uint32_t wander) {
 }
 
 std::vector<float> drained_area_m2(const Drainage& d, float cell_m) {
-    std::vector<float> area(d.receiver.size(), cell_m * cell_m);
-    for (std::size_t i = d.order.size(); i-- > 0;) {
-        const std::int32_t cell = d.order[i];
-        if (d.receiver[cell] != cell) area[d.receiver[cell]] += area[cell];
-    }
-    return area;
+    std::vector<float> area_m2(d.drained_cells.size());
+    for (std::size_t i = 0; i < area_m2.size(); ++i) area_m2[i] = cell_m * cell_m * d.drained_cells[i];
+    return area_m2;
 }
 
 }  // namespace quadrat::synthesis::land

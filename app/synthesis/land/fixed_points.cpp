@@ -36,9 +36,8 @@ void check_place(const FixedPoint& p, int size, std::string_view what) {
     require(p.column >= 0 && p.row >= 0 && p.column < size && p.row < size,
             fmt::format("{} {} {} lies outside a field of {} samples a side", what, p.column, p.row, size));
     require(std::isfinite(p.height), fmt::format("the height of {} {} {} is not a number", what, p.column, p.row));
-    require(std::abs(p.height) <= kHighest,
-            fmt::format("the height of {} {} {} is {}; -{} to {} is right", what, p.column, p.row, p.height, kHighest,
-                        kHighest));
+    require(std::abs(p.height) <= kHighest, fmt::format("the height of {} {} {} is {}; -{} to {} is right", what,
+                                                        p.column, p.row, p.height, kHighest, kHighest));
 }
 
 void check_line(const Line& line, int size) {

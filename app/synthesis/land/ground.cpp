@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "scene/colour.hpp"
+#include "scene/land.hpp"
+#include "synthesis/land/erosion.hpp"
 #include "synthesis/noise/gradient.hpp"
 
 namespace quadrat::synthesis::land {
@@ -28,26 +30,41 @@ inline float smooth(float low, float high, float x) {
 // What the ground's colour hangs on, a value a pixel of one row.
 struct Row {
     explicit Row(std::size_t width) {
-        for (auto* values : {&height_m, &shore_m, &slope, &hollow, &patch, &grain, &l, &a, &b}) values->resize(width);
+        for (auto* values : {&height_m, &shore_m, &slope, &hollow, &moisture, &shade, &road_m, &patch, &grain, &l, &a,
+                             &b, &soft, &hard})
+            values->resize(width);
     }
     std::vector<float> height_m;
     std::vector<float> shore_m;  // height over the nearest water
     std::vector<float> slope;    // rise over run
     std::vector<float> hollow;   // more than 0 in hollows, less than 0 on ridges
-    std::vector<float> patch;    // quiet large patches, about -1 to 1
-    std::vector<float> grain;    // fine variation, about -1 to 1
-    std::vector<float> l, a, b;  // OKLab
+    std::vector<float> moisture;
+    std::vector<float> shade;       // slope toward the north, rise over run
+    std::vector<float> road_m;      // to the edge of a road
+    std::vector<float> patch;       // quiet large patches, about -1 to 1
+    std::vector<float> grain;       // fine variation, about -1 to 1
+    std::vector<float> l, a, b;     // OKLab
+    std::vector<float> soft, hard;  // how far its grain is that of grass and earth, how far that of stone
 };
 
-// Toward a colour of the palette by a weight a pixel.
+// A material: its colour and its grain.
+struct Material {
+    glm::vec3 lab;
+    float soft = 0;
+    float hard = 0;
+};
+
+// Laid over what is there by a weight a pixel.
 template <typename Weight>
-void mix_in(Row& row, const glm::vec3& lab, const Weight& weight) {
+void mix_in(Row& row, const Material& m, const Weight& weight) {
     const std::size_t width = row.l.size();
     for (std::size_t i = 0; i < width; ++i) {
         const float w = weight(i);
-        row.l[i] += w * (lab.x - row.l[i]);
-        row.a[i] += w * (lab.y - row.a[i]);
-        row.b[i] += w * (lab.z - row.b[i]);
+        row.l[i] += w * (m.lab.x - row.l[i]);
+        row.a[i] += w * (m.lab.y - row.a[i]);
+        row.b[i] += w * (m.lab.z - row.b[i]);
+        row.soft[i] += w * (m.soft - row.soft[i]);
+        row.hard[i] += w * (m.hard - row.hard[i]);
     }
 }
 
@@ -72,48 +89,107 @@ struct GroundLook {
                           : 10.0F + p.ground_snow_line * p.land_relief_m * (1.0F - p.land_sea_level)) {}
 };
 
-void paint(Row& r, const Palette& palette, const GroundLook& look) {
-    const auto lab = [](const glm::vec3& c) { return scene::oklab_from_linear(c); };
-    const glm::vec3 dry = lab(palette.dry);
-    std::fill(r.l.begin(), r.l.end(), dry.x);
-    std::fill(r.a.begin(), r.a.end(), dry.y);
-    std::fill(r.b.begin(), r.b.end(), dry.z);
+Material material(const glm::vec3& linear, float soft, float hard) {
+    return {scene::oklab_from_linear(linear), soft, hard};
+}
+
+// What grows: dry ground, greener where it is moist or hollow, heath in patches.
+void paint_growth(Row& r, const Palette& palette, const GroundLook& look) {
+    const Material dry = material(palette.dry, 1, 0);
+    std::fill(r.l.begin(), r.l.end(), dry.lab.x);
+    std::fill(r.a.begin(), r.a.end(), dry.lab.y);
+    std::fill(r.b.begin(), r.b.end(), dry.lab.z);
+    std::fill(r.soft.begin(), r.soft.end(), dry.soft);
+    std::fill(r.hard.begin(), r.hard.end(), dry.hard);
+    const float* p = r.patch.data();
+    const float* g = r.grain.data();
+    const float* hollow = r.hollow.data();
+    const float* moist = r.moisture.data();
+    const float lushness = 1.1F * look.p.ground_lushness - 0.35F * look.p.ground_moisture;
+    const float heath = look.p.ground_heath;
+    const float thirst = 2.0F * look.p.ground_moisture;
+    mix_in(r, material(palette.lush, 1, 0), [=](std::size_t i) {
+        return smooth(-0.9F, 0.9F, 1.2F * hollow[i] + 0.9F * p[i] + 0.2F * g[i] + thirst * moist[i] + lushness);
+    });
+    mix_in(r, material(palette.heath, 1, 0), [=](std::size_t i) {
+        return heath * smooth(0.25F, 0.7F, 0.3F * g[i] - p[i]) * (1.0F - 0.8F * unit(1.6F * moist[i] - 0.4F));
+    });
+}
+
+// What shows through where it is too steep to grow: earth, scree, then rock in beds.
+void paint_stone(Row& r, const Palette& palette, const GroundLook& look) {
     const float* h = r.height_m.data();
-    const float* shore = r.shore_m.data();
     const float* s = r.slope.data();
     const float* p = r.patch.data();
     const float* g = r.grain.data();
     const float* hollow = r.hollow.data();
-    const float lushness = 1.1F * look.p.ground_lushness;
-    const float heath = look.p.ground_heath;
     const float soil = look.p.ground_soil_slope;
     const float scree = look.p.ground_scree_slope;
     const float stone = look.p.ground_rock_slope;
     const float beds_per_m = 2.0F / look.p.ground_strata_m;
     const float contrast = 0.5F * look.p.ground_strata;
-    const float broken = look.p.ground_snow_patchiness;
-    const float beach_top_m = look.beach_top_m;
-    const float snow_line_m = look.snow_line_m;
-    const float grain = 0.035F * look.p.ground_grain;
-    mix_in(r, lab(palette.lush),
-           [=](std::size_t i) { return smooth(-0.9F, 0.9F, 1.5F * hollow[i] + 0.9F * p[i] + lushness); });
-    mix_in(r, lab(palette.heath), [=](std::size_t i) { return heath * smooth(0.25F, 0.7F, 0.3F * g[i] - p[i]); });
-    const auto steep = [=](std::size_t i, float wander) { return s[i] + wander * (0.5F * p[i] + 0.35F * g[i]); };
-    mix_in(r, lab(palette.soil), [=](std::size_t i) { return smooth(soil, soil + 0.24F, steep(i, 0.16F)); });
-    mix_in(r, lab(palette.scree), [=](std::size_t i) { return smooth(scree, scree + 0.22F, steep(i, 0.12F)); });
+    // Crests are bare before slopes are.
+    const auto steep = [=](std::size_t i, float wander) {
+        return s[i] + wander * (0.5F * p[i] + 0.35F * g[i]) - 0.10F * std::min(hollow[i], 0.0F);
+    };
+    mix_in(r, material(palette.soil, 0.7F, 0.1F),
+           [=](std::size_t i) { return smooth(soil, soil + 0.24F, steep(i, 0.16F)); });
+    mix_in(r, material(palette.scree, 0.2F, 0.7F),
+           [=](std::size_t i) { return smooth(scree, scree + 0.22F, steep(i, 0.12F)); });
     const auto strata = [=](std::size_t i) { return 0.5F + contrast * wave(beds_per_m * h[i] + p[i] + 0.25F * g[i]); };
     const auto rock = [=](std::size_t i) { return smooth(stone, stone + 0.31F, steep(i, 0.10F)); };
-    mix_in(r, lab(palette.rock_dark), rock);
-    mix_in(r, lab(palette.rock_light), [=](std::size_t i) { return rock(i) * strata(i); });
-    mix_in(r, lab(palette.sand), [=](std::size_t i) {
-        const float top_m = beach_top_m * (1.0F + 0.7F * p[i]);
+    mix_in(r, material(palette.rock_dark, 0, 1), rock);
+    mix_in(r, material(palette.rock_light, 0, 1), [=](std::size_t i) { return rock(i) * strata(i); });
+}
+
+// What lies on it: sand and mud by the water, a road's gravel, snow.
+void paint_cover(Row& r, const Palette& palette, const GroundLook& look) {
+    const float* h = r.height_m.data();
+    const float* shore = r.shore_m.data();
+    const float* s = r.slope.data();
+    const float* p = r.patch.data();
+    const float* g = r.grain.data();
+    const float* moist = r.moisture.data();
+    const float* shade = r.shade.data();
+    const float* hollow = r.hollow.data();
+    const float beach_top_m = look.beach_top_m;
+    const float snow_line_m = look.snow_line_m;
+    const float broken = look.p.ground_snow_patchiness;
+    const float aspect_m = 26.0F * look.p.ground_snow_aspect;
+    const float mud = 0.7F * unit(look.p.marsh_share) + 0.25F;
+    const glm::vec3 earth = scene::shifted_colour(palette.soil, 0.72F, 0.8F);
+    mix_in(r, material(earth, 0.25F, 0), [=](std::size_t i) {
+        return mud * smooth(0.75F, 1.0F, moist[i] + 0.15F * p[i]) * (1.0F - smooth(0.12F, 0.3F, s[i]));
+    });
+    mix_in(r, material(palette.sand, 0.25F, 0), [=](std::size_t i) {
+        const float top_m = beach_top_m * (1.0F + 0.7F * p[i] + 0.15F * g[i]);
         return (1.0F - smooth(0.0F, 0.9F * beach_top_m, shore[i] - top_m)) * (1.0F - smooth(0.5F, 0.8F, s[i]));
     });
-    mix_in(r, lab(palette.snow), [=](std::size_t i) {
-        return smooth(-10.0F, 16.0F, h[i] - snow_line_m + broken * (7.0F * p[i] + 5.0F * g[i])) *
+    const float* road = r.road_m.data();
+    const glm::vec3 gravel = scene::mix_colours(palette.sand, palette.scree, 0.5F);
+    mix_in(r, material(gravel, 0.3F, 0.35F),
+           [=](std::size_t i) { return 0.9F - 0.9F * smooth(-0.5F, 0.9F, road[i] + 0.45F * g[i]); });
+    mix_in(r, material(palette.snow, 0.12F, 0), [=](std::size_t i) {
+        const float line_m = snow_line_m - aspect_m * std::min(std::max(shade[i], -0.6F), 0.6F) - 5.0F * hollow[i];
+        return smooth(-10.0F, 16.0F, h[i] - line_m + broken * (7.0F * p[i] + 5.0F * g[i])) *
                (1.0F - smooth(0.75F, 1.1F, s[i]));
     });
-    for (std::size_t i = 0; i < r.l.size(); ++i) r.l[i] *= 1.0F + grain * g[i];
+}
+
+void paint(Row& r, const Palette& palette, const GroundLook& look) {
+    paint_growth(r, palette, look);
+    paint_stone(r, palette, look);
+    paint_cover(r, palette, look);
+    const float grain = 0.035F * look.p.ground_grain;
+    const float wet_top_m = look.p.ground_wet_shore_m;
+    for (std::size_t i = 0; i < r.l.size(); ++i) {
+        // Wet ground is darker and of a deeper colour.
+        const float wet = 1.0F - smooth(0.15F * wet_top_m, wet_top_m, r.shore_m[i] + 0.1F * wet_top_m * r.grain[i]);
+        r.l[i] *= (1.0F + grain * r.grain[i]) * (1.0F - 0.20F * wet);
+        r.a[i] *= 1.0F + 0.10F * wet;
+        r.b[i] *= 1.0F + 0.10F * wet;
+        r.soft[i] *= 1.0F - 0.5F * wet;
+    }
 }
 
 // scene::linear_from_oklab and scene::srgb_byte for a whole row: arithmetic first, then the table.
@@ -145,9 +221,12 @@ void write_row(Row& r, std::uint8_t* pixel) {
 struct Relief {
     mesh::Field slope;
     mesh::Field hollow;
+    mesh::Field shade;
 
     Relief(const mesh::Field& height_m, float cell_m)
-        : slope(height_m.columns, height_m.rows), hollow(height_m.columns, height_m.rows) {
+        : slope(height_m.columns, height_m.rows),
+          hollow(height_m.columns, height_m.rows),
+          shade(height_m.columns, height_m.rows) {
         const int last = height_m.columns - 1;
         const int reach = std::max(1, static_cast<int>(18.0F / cell_m + 0.5F));
         oneapi::tbb::parallel_for(0, height_m.rows, [&](int row) {
@@ -158,6 +237,7 @@ struct Relief {
                 const float dx = at(column + 1, row) - at(column - 1, row);
                 const float dz = at(column, row + 1) - at(column, row - 1);
                 slope.at(column, row) = std::sqrt(dx * dx + dz * dz) / (2.0F * cell_m);
+                shade.at(column, row) = dz / (2.0F * cell_m);
                 const float around = 0.25F * (at(column - reach, row) + at(column + reach, row) +
                                               at(column, row - reach) + at(column, row + reach));
                 hollow.at(column, row) = std::min(std::max((around - at(column, row)) / 3.5F, -1.0F), 1.0F);
@@ -198,28 +278,64 @@ void interpolate(const mesh::Field& field, float row_at, float per_px, std::span
 
 }  // namespace
 
-mesh::Image ground_albedo(const mesh::Field& height_m, const mesh::Field& over_water_m, float cell_m,
-                          const Palette& palette, const scene::LandParameters& parameters, base::Seed seed,
-                          int side_px) {
-    mesh::Image image(side_px, side_px, 4);
+mesh::Field moisture_of(const mesh::Field& height_m, const std::vector<float>& drained_area_m2, float cell_m) {
+    mesh::Field moisture(height_m.columns, height_m.rows);
+    const int last = height_m.columns - 1;
+    oneapi::tbb::parallel_for(0, height_m.rows, [&](int row) {
+        for (int column = 0; column <= last; ++column) {
+            const auto at = [&](int c, int r) {
+                return height_m.at(std::clamp(c, 0, last), std::clamp(r, 0, height_m.rows - 1));
+            };
+            const float dx = at(column + 1, row) - at(column - 1, row);
+            const float dz = at(column, row + 1) - at(column, row - 1);
+            const float slope = std::sqrt(dx * dx + dz * dz) / (2.0F * cell_m);
+            const float gathered = drained_area_m2[height_m.index(column, row)] / (cell_m * (slope + 0.02F));
+            moisture.at(column, row) = std::clamp((std::log2(gathered) - 4.0F) / 9.0F, 0.0F, 1.0F);
+        }
+    });
+    smooth(moisture, 2);
+    smooth(moisture, 1);
+    return moisture;
+}
+
+Ground lay_ground(const GroundFacts& facts, const Palette& palette, const scene::LandParameters& parameters,
+                  base::Seed seed, int side_px) {
+    const mesh::Field& height_m = facts.height_m;
+    Ground ground{mesh::Image(side_px, side_px, 4), mesh::Image(height_m.columns, height_m.rows, 2)};
     const noise::Key patches(seed.child("patches"));
     const mesh::Field grain = grain_tile(seed);
-    const Relief relief(height_m, cell_m);
+    const Relief relief(height_m, facts.cell_m);
     const float per_px = static_cast<float>(height_m.columns - 1) / static_cast<float>(side_px);
     const GroundLook look(parameters);
-    const float patches_per_px = per_px * cell_m / parameters.ground_patch_m;
+    const float patches_per_px = per_px * facts.cell_m / parameters.ground_patch_m;
     const auto width = static_cast<std::size_t>(side_px);
     std::vector<float> us(width);
     for (std::size_t i = 0; i < width; ++i) us[i] = static_cast<float>(i) * patches_per_px;
+    // Each row of samples takes the grain of the row of pixels that begins at it.
+    const auto row_of = [&](int y) { return static_cast<int>(std::ceil(static_cast<float>(y) * per_px)); };
+    const auto keep_kinds = [&](const Row& r, int y) {
+        const int end = y + 1 == side_px ? height_m.rows : std::min(row_of(y + 1), height_m.rows);
+        for (int row = row_of(y); row < end; ++row) {
+            for (int column = 0; column < height_m.columns; ++column) {
+                const auto x = std::min(static_cast<std::size_t>(static_cast<float>(column) / per_px), width - 1);
+                ground.kinds.pixel(column, row)[0] = static_cast<std::uint8_t>(255.0F * unit(r.soft[x]) + 0.5F);
+                ground.kinds.pixel(column, row)[1] = static_cast<std::uint8_t>(255.0F * unit(r.hard[x]) + 0.5F);
+            }
+        }
+    };
     oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, side_px, 32), [&](const auto& rows) {
         Row r(width);
+        std::fill(r.road_m.begin(), r.road_m.end(), scene::kFarFromRoads_m);
         std::vector<float> vs(width);
         for (int y = rows.begin(); y != rows.end(); ++y) {
             const float row_at = (static_cast<float>(y) + 0.5F) * per_px;
             interpolate(height_m, row_at, per_px, r.height_m);
-            interpolate(over_water_m, row_at, per_px, r.shore_m);
+            interpolate(facts.over_water_m, row_at, per_px, r.shore_m);
             interpolate(relief.slope, row_at, per_px, r.slope);
             interpolate(relief.hollow, row_at, per_px, r.hollow);
+            interpolate(relief.shade, row_at, per_px, r.shade);
+            interpolate(facts.moisture, row_at, per_px, r.moisture);
+            if (!facts.to_road_m.samples.empty()) interpolate(facts.to_road_m, row_at, per_px, r.road_m);
             std::fill(vs.begin(), vs.end(), static_cast<float>(y) * patches_per_px);
             noise::fbm(patches, us, vs, r.patch, {.count = 3, .gain = 0.45F});
             for (std::size_t i = 0; i < width; ++i) {
@@ -227,34 +343,11 @@ mesh::Image ground_albedo(const mesh::Field& height_m, const mesh::Field& over_w
                 r.grain[i] = grain.at(static_cast<int>(i % kGrainSide), y % kGrainSide);
             }
             paint(r, palette, look);
-            write_row(r, image.pixel(0, y));
+            keep_kinds(r, y);
+            write_row(r, ground.albedo.pixel(0, y));
         }
     });
-    return image;
-}
-
-mesh::Image ground_detail(base::Seed seed, int side_px, float contrast) {
-    mesh::Image image(side_px, side_px, 1);
-    const noise::Key blades(seed.child("detail"));
-    const noise::Key tufts(seed.child("tufts"));
-    const auto width = static_cast<std::size_t>(side_px);
-    std::vector<float> coarse_at(width);
-    std::vector<float> fine_at(width);
-    for (std::size_t i = 0; i < width; ++i) {
-        coarse_at[i] = 6.0F * static_cast<float>(i) / static_cast<float>(side_px);
-        fine_at[i] = 4.0F * coarse_at[i];
-    }
-    std::vector<float> coarse(width);
-    std::vector<float> fine(width);
-    for (int y = 0; y < side_px; ++y) {
-        noise::fbm_tiled(tufts, coarse_at, std::vector<float>(width, coarse_at[y]), coarse, 6,
-                         {.count = 3, .gain = 0.6F});
-        noise::fbm_tiled(blades, fine_at, std::vector<float>(width, fine_at[y]), fine, 24, {.count = 2, .gain = 0.7F});
-        for (int x = 0; x < side_px; ++x)
-            image.pixel(x, y)[0] = static_cast<std::uint8_t>(
-                std::clamp(128.0F + contrast * (70.0F * coarse[x] + 49.0F * fine[x]), 0.0F, 255.0F));
-    }
-    return image;
+    return ground;
 }
 
 }  // namespace quadrat::synthesis::land

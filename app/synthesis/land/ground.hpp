@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "base/seed.hpp"
 #include "mesh/field.hpp"
@@ -21,12 +22,37 @@ struct Palette {
 // Between two of the hand-chosen countries, by seed; rugged land leans toward stone.
 Palette choose_palette(const scene::LandParameters& parameters, base::Seed seed);
 
-// The ground's colour over the land's square, alpha: wetness. over_water_m: height over the nearest water's surface.
-mesh::Image ground_albedo(const mesh::Field& height_m, const mesh::Field& over_water_m, float cell_m,
-                          const Palette& palette, const scene::LandParameters& parameters, base::Seed seed,
-                          int side_px);
+// What the look of the ground hangs on besides its shape; fields of the land's samples.
+struct GroundFacts {
+    const mesh::Field& height_m;
+    const mesh::Field& over_water_m;  // height over the nearest water's surface
+    const mesh::Field& moisture;      // 0 dry to 1 where water gathers
+    const mesh::Field& to_road_m;     // to the edge of the nearest road; empty: none
+    float cell_m;
+};
 
-// The ground's grain: one channel, tileable, mean 128.
-mesh::Image ground_detail(base::Seed seed, int side_px, float contrast);
+struct Ground {
+    mesh::Image albedo;  // scene::Land::albedo
+    mesh::Image kinds;   // scene::Land::kinds
+};
+
+// How rock, scree, soil, grass, heath, sand, snow and mud lie, by slope, height, curvature, moisture and aspect, and
+// what colour that gives.
+Ground lay_ground(const GroundFacts& facts, const Palette& palette, const scene::LandParameters& parameters,
+                  base::Seed seed, int side_px);
+
+// By how much water comes together here and how slowly it leaves (Beven & Kirkby 1979, ln a / tan b), 0 to 1.
+mesh::Field moisture_of(const mesh::Field& height_m, const std::vector<float>& drained_area_m2, float cell_m);
+
+// See scene::Land::detail and detail_slopes.
+struct GroundDetail {
+    mesh::Image grain;
+    mesh::Image slopes;
+};
+GroundDetail ground_detail(base::Seed seed, int side_px, float contrast, float bumps);
+
+// Colours of the country around, a pixel a sample, sRGB.
+mesh::Image surround_colours(const mesh::Field& surround_m, float cell_m, const Palette& palette,
+                             const scene::LandParameters& parameters, base::Seed seed);
 
 }  // namespace quadrat::synthesis::land

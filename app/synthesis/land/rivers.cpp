@@ -65,6 +65,21 @@ Channel channel_of(float area_m2, const FreshWaterOptions& options) {
             options.depth * (0.25F + 0.22F * std::pow(hectares, 0.4F))};
 }
 
+constexpr float kSteepReach = 0.24F;  // fall over run from which on a river leaps
+
+// Of the way down from here over some cells.
+float steepness(const mesh::Field& ground_m, const Drainage& d, std::int32_t cell, float cell_m) {
+    std::int32_t at = cell;
+    float run_m = 0;
+    for (int i = 0; i < 5; ++i) {
+        const std::int32_t to = d.receiver[at];
+        const bool is_straight = to % ground_m.columns == at % ground_m.columns || std::abs(to - at) == 1;
+        run_m += to == at ? 0.0F : cell_m * (is_straight ? 1.0F : 1.41421356F);
+        at = to;
+    }
+    return run_m > 0 ? (ground_m.samples[cell] - ground_m.samples[at]) / run_m : 0.0F;
+}
+
 // Beds from the mouth upward: each no lower than the one it runs to.
 void carve_rivers(mesh::Field& h, const Drainage& d, const std::vector<float>& area_m2, float cell_m,
                   const FreshWaterOptions& options, mesh::Field& surface) {
@@ -77,7 +92,12 @@ void carve_rivers(mesh::Field& h, const Drainage& d, const std::vector<float>& a
         const Channel channel = channel_of(area_m2[cell], options);
         const float below =
             bed_m[to] > kNoWater ? bed_m[to] : std::min(before.samples[to], before.samples[cell] - channel.depth_m);
-        bed_m[cell] = std::max(below, before.samples[cell] - channel.depth_m);
+        const float natural_m = before.samples[cell] - channel.depth_m;
+        // Steep reaches run from pool to pool and fall between them: the bed stays level until it lies as deep in the
+        // ground as a fall is high.
+        const bool is_pool =
+            natural_m > below && natural_m - below < options.fall_m && steepness(before, d, cell, cell_m) > kSteepReach;
+        bed_m[cell] = is_pool ? below : std::max(below, natural_m);
         float& water_m = surface.samples[cell];
         water_m = std::max(bed_m[cell] + 0.65F * channel.depth_m, options.sea_m);
         water_m = std::max(water_m, surface.samples[to]);  // it never rises downstream
@@ -106,6 +126,22 @@ void carve_rivers(mesh::Field& h, const Drainage& d, const std::vector<float>& a
     }
 }
 
+// How fast the water runs: by its fall; below a fall it is still white.
+mesh::Field speeds_m_s(const Drainage& d, const mesh::Field& level, float cell_m) {
+    constexpr float kFastest_m_s = 8;
+    mesh::Field speed(level.columns, level.rows, 0.05F);
+    for (std::size_t i = d.order.size(); i-- > 0;) {
+        const std::int32_t cell = d.order[i];
+        const std::int32_t to = d.receiver[cell];
+        if (level.samples[cell] <= kNoWater || level.samples[to] <= kNoWater) continue;
+        const float fall = (level.samples[cell] - level.samples[to]) / cell_m;
+        if (fall > 1.0e-4F)
+            speed.samples[cell] = std::max(speed.samples[cell], std::min(0.4F + 6.0F * fall, kFastest_m_s));
+        if (fall > 0.5F) speed.samples[to] = std::max(speed.samples[to], 0.8F * speed.samples[cell]);
+    }
+    return speed;
+}
+
 mesh::Mesh surface_mesh(const mesh::Field& h, const Drainage& d, float cell_m, const mesh::Field& surface) {
     mesh::Mesh mesh;
     // Beyond its edge the water goes on at the level of the nearest wet sample, into the bank.
@@ -121,6 +157,7 @@ mesh::Mesh surface_mesh(const mesh::Field& h, const Drainage& d, float cell_m, c
             if (lowest < 1.0e5F) level.at(x, y) = lowest;
         }
     }
+    const mesh::Field speed_m_s = speeds_m_s(d, level, cell_m);
     std::vector<std::uint32_t> vertex(h.samples.size(), 0);
     const float half = 0.5F * static_cast<float>(h.columns - 1);
     const auto vertex_at = [&](int x, int y) {
@@ -133,11 +170,7 @@ mesh::Mesh surface_mesh(const mesh::Field& h, const Drainage& d, float cell_m, c
         const std::int32_t to = d.receiver[cell];
         glm::vec2 way{static_cast<float>(to % h.columns - x), static_cast<float>(to / h.columns - y)};
         const float far = glm::length(way);
-        const bool is_running =
-            far > 0 && level.samples[cell] > level.samples[to] + 1.0e-4F && level.samples[to] > kNoWater;
-        const float fall = is_running ? (level.samples[cell] - level.samples[to]) / (far * cell_m) : 0.0F;
-        mesh.texcoords.push_back(far > 0 ? way / far * (is_running ? std::min(0.4F + 6.0F * fall, 3.0F) : 0.05F)
-                                         : glm::vec2{0});
+        mesh.texcoords.push_back(far > 0 ? way / far * speed_m_s.samples[cell] : glm::vec2{0});
         number = static_cast<std::uint32_t>(mesh.positions_m.size());
         return number - 1;
     };
@@ -161,12 +194,14 @@ mesh::Mesh surface_mesh(const mesh::Field& h, const Drainage& d, float cell_m, c
 FreshWater make_fresh_water(mesh::Field& height_m, float cell_m, const FreshWaterOptions& options) {
     FreshWater water{mesh::Field(height_m.columns, height_m.rows, kNoWater),
                      mesh::Grid<Wet>(height_m.columns, height_m.rows, Wet::No),
+                     {},
                      {}};
     Drainage d = drain(height_m, options.sea_m);
     settle_hollows(height_m, d, cell_m, options, water.surface_m);
     for (std::size_t i = 0; i < water.kind.samples.size(); ++i)
         if (water.surface_m.samples[i] > kNoWater) water.kind.samples[i] = Wet::Lake;
-    carve_rivers(height_m, d, drained_area_m2(d, cell_m), cell_m, options, water.surface_m);
+    water.drained_area_m2 = drained_area_m2(d, cell_m);
+    carve_rivers(height_m, d, water.drained_area_m2, cell_m, options, water.surface_m);
     for (std::size_t i = 0; i < water.kind.samples.size(); ++i)
         if (water.surface_m.samples[i] > kNoWater && water.kind.samples[i] == Wet::No)
             water.kind.samples[i] = Wet::River;

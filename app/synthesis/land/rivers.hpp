@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "mesh/field.hpp"
 #include "mesh/mesh.hpp"
@@ -14,6 +15,7 @@ struct FreshWaterOptions {
     float lake_area_m2 = 500;     // and so are smaller ones
     float width = 1;              // of rivers, to what their water asks for
     float depth = 1;
+    float fall_m = 4;  // height of a waterfall, where a bed drops steeply enough to have one
 };
 
 // Lakes and rivers. Surfaces never rise downstream, lakes are level, and every wet cell has a wet way down to the sea,
@@ -23,7 +25,8 @@ enum class Wet : std::uint8_t { No, Lake, River };
 struct FreshWater {
     mesh::Field surface_m;  // scene::kNoWater where there is none
     mesh::Grid<Wet> kind;
-    mesh::Mesh mesh;  // over the wet cells and one beyond
+    mesh::Mesh mesh;                     // over the wet cells and one beyond
+    std::vector<float> drained_area_m2;  // of the ground before rivers were carved
 };
 
 // Fills small hollows, carves beds and banks into the ground, and tells where water stands and runs.

@@ -10,6 +10,7 @@ namespace quadrat::synthesis::land {
 namespace {
 
 constexpr float kHalfSide_m = 512.0F;
+constexpr float kHighestRange = 0.16F;  // to its distance
 
 float smooth(float low, float high, float x) {
     const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
@@ -59,7 +60,9 @@ float Terrain::sea_level_m() const {
 // What closes the picture: rising beyond the land to where it is highest, then falling away.
 void Terrain::add_ranges(std::span<const float> xs_m, float z_m, std::span<float> out) const {
     const scene::LandParameters& p = parameters_;
-    const float height_m = p.range_height_m + p.range_relief * p.land_relief_m;
+    // As high as may be, but no wall: the range closes the view and leaves the sky its share.
+    const float height_m =
+        std::min(p.range_height_m + p.range_relief * p.land_relief_m, kHighestRange * p.range_distance_m);
     const noise::Octaves octaves{
         .count = 5, .gain = p.range_gain, .ridged = std::min(p.range_ridged + 0.5F * rugged_, 1.0F)};
     const float farthest_m = std::max(std::abs(xs_m.front()), std::abs(xs_m.back()));
@@ -153,7 +156,22 @@ void Terrain::above_lowest_m(std::span<const float> xs_m, float z_m, float cell_
         out[i] = form_relief_m_ * form + 1.25F * noise_relief_m_ * swing * out[i];
     }
     landforms_.shape_ground(xs_m, z_m, out);
+    lower_outskirts(xs_m, z_m, out);
     add_ranges(xs_m, z_m, out);
+}
+
+// Beyond the land's edge heights that would stand over the viewer like a wall are pressed down, softly.
+void Terrain::lower_outskirts(std::span<const float> xs_m, float z_m, std::span<float> out) const {
+    const float near_m = 0.42F * form_relief_m_ + 14.0F;  // about the height the viewer stands at
+    for (std::size_t i = 0; i < xs_m.size(); ++i) {
+        const float out_m = std::sqrt(xs_m[i] * xs_m[i] + z_m * z_m);
+        const float share = smooth(420.0F, 900.0F, out_m);
+        const float least_m = near_m + 0.035F * out_m;
+        if (share <= 0 || out[i] <= least_m) continue;
+        const float over_m = out[i] - least_m;
+        const float most_m = 0.075F * out_m;
+        out[i] -= share * (over_m - over_m * most_m / (over_m + most_m));
+    }
 }
 
 void Terrain::heights_m(std::span<const float> xs_m, float z_m, float cell_m, std::span<float> out) const {

@@ -37,7 +37,9 @@ bool are_same(const scene::Sky& a, const scene::Sky& b) {
 bool are_same(const scene::Land& a, const scene::Land& b) {
     return a.height_m == b.height_m && a.surround_m == b.surround_m && a.albedo == b.albedo && a.detail == b.detail &&
            a.water_m == b.water_m && a.fresh_water == b.fresh_water && a.shallow_colour == b.shallow_colour &&
-           a.deep_colour == b.deep_colour && a.detail_tile_m == b.detail_tile_m;
+           a.deep_colour == b.deep_colour && a.detail_tile_m == b.detail_tile_m && a.detail_slopes == b.detail_slopes &&
+           a.kinds == b.kinds && a.surround_albedo == b.surround_albedo && a.stone.mesh == b.stone.mesh &&
+           a.kept_clear_m == b.kept_clear_m;
 }
 
 bool are_same(const scene::Flora& a, const scene::Flora& b) {
@@ -152,9 +154,9 @@ TEST(Scene, FliesTheSameWayInPlanOverEveryLand) {
 genome::ParameterValues everything() {
     genome::ParameterValues values;
     using P = genome::ParameterId;
-    for (const P id :
-         {P::hill_hybrid, P::hill_hetero, P::hill_cells, P::terrace_share, P::mesa_share, P::dune_share, P::cone_share,
-          P::canyon_share, P::karst_share, P::island_share, P::marsh_share, P::cliff_share, P::hill_warp})
+    for (const P id : {P::hill_hybrid, P::hill_hetero, P::hill_cells, P::terrace_share, P::mesa_share, P::dune_share,
+                       P::cone_share, P::canyon_share, P::karst_share, P::island_share, P::marsh_share, P::cliff_share,
+                       P::hill_warp, P::road_share, P::site_share, P::arch_share})
         values.set(id, 0.3F);
     values.set(P::land_relief_m, 230);
     values.set(P::hill_stretch, 1.5F);

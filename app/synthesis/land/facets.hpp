@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <glm/vec3.hpp>
+
+#include "base/seed.hpp"
+#include "synthesis/land/stone.hpp"
+
+// What boulders, arches and caves are made with.
+namespace quadrat::synthesis::land {
+
+inline constexpr glm::vec2 kViewer_m{0, 300};  // where the camera's way lies, about
+
+float slope_at(const scene::Land& land, glm::vec2 at_m);  // rise over run
+
+// Rock in beds, as the ground paints it.
+class Strata {
+  public:
+    Strata(const Palette& palette, const scene::LandParameters& p)
+        : light_(palette.rock_light), dark_(palette.rock_dark), bed_m_(p.ground_strata_m), contrast_(p.ground_strata) {}
+
+    glm::vec3 at(float height_m, float wander) const;
+
+  private:
+    glm::vec3 light_, dark_;
+    float bed_m_;
+    float contrast_;
+};
+
+// A triangle with corners of its own, so that it is flat; none where it has no area.
+void add_facet(scene::Stone& stone, const std::array<glm::vec3, 3>& corners, const std::array<glm::vec3, 3>& colours);
+
+void add_boulder(Stones& stones, const Strata& strata, const glm::vec3& foot_m, float radius_m,
+                 base::RandomStream& random);
+
+// Arches by arch_share, and caves beside them.
+void add_arches(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, const Strata& strata,
+                base::Seed seed);
+
+}  // namespace quadrat::synthesis::land

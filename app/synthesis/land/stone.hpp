@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <vector>
+
+#include "base/seed.hpp"
+#include "mesh/field.hpp"
+#include "scene/land.hpp"
+#include "scene/parameters.hpp"
+#include "synthesis/land/ground.hpp"
+
+namespace quadrat::synthesis::land {
+
+// What stones need to know of the land they lie on; its roads and waters are made already.
+struct StoneGround {
+    const scene::Land& land;  // heights, waters, roads
+    const mesh::Field& over_water_m;
+    const Palette& palette;
+};
+
+// Where a stone stands, for what it keeps dark beneath it.
+struct Footprint {
+    glm::vec2 at_m{0};
+    float radius_m = 0;
+};
+
+struct Stones {
+    scene::Stone stone;
+    std::vector<Footprint> footprints;
+};
+
+// Boulders where the ground is steep and stony or falls to the shore; where the genes ask for them natural arches, feet
+// in the ground, on stony slopes and shores in the viewer's sight, and caves under rock that stands out of a steep
+// slope (the overhangs of Peytavie et al. 2009, as meshes of their own). No more than some thousand triangles.
+Stones make_stones(const StoneGround& ground, const scene::LandParameters& parameters, base::Seed seed);
+
+// Darkens the ground under and around stones.
+void shade_under(mesh::Image& albedo, float side_m, const std::vector<Footprint>& footprints);
+
+}  // namespace quadrat::synthesis::land

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "scene/colour.hpp"
+#include "synthesis/land/ground.hpp"
+#include "synthesis/noise/gradient.hpp"
+
+namespace quadrat::synthesis::land {
+namespace {
+
+float smooth(float low, float high, float x) {
+    const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
+    return t * t * (3.0F - 2.0F * t);
+}
+
+}  // namespace
+
+mesh::Image surround_colours(const mesh::Field& surround_m, float cell_m, const Palette& palette,
+                             const scene::LandParameters& p, base::Seed seed) {
+    mesh::Image image(surround_m.columns, surround_m.rows, 4);
+    const noise::Key woods(seed.child("woods"));
+    const noise::Key patches(seed.child("far patches"));
+    const auto lab = [](const glm::vec3& c) { return scene::oklab_from_linear(c); };
+    const glm::vec3 dry = lab(palette.dry);
+    const glm::vec3 lush = lab(palette.lush);
+    const glm::vec3 wood = lab(scene::shifted_colour(palette.lush, 0.74F, 0.85F));
+    const glm::vec3 scree = lab(palette.scree);
+    const glm::vec3 rock = lab(scene::mix_colours(palette.rock_dark, palette.rock_light, 0.35F));
+    const glm::vec3 snow = lab(palette.snow);
+    const float snow_line_m = p.land_relief_m < 140.0F ? 1.0e6F : 30.0F + p.ground_snow_line * 1.5F * p.land_relief_m;
+    const int last = surround_m.columns - 1;
+    const auto width = static_cast<std::size_t>(surround_m.columns);
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, surround_m.rows, 16), [&](const auto& rows) {
+        std::vector<float> us(width);
+        std::vector<float> vs(width);
+        std::vector<float> woody(width);
+        std::vector<float> patch(width);
+        for (int row = rows.begin(); row != rows.end(); ++row) {
+            for (std::size_t i = 0; i < width; ++i) us[i] = static_cast<float>(i) * cell_m / 520.0F;
+            std::fill(vs.begin(), vs.end(), static_cast<float>(row) * cell_m / 520.0F);
+            noise::fbm(woods, us, vs, woody, {.count = 3, .gain = 0.6F});
+            noise::fbm(patches, us, vs, patch, {.count = 2, .gain = 0.5F});
+            for (int column = 0; column <= last; ++column) {
+                const auto at = [&](int c, int r) {
+                    return surround_m.at(std::clamp(c, 0, last), std::clamp(r, 0, surround_m.rows - 1));
+                };
+                const float h = surround_m.at(column, row);
+                const float dx = at(column + 1, row) - at(column - 1, row);
+                const float dz = at(column, row + 1) - at(column, row - 1);
+                const float slope = std::sqrt(dx * dx + dz * dz) / (2.0F * cell_m);
+                const float around =
+                    0.25F * (at(column - 1, row) + at(column + 1, row) + at(column, row - 1) + at(column, row + 1));
+                const float hollow = std::clamp((around - h) / 14.0F, -1.0F, 1.0F);
+                const float n = patch[static_cast<std::size_t>(column)];
+                const float w = woody[static_cast<std::size_t>(column)];
+                const auto toward = [](glm::vec3& c, const glm::vec3& to, float t) { c += t * (to - c); };
+                glm::vec3 c = dry;
+                toward(c, lush, smooth(-0.8F, 0.8F, 0.9F * hollow + 1.4F * n + p.ground_lushness));
+                toward(c, wood,
+                       0.85F * smooth(-0.05F, 0.18F, w + 0.15F * hollow) * (1.0F - smooth(0.55F, 0.8F, slope)));
+                toward(c, scree, 0.8F * smooth(0.42F, 0.62F, slope + 0.15F * n));
+                toward(c, rock, smooth(0.58F, 0.85F, slope + 0.12F * n - 0.1F * hollow));
+                toward(c, snow,
+                       smooth(-15.0F, 25.0F, h - snow_line_m + 40.0F * n + 12.0F * hollow) *
+                           (1.0F - 0.9F * smooth(0.42F, 0.72F, slope + 0.1F * n)));
+                const glm::vec3 linear = scene::linear_from_oklab(c);
+                for (int k = 0; k < 3; ++k)
+                    image.pixel(column, row)[k] = scene::srgb_byte(std::clamp(linear[k], 0.0F, 1.0F));
+                image.pixel(column, row)[3] = 255;
+            }
+        }
+    });
+    return image;
+}
+
+}  // namespace quadrat::synthesis::land

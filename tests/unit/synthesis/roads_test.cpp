@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/land/roads.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "genome/recipe.hpp"
+#include "synthesis/grow.hpp"
+
+namespace {
+
+using namespace quadrat;
+using namespace quadrat::synthesis;
+
+scene::Land settled(std::uint64_t seed, float road_share, float site_share) {
+    const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
+    scene::SceneParameters p = scene::realise(recipe.values);
+    p.land.road_share = road_share;
+    p.land.site_share = site_share;
+    return grow_land(p.land, recipe.seeds[genome::Aspect::Land],
+                     {.land_samples = 257, .light_px = 64, .albedo_px = 64});
+}
+
+glm::vec2 plan(const glm::vec3& p) { return {p.x, p.z}; }
+
+TEST(Roads, KeepTheirGradeAndStayOnDryLandOrFords) {
+    int roads = 0;
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        const scene::Land land = settled(seed, 1, -1);
+        for (const scene::Road& road : land.roads) {
+            ++roads;
+            for (std::size_t i = 1; i < road.line_m.size(); ++i) {
+                const float run_m = glm::length(plan(road.line_m[i]) - plan(road.line_m[i - 1]));
+                EXPECT_LE(std::abs(road.line_m[i].y - road.line_m[i - 1].y), road.grade * run_m + 1e-3F) << seed;
+                EXPECT_LT(run_m, 6.5F);
+                EXPECT_LT(scene::water_depth_m(land, plan(road.line_m[i])), 1.3F) << seed;
+            }
+        }
+    }
+    EXPECT_GT(roads, 25);
+}
+
+// The ground itself, over ten metres: a wheel feels no more than the bound and what the land's samples round.
+TEST(Roads, AreAsLevelAsTheySay) {
+    int measured = 0;
+    int steep = 0;
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+        const scene::Land land = settled(seed, 1, -1);
+        for (const scene::Road& road : land.roads) {
+            for (std::size_t i = 4; i < road.line_m.size(); i += 4) {
+                const glm::vec2 a = plan(road.line_m[i - 4]);
+                const glm::vec2 b = plan(road.line_m[i]);
+                if (scene::water_depth_m(land, a) > 0 || scene::water_depth_m(land, b) > 0) continue;
+                const float rise_m = std::abs(scene::ground_height_m(land, b) - scene::ground_height_m(land, a));
+                ++measured;
+                steep += rise_m > road.grade * 12.0F + 0.35F;
+            }
+        }
+    }
+    EXPECT_GT(measured, 500);
+    EXPECT_LT(steep, measured / 50);
+}
+
+// A ridge right across the land, three times as steep as the road may be: it climbs aslant.
+TEST(Roads, BendWhereTheStraightWayIsTooSteep) {
+    mesh::Field ridge(257, 257);
+    for (int y = 0; y < 257; ++y)
+        for (int x = 0; x < 257; ++x) {
+            const float z = 4.0F * static_cast<float>(y - 108);
+            ridge.at(x, y) = 3 + 45 * std::exp(-z * z / (100.0F * 100.0F));
+        }
+    const mesh::Field before = ridge;
+    const mesh::Field dry(257, 257, scene::kNoWater);
+    const scene::Site beyond{{0, ridge.at(128, 64), -256}, 30};
+    const auto roads = land::make_roads(ridge, dry, 4, beyond, {.width_m = 4, .grade = 0.1F}, base::Seed{3});
+    ASSERT_EQ(roads.size(), 2U);
+    float climbing_m = 0;
+    float deepest_m = 0;
+    for (std::size_t i = 1; i < roads[0].line_m.size(); ++i) {
+        const glm::vec3& p = roads[0].line_m[i];
+        if (std::abs(p.z + 80) < 150) climbing_m += glm::length(p - roads[0].line_m[i - 1]);
+        deepest_m = std::max(deepest_m, std::abs(p.y - mesh::sample(before, p.x / 4 + 128, p.z / 4 + 128)));
+    }
+    EXPECT_GT(climbing_m, 1.5F * 300);
+    EXPECT_LT(deepest_m, 9);
+}
+
+TEST(Sites, AreLevelDryAndReached) {
+    int sites = 0;
+    int reached = 0;
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        const scene::Land land = settled(seed, -1, 1);
+        if (!land.site) continue;
+        ++sites;
+        const glm::vec2 middle = plan(land.site->middle_m);
+        for (float turn = 0; turn < 6.28F; turn += 0.3F) {
+            for (const float share : {0.2F, 0.5F, 0.8F}) {
+                const glm::vec2 at = middle + share * land.site->radius_m * glm::vec2{std::cos(turn), std::sin(turn)};
+                EXPECT_EQ(scene::water_depth_m(land, at), 0) << seed;
+                EXPECT_GT(scene::ground_height_m(land, at), 0.5F) << seed;
+                EXPECT_LT(std::abs(scene::ground_height_m(land, at) - land.site->middle_m.y),
+                          0.13F * land.site->radius_m)
+                    << seed;
+                EXPECT_LT(scene::to_road_m(land, at), 0.0F);
+            }
+        }
+        bool is_reached = false;
+        for (const scene::Road& road : land.roads)
+            is_reached = is_reached || glm::length(plan(road.line_m.front()) - middle) < land.site->radius_m + 6;
+        reached += is_reached;
+    }
+    EXPECT_GT(sites, 45);
+    EXPECT_GE(reached, sites - 1);
+}
+
+TEST(Stones, FaceOutwardAndKeepToTheLand) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
+        scene::SceneParameters p = scene::realise(recipe.values);
+        p.land.arch_share = 1;
+        const scene::Land land = grow_land(p.land, recipe.seeds[genome::Aspect::Land],
+                                           {.land_samples = 257, .light_px = 64, .albedo_px = 64});
+        const mesh::Mesh& mesh = land.stone.mesh;
+        ASSERT_EQ(mesh.positions_m.size(), land.stone.colours.size());
+        EXPECT_LT(mesh.triangle_count(), 12000U);
+        double volume_m3 = 0;
+        const glm::dvec3 middle{mesh.positions_m.empty() ? glm::vec3{0} : mesh.positions_m.front()};
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            const glm::dvec3 a = glm::dvec3{mesh.positions_m[mesh.indices[i]]} - middle;
+            const glm::dvec3 b = glm::dvec3{mesh.positions_m[mesh.indices[i + 1]]} - middle;
+            const glm::dvec3 c = glm::dvec3{mesh.positions_m[mesh.indices[i + 2]]} - middle;
+            volume_m3 += glm::dot(a, glm::cross(b, c)) / 6;
+            const glm::vec3 normal = mesh.normals[mesh.indices[i]];
+            EXPECT_GT(glm::dot(glm::dvec3{normal}, glm::cross(b - a, c - a)), 0);
+        }
+        EXPECT_TRUE(mesh.indices.empty() || volume_m3 > 0) << seed;
+        // Closed: along every edge two facets meet, one each way.
+        std::map<std::array<float, 6>, int> edges;
+        for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+            const glm::vec3& a = mesh.positions_m[mesh.indices[i]];
+            const glm::vec3& b = mesh.positions_m[mesh.indices[i % 3 == 2 ? i - 2 : i + 1]];
+            ++edges[{a.x, a.y, a.z, b.x, b.y, b.z}];
+            --edges[{b.x, b.y, b.z, a.x, a.y, a.z}];
+        }
+        for (const auto& [edge, surplus] : edges) ASSERT_EQ(surplus, 0) << seed << ' ' << edge[0] << ' ' << edge[1];
+        for (const glm::vec3& at : mesh.positions_m) EXPECT_LT(std::max(std::abs(at.x), std::abs(at.z)), 512) << seed;
+    }
+}
+
+}  // namespace
