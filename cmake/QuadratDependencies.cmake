@@ -24,6 +24,7 @@ quadrat_pkg(dep_toml tomlplusplus)
 # Not its CMake package, which on Debian insists on programs of another package.
 quadrat_pkg(dep_openimageio OpenImageIO)
 find_package(glm REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 set(QUADRAT_GPIOD_MAJOR 2)

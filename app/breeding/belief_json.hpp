@@ -4,21 +4,37 @@
 #include <string_view>
 #include <vector>
 
+#include "breeding/belief/belief_breeder.hpp"
 #include "breeding/pbil.hpp"
+#include "breeding/pbil_gaussian.hpp"
 #include "breeding/random_search.hpp"
 
 namespace quadrat::breeding {
 
-// {"round":3,"locked":["trees"],"probability":{"trees":[0.5,…],"land":[…],"sky":[…]}}; exact.
+// A belief as it is kept, exact:
+//   PBIL      {"round":3,"locked":["trees"],"probability":{"trees":[0.5,…],"land":[…],"sky":[…]}}
+//   Gaussian  {"round":3,"locked":[],"mean":{"trees":[0.5,…],…},"deviation":{"trees":0.2,…}}
+//   random    {"round":3,"locked":[]}
+//   belief    {"round":3,"locked":[],"aspects":{"trees":{"isotropic":{"mean":[…],"covariance":[…],"evidence":-2.1},
+//             "archetypes":{…},"winner":2,"shown":[[…],[…],[…],[…]],"inherited":"0123456789abcdef"},…}}
+//             the last three once something was picked
 std::string to_json(const PbilState& state);
-std::string to_json(const RandomState& state);  // the same without probability
+std::string to_json(const PbilGaussianState& state);
+std::string to_json(const RandomState& state);
+std::string to_json(const BeliefState& state);
 
-// Read for the genome that the state already has. Throw InputError naming source, the key, what is wrong and what would
-// be right; the state is then as before.
+// Read for the genome, word map and ranges that the state already has. Throw InputError naming source, the key, what is
+// wrong and what would be right; the state is then as before.
 void read_belief(std::string_view json, std::string_view source, PbilState& state);
+void read_belief(std::string_view json, std::string_view source, PbilGaussianState& state);
 void read_belief(std::string_view json, std::string_view source, RandomState& state);
+void read_belief(std::string_view json, std::string_view source, BeliefState& state);
 
-// {"trees":[0.5,…],"land":[…],"sky":[…]}
-std::string to_json(const genome::PerAspect<std::vector<double>>& probability);
+// What of a belief people and programs may read, an aspect: the probability of a 1, a bit; the mean, a parameter; for
+// the belief breeder mean and standard deviation, a word (from -1 to 1) or a classic parameter (in its unit).
+std::string state_json(const PbilState& state);
+std::string state_json(const PbilGaussianState& state);
+std::string state_json(const RandomState& state);
+std::string state_json(const BeliefState& state);
 
 }  // namespace quadrat::breeding

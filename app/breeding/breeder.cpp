@@ -3,15 +3,29 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <utility>
+
 #include "base/error.hpp"
 #include "breeding/belief_json.hpp"
 
 namespace quadrat::breeding {
 namespace {
 
+constexpr std::array<std::pair<std::string_view, BreederKind>, 4> kNames{{{"belief", BreederKind::Belief},
+                                                                          {"pbil", BreederKind::Pbil},
+                                                                          {"pbil-gaussian", BreederKind::PbilGaussian},
+                                                                          {"random", BreederKind::Random}}};
+
 PbilState learnt(const PbilState& state, const genome::Offer& offer, const genome::Pick& pick,
                  const BreederOptions& options, base::Seed seed) {
     return learn(state, offer, pick, options.pbil, seed);
+}
+
+template <typename State>
+State learnt(const State& state, const genome::Offer& offer, const genome::Pick& pick, const BreederOptions&,
+             base::Seed) {
+    return learn(state, offer, pick);
 }
 
 RandomState learnt(RandomState state, const genome::Offer&, const genome::Pick&, const BreederOptions&, base::Seed) {
@@ -19,23 +33,45 @@ RandomState learnt(RandomState state, const genome::Offer&, const genome::Pick&,
     return state;
 }
 
-genome::PerAspect<std::vector<double>> probability_of(const PbilState& state) { return state.probability; }
-
-genome::PerAspect<std::vector<double>> probability_of(const RandomState& state) {
-    return initial_pbil(state.genome).probability;
+// Breeders that only compare know of no wish beside what was named.
+template <typename State>
+genome::Candidate wish_of(const State&, const genome::Candidate& named_best) {
+    return named_best;
+}
+genome::Candidate wish_of(const BeliefState& state, const genome::Candidate& named_best) {
+    return wished(state, named_best);
+}
+genome::Candidate wish_of(const PbilGaussianState& state, const genome::Candidate& named_best) {
+    return wished(state, named_best);
 }
 
 }  // namespace
 
 Breeder::Breeder(const BreederOptions& options) : options_(options) {
-    if (options.kind == BreederKind::Pbil) {
-        belief_ = initial_pbil(options.genome);
-    } else {
-        belief_ = RandomState{options.genome, {}, 1};
+    switch (options.kind) {
+        case BreederKind::Belief: {
+            BeliefState belief = initial_belief(options.genome, options.map);
+            belief.ranges = options.ranges;
+            belief_ = std::move(belief);
+            break;
+        }
+        case BreederKind::Pbil:
+            belief_ = initial_pbil(options.genome);
+            break;
+        case BreederKind::PbilGaussian:
+            belief_ = initial_pbil_gaussian(options.genome);
+            break;
+        case BreederKind::Random:
+            belief_ = RandomState{options.genome, {}, 1};
+            break;
     }
 }
 
-std::string_view Breeder::name() const { return options_.kind == BreederKind::Pbil ? "pbil" : "random"; }
+std::string_view Breeder::name() const {
+    for (const auto& [name, kind] : kNames)
+        if (kind == options_.kind) return name;
+    return {};
+}
 
 int Breeder::round() const {
     return std::visit([](const auto& belief) { return belief.round; }, belief_);
@@ -57,8 +93,16 @@ Lock Breeder::lock(genome::Aspect aspect) const {
     return std::visit([&](const auto& belief) { return belief.locked[aspect] ? Lock::Locked : Lock::Open; }, belief_);
 }
 
-genome::PerAspect<std::vector<double>> Breeder::probability() const {
-    return std::visit([](const auto& belief) { return probability_of(belief); }, belief_);
+genome::Candidate Breeder::wished(const genome::Candidate& named_best) const {
+    return std::visit([&](const auto& belief) { return wish_of(belief, named_best); }, belief_);
+}
+
+void Breeder::set_range(genome::WordId word, WordRange range) {
+    if (auto* belief = std::get_if<BeliefState>(&belief_)) belief->ranges[static_cast<std::size_t>(word)] = range;
+}
+
+std::string Breeder::state_json() const {
+    return std::visit([](const auto& belief) { return breeding::state_json(belief); }, belief_);
 }
 
 std::string Breeder::belief_json() const {
@@ -70,9 +114,12 @@ void Breeder::believe(std::string_view belief_json, std::string_view source) {
 }
 
 BreederKind breeder_named(std::string_view name) {
-    if (name == "pbil") return BreederKind::Pbil;
-    if (name == "random") return BreederKind::Random;
-    throw base::InputError(fmt::format("there is no breeder \"{}\"; there are pbil and random", name));
+    std::string known;
+    for (const auto& [known_name, kind] : kNames) {
+        if (name == known_name) return kind;
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", known_name);
+    }
+    throw base::InputError(fmt::format("there is no breeder \"{}\"; there are {}", name, known));
 }
 
 }  // namespace quadrat::breeding

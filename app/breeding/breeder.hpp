@@ -6,20 +6,24 @@
 #include <vector>
 
 #include "base/seed.hpp"
+#include "breeding/belief/belief_breeder.hpp"
 #include "breeding/pbil.hpp"
+#include "breeding/pbil_gaussian.hpp"
 #include "breeding/random_search.hpp"
 #include "genome/offer.hpp"
 
 namespace quadrat::breeding {
 
-enum class BreederKind { Pbil, Random };
+enum class BreederKind { Belief, Pbil, PbilGaussian, Random };
 enum class Lock { Open, Locked };
 
 // How a breeder is chosen and tuned, before it has learnt anything.
 struct BreederOptions {
     BreederKind kind = BreederKind::Pbil;
-    genome::Genome genome = genome::Genome::Classic;
+    genome::Genome genome = genome::Genome::Classic;  // Full: in words, for the breeder that has them
     PbilOptions pbil;
+    WordMap map = default_word_map();
+    WordRanges ranges;  // what a curator allows; the belief breeder keeps to them
     friend bool operator==(const BreederOptions&, const BreederOptions&) = default;
 };
 
@@ -29,8 +33,9 @@ class Breeder {
   public:
     explicit Breeder(const BreederOptions& options);
 
-    std::string_view name() const;  // "pbil", "random"
+    std::string_view name() const;  // "belief", "pbil", "pbil-gaussian", "random"
     genome::Genome genome() const { return options_.genome; }
+    const WordMap& word_map() const { return options_.map; }
     int round() const;  // 1, 2, …: that of the offer propose gives
 
     // The four candidates of this round. Depends on the belief and the seed alone. Aspects are independent: what one
@@ -44,8 +49,15 @@ class Breeder {
     void set_lock(genome::Aspect aspect, Lock lock);
     Lock lock(genome::Aspect aspect) const;
 
-    // The probability of a 1, a bit; what the breeder draws from.
-    genome::PerAspect<std::vector<double>> probability() const;
+    // The landscape this visitor is believed to wish for; for breeders that only compare, what was named best.
+    genome::Candidate wished(const genome::Candidate& named_best) const;
+
+    // What a word may be from now on; the four on offer stay. Breeders without words take no notice.
+    void set_range(genome::WordId word, WordRange range);
+
+    // What is believed, for people and programs to read: {"trees":[0.5,…],…}, the probability of a 1, a bit; of the
+    // belief breeder {"trees":{"tall":{"mean":0.1,"deviation":0.4},…},…}.
+    std::string state_json() const;
 
     // The belief as it is kept on disk, exact: b.believe(b.belief_json()) changes nothing.
     std::string belief_json() const;
@@ -56,13 +68,13 @@ class Breeder {
     friend bool operator==(const Breeder&, const Breeder&) = default;
 
   private:
-    using Belief = std::variant<PbilState, RandomState>;
+    using Belief = std::variant<BeliefState, PbilState, PbilGaussianState, RandomState>;
 
     BreederOptions options_;
     Belief belief_;
 };
 
-// "pbil", "random". Throws InputError naming the known ones.
+// "belief", "pbil", "pbil-gaussian", "random". Throws InputError naming the known ones.
 BreederKind breeder_named(std::string_view name);
 
 }  // namespace quadrat::breeding

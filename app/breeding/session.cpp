@@ -12,6 +12,11 @@ genome::Candidate chosen(const genome::Offer& offer, const genome::Pick& pick, c
         const genome::Candidate& named = offer.candidates.at(*pick[aspect]);
         mixed.bits[aspect] = named.bits[aspect];
         mixed.seeds[aspect] = named.seeds[aspect];
+        if (named.words) {
+            if (!mixed.words) mixed.words.emplace();
+            for (const genome::Word& word : genome::vocabulary(aspect))
+                mixed.words->set(word.id, (*named.words)[word.id]);
+        }
         for (const genome::ParameterId id : parameters_of(aspect, genome::Genome::Full))
             mixed.values.set(id, named.values[id]);
     }

@@ -32,9 +32,9 @@ class Session {
     // is final and can begin to grow.
     genome::Offer preview(const genome::Pick& pick) const;
 
-    // What the visitor has bred so far: for each aspect the candidate that was last named best, the first of the four
-    // where none was.
-    const genome::Candidate& favourite() const { return now_.favourite; }
+    // What the visitor has bred so far: what the breeder believes they wish for, or, where it only compares, for each
+    // aspect the candidate that was last named best; the first of the four where none was.
+    genome::Candidate favourite() const { return now_.breeder.wished(now_.favourite); }
 
     bool can_undo() const { return !past_.empty(); }
 
@@ -42,8 +42,9 @@ class Session {
     // standing instruction and stay as they are. False when there is nothing to take back.
     bool undo();
 
-    // Holds from the next pick on; the four on offer stay.
+    // Both hold from the next pick on; the four on offer stay.
     void set_lock(genome::Aspect aspect, Lock lock);
+    void set_range(genome::WordId word, WordRange range) { now_.breeder.set_range(word, range); }
 
   private:
     struct Moment {

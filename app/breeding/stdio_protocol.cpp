@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "breeding/belief_json.hpp"
 #include "genome/json_text.hpp"
 #include "genome/pick_json.hpp"
+#include "genome/speech.hpp"
 #include "genome/values_json.hpp"
+#include "genome/words_json.hpp"
 
 namespace quadrat::breeding {
 namespace {
@@ -22,18 +23,49 @@ using nlohmann::json;
 // The source in the readers' messages; taken off again, since an error line has its number already.
 constexpr std::string_view kSource = "line";
 constexpr std::string_view kKnown =
-    R"({"pick":{…}}, {"undo":true}, {"lock":ASPECT}, {"unlock":ASPECT} or {"quit":true})";
+    R"({"pick":{…}}, {"undo":true}, {"lock":ASPECT}, {"unlock":ASPECT}, {"describe":{…}}, {"range":{…}}, )"
+    R"({"state":true} or {"quit":true})";
 
-std::string quoted(std::string_view text) { return json(text).dump(-1, ' ', false, json::error_handler_t::replace); }
+std::string in_quotes(std::string_view text) { return json(text).dump(-1, ' ', false, json::error_handler_t::replace); }
 
 std::string parameter_json(const genome::Parameter& p) {
-    return fmt::format(R"({{"name":{},"aspect":"{}","unit":{},"min":{},"max":{},"bits":{}}})", quoted(p.name),
-                       name_of(p.aspect), quoted(p.unit), genome::shortest(p.min), genome::shortest(p.max), p.bits);
+    return fmt::format(R"({{"name":{},"aspect":"{}","unit":{},"min":{},"max":{},"bits":{}}})", in_quotes(p.name),
+                       name_of(p.aspect), in_quotes(p.unit), genome::shortest(p.min), genome::shortest(p.max), p.bits);
 }
 
 std::string candidate_json(const genome::Candidate& candidate, genome::Genome genome) {
-    return fmt::format(R"({{"bits":{},"parameters":{},"words":{{}}}})", genome::bits_json(candidate.bits),
-                       values_json(candidate.values, genome));
+    std::string text = fmt::format(R"({{"bits":{},"parameters":{},"words":{})", genome::bits_json(candidate.bits),
+                                   values_json(candidate.values, genome),
+                                   candidate.words ? genome::words_json(*candidate.words) : "{}");
+    if (candidate.words)
+        text += fmt::format(R"(,"sentence":{})", in_quotes(genome::language("en").describe(*candidate.words)));
+    return text + "}";
+}
+
+// ,"words":[{"name":"wet","aspect":"land","low":"dry","high":"wet"},…]
+std::string vocabulary_json() {
+    std::vector<std::string> words;
+    for (const genome::Word& word : genome::vocabulary())
+        words.push_back(fmt::format(R"({{"name":"{}","aspect":"{}","low":"{}","high":"{}"}})", word.name,
+                                    name_of(word.aspect), word.low, word.high));
+    return fmt::format(R"(,"words":[{}])", fmt::join(words, ","));
+}
+
+// {"wet":[-0.5,1],…}
+std::vector<std::pair<genome::WordId, WordRange>> ranges_from(const json& value) {
+    if (!value.is_object()) throw InputError(fmt::format("{}: range should be an object of words", kSource));
+    std::vector<std::pair<genome::WordId, WordRange>> ranges;
+    for (const auto& [name, ends] : value.items()) {
+        const auto id = genome::word_named(name);
+        if (!id)
+            throw InputError(fmt::format("{}: range names {}, which is no word", kSource, genome::brief(json(name))));
+        const bool is_pair = ends.is_array() && ends.size() == 2 && ends[0].is_number() && ends[1].is_number();
+        if (!is_pair || ends[0].get<double>() < -1 || ends[1].get<double>() > 1 || ends[0] > ends[1])
+            throw InputError(fmt::format("{}: range.{} is {}; it should be [LOW,HIGH], from -1 to 1", kSource, name,
+                                         genome::brief(ends)));
+        ranges.emplace_back(*id, WordRange{ends[0].get<float>(), ends[1].get<float>()});
+    }
+    return ranges;
 }
 
 void require_true(const json& value, std::string_view key) {
@@ -84,10 +116,12 @@ std::string StdioProtocol::hello() const {
     for (const genome::Aspect aspect : genome::kAspects)
         for (const genome::ParameterId id : parameters_of(aspect, genome))
             parameters.push_back(parameter_json(genome::parameter(id)));
+    std::string words;
+    if (session_.offer().candidates.front().words) words = vocabulary_json();
     return fmt::format(
-        R"({{"type":"hello","genome":"{}","breeder":"{}","seed":{},"aspects":["trees","land","sky"],"parameters":[{}]}})",
-        genome == genome::Genome::Classic ? "classic" : "full", session_.breeder().name(), session_.seed().value,
-        fmt::join(parameters, ","));
+        R"({{"type":"hello","genome":"{}","breeder":"{}","seed":{},"aspects":["trees","land","sky"],"parameters":[{}]{}}})",
+        genome == genome::Genome::Classic ? "classic" : "words", session_.breeder().name(), session_.seed().value,
+        fmt::join(parameters, ","), words);
 }
 
 std::string StdioProtocol::offer() const {
@@ -96,17 +130,26 @@ std::string StdioProtocol::offer() const {
     for (const genome::Candidate& candidate : offer.candidates)
         candidates.push_back(candidate_json(candidate, session_.breeder().genome()));
     return fmt::format(R"({{"type":"offer","round":{},"candidates":[{}],"state":{}}})", offer.round,
-                       fmt::join(candidates, ","), to_json(session_.breeder().probability()));
+                       fmt::join(candidates, ","), session_.breeder().state_json());
 }
 
 std::optional<std::string> StdioProtocol::answer(std::string_view line) {
     ++lines_;
     try {
-        if (obey(line) == Next::Quit) return std::nullopt;
-        return offer();
+        switch (obey(line)) {
+            case Next::Offer:
+                return offer();
+            case Next::State:
+                return fmt::format(R"({{"type":"state","state":{}}})", session_.breeder().state_json());
+            case Next::Scene:
+                return scene(genome::partial_words_from(request_from(line).front(), kSource, "describe"));
+            case Next::Quit:
+                break;
+        }
+        return std::nullopt;
     } catch (const InputError& error) {
         return fmt::format(R"({{"type":"error","line":{},"message":{}}})", lines_,
-                           quoted(without_source(error.what())));
+                           in_quotes(without_source(error.what())));
     }
 }
 
@@ -121,6 +164,13 @@ StdioProtocol::Next StdioProtocol::obey(std::string_view line) {
         undo();
     } else if (key == "lock" || key == "unlock") {
         session_.set_lock(aspect_from(value, key), key == "lock" ? Lock::Locked : Lock::Open);
+    } else if (key == "describe") {
+        return Next::Scene;
+    } else if (key == "range") {
+        for (const auto& [word, range] : ranges_from(value)) session_.set_range(word, range);
+    } else if (key == "state") {
+        require_true(value, key);
+        return Next::State;
     } else if (key == "quit") {
         require_true(value, key);
         return Next::Quit;
@@ -128,7 +178,15 @@ StdioProtocol::Next StdioProtocol::obey(std::string_view line) {
         throw InputError(
             fmt::format("{}: the key {} is not known; write {}", kSource, genome::brief(json(key)), kKnown));
     }
-    return Next::Continue;
+    return Next::Offer;
+}
+
+std::string StdioProtocol::scene(const genome::PartialDescription& words) const {
+    const WordMap& map = session_.breeder().word_map();
+    const genome::Description description = map.completed(words);
+    return fmt::format(R"({{"type":"scene","words":{},"sentence":{},"parameters":{}}})",
+                       genome::words_json(description), in_quotes(genome::language("en").describe(description)),
+                       values_json(map(description), genome::Genome::Full));
 }
 
 void StdioProtocol::undo() {

@@ -14,6 +14,9 @@ namespace quadrat::breeding {
 // line ends in either. The program prints hello() and offer() unprompted, then answer() of every line it reads.
 //   {"pick":{"trees":2,"land":0,"sky":3}}   any aspect may be missing: it was not judged; {} judges nothing
 //   {"undo":true}   {"lock":"trees"}   {"unlock":"trees"}   {"quit":true}
+//   {"describe":{"wet":0.5}}            the word map's scene; words left out are free
+//   {"range":{"wet":[-0.5,1]}}          what a curator allows from the next round on; equal ends lock the word there
+//   {"state":true}                      the belief alone
 // Same options, seed and lines: same bytes out, on every machine.
 class StdioProtocol {
   public:
@@ -24,16 +27,17 @@ class StdioProtocol {
     std::string hello() const;
     std::string offer() const;
 
-    // The current offer, or {"type":"error","line":N,"message":"…"} for whatever is not one of the lines above; the
-    // session then goes on as it was. N counts the lines given to answer, from 1. A blank line is an error too: every
-    // line in gives exactly one line out. Nothing, after {"quit":true} alone.
+    // The current offer, a scene, the state, or {"type":"error","line":N,"message":"…"} for whatever is not one of the
+    // lines above; the session then goes on as it was. N counts the lines given to answer, from 1. A blank line is an
+    // error too: every line in gives exactly one line out. Nothing, after {"quit":true} alone.
     std::optional<std::string> answer(std::string_view line);
 
   private:
-    enum class Next { Continue, Quit };
+    enum class Next { Offer, State, Scene, Quit };
 
     Next obey(std::string_view line);
     void undo();
+    std::string scene(const genome::PartialDescription& words) const;
 
     Session session_;
     std::size_t lines_ = 0;

@@ -8,6 +8,7 @@
 #include "genome/aspect.hpp"
 #include "genome/bit_genome.hpp"
 #include "genome/parameter_table.hpp"
+#include "genome/words.hpp"
 
 namespace quadrat::genome {
 
@@ -19,6 +20,7 @@ struct Candidate {
     BitGenome bits;  // empty in genomes that are not bred as bits
     ParameterValues values;
     PerAspect<base::Seed> seeds;
+    std::optional<Description> words;  // nothing in genomes that are not bred in words
     friend bool operator==(const Candidate&, const Candidate&) = default;
 };
 

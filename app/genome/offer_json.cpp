@@ -9,6 +9,7 @@
 #include "genome/json_text.hpp"
 #include "genome/pick_json.hpp"
 #include "genome/values_json.hpp"
+#include "genome/words_json.hpp"
 
 namespace quadrat::genome {
 namespace {
@@ -29,11 +30,25 @@ BitGenome bits_from(const json& value, std::string_view source, std::string_view
     return genome;
 }
 
+// Every word, or no description at all.
+std::optional<Description> words_from(const json& candidate, std::string_view source, const std::string& place) {
+    if (!candidate.contains("words")) return std::nullopt;
+    const PartialDescription read = partial_words_from(candidate["words"], source, place);
+    Description words;
+    for (const Word& word : vocabulary()) {
+        const auto value = read[static_cast<std::size_t>(word.id)];
+        if (!value) throw base::InputError(fmt::format("{}: {} lacks the word {}", source, place, word.name));
+        words.set(word.id, *value);
+    }
+    return words;
+}
+
 Candidate candidate_from(const json& value, std::string_view source, const std::string& place) {
-    require_object(value, {"bits", "seeds", "parameters"}, source, place);
+    require_object(value, {"bits", "seeds", "parameters", "words"}, source, place);
     return {bits_from(member(value, "bits", source), source, place + ".bits"),
             values_from(member(value, "parameters", source), source, place + ".parameters"),
-            seeds_from(member(value, "seeds", source), source, place + ".seeds")};
+            seeds_from(member(value, "seeds", source), source, place + ".seeds"),
+            words_from(value, source, place + ".words")};
 }
 
 }  // namespace
@@ -47,8 +62,10 @@ std::string to_json(const Offer& offer) {
     std::string text = fmt::format(R"({{"round":{},"candidates":[)", offer.round);
     for (std::size_t c = 0; c < kCandidates; ++c) {
         const Candidate& candidate = offer.candidates[c];
-        text += fmt::format(R"({}{{"bits":{},"seeds":{},"parameters":{}}})", c == 0 ? "" : ",",
-                            bits_json(candidate.bits), seeds_json(candidate.seeds), values_json(candidate.values));
+        text += fmt::format(R"({}{{"bits":{},"seeds":{},"parameters":{})", c == 0 ? "" : ",", bits_json(candidate.bits),
+                            seeds_json(candidate.seeds), values_json(candidate.values));
+        if (candidate.words) text += fmt::format(R"(,"words":{})", words_json(*candidate.words));
+        text += "}";
     }
     return text + "]}";
 }

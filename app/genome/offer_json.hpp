@@ -9,6 +9,7 @@ namespace quadrat::genome {
 
 // Offers and picks as they are kept on disk, exact: offer_from_json(to_json(o)) == o.
 //   {"round":3,"candidates":[{"bits":{"trees":"0101…",…},"seeds":{…},"parameters":{…}}, … four]}
+// with "words":{…} beside the parameters where candidates are described in words.
 //   {"trees":2,"sky":0}       an aspect left out was not judged
 std::string to_json(const Offer& offer);
 std::string to_json(const Pick& pick);

@@ -27,12 +27,15 @@ inline constexpr std::size_t kParameterCount = static_cast<std::size_t>(Paramete
 // Which genomes hold a parameter. Classic ones are in every genome; Full ones keep their default in the classic one.
 enum class Genome { Classic, Full };
 
+// The unit of a parameter whose values are kinds, not amounts: what lies between two of them is neither.
+inline constexpr std::string_view kChoice = "choice";
+
 // The one place where a parameter has its name, aspect, unit, range, default and bits.
 struct Parameter {
     ParameterId id;
     std::string_view name;  // "tree.branch_angle_deg"
     Aspect aspect;
-    std::string_view unit;  // "deg", "m", "ratio", or "" for a choice or a count
+    std::string_view unit;  // "deg", "m", "ratio", kChoice, or "" for a count
     float min;
     float max;
     float default_value;

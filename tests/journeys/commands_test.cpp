@@ -56,7 +56,7 @@ TEST(Breed, AnotherProgramCanPlayAndSameSeedAndPicksGiveTheSameBytes) {
     for (int i = 0; i < 40; ++i)
         picks += nlohmann::json{{"pick", {{"trees", i % 4}, {"sky", (i / 4) % 4}}}}.dump() + "\n";
     picks += "{\"undo\":true}\nnonsense\n{\"lock\":\"land\"}\n{\"quit\":true}\n";
-    const auto command = program({"breed", "--stdio", "--seed", "7"});
+    const auto command = program({"breed", "--stdio", "--genome", "classic", "--seed", "7"});
     const Ended first = run(command, folder, picks);
     ASSERT_EQ(first.status, 0) << first.err;
     const auto lines = lines_of(first.out);
@@ -70,6 +70,32 @@ TEST(Breed, AnotherProgramCanPlayAndSameSeedAndPicksGiveTheSameBytes) {
     EXPECT_EQ(nlohmann::json::parse(lines[43])["type"], "error");
     for (const double p : nlohmann::json::parse(lines[41])["state"]["land"]) EXPECT_EQ(p, 0.5);
     EXPECT_EQ(run(command, folder, picks).out, first.out);
+}
+
+TEST(Breed, SpeaksInWordsUnlessToldOtherwise) {
+    const TemporaryFolder folder;
+    const std::string lines_in =
+        "{\"pick\":{\"trees\":1,\"land\":2,\"sky\":3}}\n{\"describe\":{\"wet\":0.5}}\n{\"state\":true}\n"
+        "{\"range\":{\"wet\":[0,0]}}\n{\"describe\":{\"damp\":0.5}}\n";
+    const auto command = program({"breed", "--stdio", "--seed", "7"});
+    const Ended ended = run(command, folder, lines_in);
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    std::vector<nlohmann::json> lines;
+    for (const std::string& line : lines_of(ended.out)) lines.push_back(nlohmann::json::parse(line));
+    ASSERT_EQ(lines.size(), 7U);
+    EXPECT_EQ(lines[0]["genome"], "words");
+    EXPECT_EQ(lines[0]["breeder"], "belief");
+    for (const auto& candidate : lines[1]["candidates"]) {
+        EXPECT_EQ(candidate["words"].size(), lines[0]["words"].size());
+        EXPECT_FALSE(candidate["sentence"].get<std::string>().empty());
+    }
+    EXPECT_EQ(lines[2]["candidates"][3]["words"]["light"], lines[1]["candidates"][3]["words"]["light"]);
+    EXPECT_EQ(lines[3]["type"], "scene");
+    EXPECT_EQ(lines[3]["words"]["wet"], 0.5);
+    EXPECT_EQ(lines[3]["parameters"].size(), lines[0]["parameters"].size());
+    EXPECT_GT(lines[4]["state"]["trees"]["tall"]["deviation"], 0);
+    EXPECT_EQ(lines[6]["type"], "error");
+    EXPECT_EQ(run(command, folder, lines_in).out, ended.out);
 }
 
 TEST(Bench, PrintsItsResultsAsJson) {

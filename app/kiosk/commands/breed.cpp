@@ -13,8 +13,8 @@ namespace {
 
 struct Options {
     bool is_stdio = false;
-    std::string genome = "classic";
-    std::string breeder = "pbil";
+    std::string genome = "words";
+    std::string breeder;  // empty: belief in words, PBIL in the classic genome
     std::uint64_t seed = 1;
     double learning_rate = breeding::PbilOptions{}.learning_rate;
     double mutation = breeding::PbilOptions{}.mutation;
@@ -24,8 +24,9 @@ struct Options {
 
 breeding::Session session_for(const Options& options) {
     breeding::BreederOptions breeder;
-    breeder.kind = breeding::breeder_named(options.breeder);
-    breeder.genome = options.genome == "classic" ? genome::Genome::Classic : genome::Genome::Full;
+    const bool is_classic = options.genome == "classic";
+    breeder.kind = breeding::breeder_named(!options.breeder.empty() ? options.breeder : is_classic ? "pbil" : "belief");
+    breeder.genome = is_classic ? genome::Genome::Classic : genome::Genome::Full;
     breeder.pbil.learning_rate = options.learning_rate;
     breeder.pbil.mutation = options.mutation;
     breeder.pbil.mutation_form =
@@ -68,12 +69,14 @@ void add_breed(CLI::App& app, Action& chosen) {
     CLI::App* command = app.add_subcommand("breed", "Breed without pictures: picks in, candidates out");
     command->add_flag("--stdio", options->is_stdio, "Speak one JSON object a line on standard input and output");
     command
-        ->add_option("--genome", options->genome, "classic: the 21 parameters and 70 bits of 2003; full: all of them")
-        ->check(CLI::IsMember({"classic", "full"}))
+        ->add_option("--genome", options->genome,
+                     "words: the whole table, bred in words; classic: the 21 parameters and 70 bits of 2003")
+        ->check(CLI::IsMember({"words", "classic"}))
         ->capture_default_str();
-    command->add_option("--breeder", options->breeder, "pbil or random")
-        ->check(CLI::IsMember({"pbil", "random"}))
-        ->capture_default_str();
+    command
+        ->add_option("--breeder", options->breeder,
+                     "belief (default in words), pbil (default in the classic genome), pbil-gaussian or random")
+        ->check(CLI::IsMember({"belief", "pbil", "pbil-gaussian", "random"}));
     command->add_option("--seed", options->seed, "Names all chance")->capture_default_str();
     command->add_option("--learning-rate", options->learning_rate, "Weight of the best candidate's bits, 0 to 1")
         ->check(CLI::Range(0.0, 1.0))

@@ -43,7 +43,7 @@ TEST(StdioProtocol, SaysHelloWithTheClassicParametersInTheOrderOfTheTable) {
     const std::string hello = protocol().hello();
     EXPECT_THAT(hello, StartsWith(R"({"type":"hello","genome":"classic","breeder":"pbil","seed":7,)"
                                   R"("aspects":["trees","land","sky"],"parameters":[{"name":"tree.type",)"
-                                  R"("aspect":"trees","unit":"","min":0,"max":7,"bits":3},)"
+                                  R"("aspect":"trees","unit":"choice","min":0,"max":7,"bits":3},)"
                                   R"({"name":"tree.branch_angle_deg","aspect":"trees","unit":"deg",)"
                                   R"("min":15,"max":60,"bits":3},)"));
     EXPECT_EQ(json::parse(hello)["parameters"].size(), 21U);

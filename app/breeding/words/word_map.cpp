@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "breeding/words/word_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "breeding/words/basis.hpp"
+#include "breeding/words/ridge.hpp"
+#include "breeding/words/word_gaussian.hpp"
+#include "genome/parameter_rules.hpp"
+
+namespace quadrat::breeding {
+namespace {
+
+using genome::Aspect;
+using genome::ParameterId;
+
+struct AspectMap {
+    std::vector<ParameterId> ids;
+    Basis basis;
+    std::vector<std::vector<double>> weights;  // a parameter, then a basis function; of its share of the range
+    std::vector<double> spread;                // a parameter
+    std::vector<Point> points;                 // the scenes' words, completed
+    std::vector<genome::ParameterValues> values;
+    std::vector<double> trust;
+    std::optional<WordGaussian> gaussian;
+};
+
+double share_of_range(const genome::Parameter& p, float value) {
+    return (static_cast<double>(value) - p.min) / (static_cast<double>(p.max) - p.min);
+}
+
+// The words of one aspect of a description, in vocabulary order; what is missing is told by the Gaussian.
+Point completed_words(const genome::PartialDescription& words, Aspect aspect, const WordGaussian& gaussian) {
+    WordGaussian rest = gaussian;
+    const auto vocabulary = genome::vocabulary(aspect);
+    for (std::size_t i = 0; i < vocabulary.size(); ++i)
+        if (const auto value = words[static_cast<std::size_t>(vocabulary[i].id)]) rest = rest.given(i, *value);
+    Point point = rest.mean();
+    for (std::size_t i = 0; i < vocabulary.size(); ++i) {
+        const auto value = words[static_cast<std::size_t>(vocabulary[i].id)];
+        point[i] = std::clamp(value ? static_cast<double>(*value) : point[i], -1.0, 1.0);
+    }
+    return point;
+}
+
+bool is_complete(const DescribedScene& scene) {
+    return std::ranges::all_of(genome::vocabulary(scene.aspect), [&](const genome::Word& word) {
+        return scene.words[static_cast<std::size_t>(word.id)].has_value();
+    });
+}
+
+// Scenes described in full say how words go together; the others are then completed, and speak too.
+void complete(AspectMap& map, const std::vector<const DescribedScene*>& scenes, Aspect aspect) {
+    const std::size_t dimensions = genome::vocabulary(aspect).size();
+    std::vector<Point> whole;
+    std::vector<double> whole_trust;
+    for (const DescribedScene* scene : scenes) {
+        if (!is_complete(*scene)) continue;
+        whole.push_back(completed_words(scene->words, aspect, WordGaussian(dimensions)));
+        whole_trust.push_back(scene->weight);
+    }
+    const WordGaussian first(whole, whole_trust, dimensions);
+    for (const DescribedScene* scene : scenes) {
+        map.points.push_back(completed_words(scene->words, aspect, first));
+        map.values.push_back(scene->values);
+        map.trust.push_back(scene->weight);
+    }
+    map.gaussian.emplace(map.points, map.trust, dimensions);
+}
+
+AspectMap trained(const std::vector<const DescribedScene*>& scenes, Aspect aspect) {
+    AspectMap map;
+    map.ids = parameters_of(aspect, genome::Genome::Full);
+    complete(map, scenes, aspect);
+    map.spread.assign(map.ids.size(), 0.0);
+    if (scenes.empty()) return map;
+    map.basis = Basis(map.points);
+    Eigen::MatrixXd design(static_cast<Eigen::Index>(scenes.size()), static_cast<Eigen::Index>(map.basis.size()));
+    std::vector<double> row(map.basis.size());
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        map.basis.evaluate(map.points[i], row);
+        for (std::size_t j = 0; j < row.size(); ++j)
+            design(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = row[j];
+    }
+    const RidgeRegression regression(design, map.trust, map.basis.gaussians());
+    std::vector<double> targets(scenes.size());
+    for (std::size_t p = 0; p < map.ids.size(); ++p) {
+        for (std::size_t i = 0; i < scenes.size(); ++i)
+            targets[i] = share_of_range(parameter(map.ids[p]), scenes[i]->values[map.ids[p]]);
+        RidgeFit fit = regression.fit(targets);
+        map.spread[p] = fit.leave_one_out;
+        map.weights.push_back(std::move(fit.weights));
+    }
+    return map;
+}
+
+}  // namespace
+
+struct WordMap::Trained {
+    std::vector<DescribedScene> scenes;
+    genome::PerAspect<AspectMap> aspects;
+};
+
+WordMap::WordMap(std::vector<DescribedScene> scenes) {
+    auto made = std::make_shared<Trained>();
+    made->scenes = std::move(scenes);
+    for (const Aspect aspect : genome::kAspects) {
+        std::vector<const DescribedScene*> of_aspect;
+        for (const DescribedScene& scene : made->scenes)
+            if (scene.aspect == aspect) of_aspect.push_back(&scene);
+        made->aspects[aspect] = trained(of_aspect, aspect);
+    }
+    trained_ = std::move(made);
+}
+
+void WordMap::realise(Aspect aspect, const genome::Description& words, genome::ParameterValues& values) const {
+    const AspectMap& map = trained_->aspects[aspect];
+    const genome::ParameterValues defaults;
+    if (map.weights.empty()) {
+        for (const ParameterId id : map.ids) values.set(id, defaults[id]);
+        return;
+    }
+    Point at;
+    for (const genome::Word& word : genome::vocabulary(aspect)) at.push_back(words[word.id]);
+    std::vector<double> basis(map.basis.size());
+    map.basis.evaluate(at, basis);
+    for (std::size_t p = 0; p < map.ids.size(); ++p) {
+        const genome::Parameter& row = parameter(map.ids[p]);
+        double share = 0;
+        for (std::size_t j = 0; j < basis.size(); ++j) share += map.weights[p][j] * basis[j];
+        values.set(row.id, static_cast<float>(row.min + share * (static_cast<double>(row.max) - row.min)));
+    }
+    genome::make_consistent(aspect, values);
+}
+
+genome::ParameterValues WordMap::operator()(const genome::Description& words) const {
+    genome::ParameterValues values;
+    for (const Aspect aspect : genome::kAspects) realise(aspect, words, values);
+    return values;
+}
+
+genome::Description WordMap::completed(const genome::PartialDescription& words) const {
+    genome::Description description;
+    for (const Aspect aspect : genome::kAspects) {
+        const Point point = completed_words(words, aspect, *trained_->aspects[aspect].gaussian);
+        const auto vocabulary = genome::vocabulary(aspect);
+        for (std::size_t i = 0; i < vocabulary.size(); ++i)
+            description.set(vocabulary[i].id, static_cast<float>(point[i]));
+    }
+    return description;
+}
+
+double WordMap::spread(ParameterId id) const {
+    const AspectMap& map = trained_->aspects[parameter(id).aspect];
+    return map.spread[static_cast<std::size_t>(std::ranges::find(map.ids, id) - map.ids.begin())];
+}
+
+double WordMap::leave_one_out(Aspect aspect) const {
+    const std::vector<double>& spread = trained_->aspects[aspect].spread;
+    double sum = 0;
+    for (const double one : spread) sum += one;
+    return spread.empty() ? 0 : sum / static_cast<double>(spread.size());
+}
+
+const std::vector<DescribedScene>& WordMap::scenes() const { return trained_->scenes; }
+
+const WordMap& default_word_map() {
+    static const WordMap kMap(default_scenes());
+    return kMap;
+}
+
+}  // namespace quadrat::breeding

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "breeding/words/word_map.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/seed.hpp"
+#include "genome/parameter_rules.hpp"
+
+namespace quadrat::breeding {
+namespace {
+
+using genome::Aspect;
+using genome::WordId;
+
+double error_in_ranges(const genome::ParameterValues& a, const genome::ParameterValues& b, Aspect aspect) {
+    double sum = 0;
+    const auto ids = parameters_of(aspect, genome::Genome::Full);
+    for (const auto id : ids) sum += std::abs(a[id] - b[id]) / (parameter(id).max - parameter(id).min);
+    return sum / static_cast<double>(ids.size());
+}
+
+TEST(WordMap, AScenesOwnWordsGiveItBack) {
+    const WordMap& map = default_word_map();
+    for (const Aspect aspect : genome::kAspects) {
+        double sum = 0;
+        for (const DescribedScene& scene : archetypes(aspect)) {
+            const double error = error_in_ranges(map(map.completed(scene.words)), scene.values, aspect);
+            EXPECT_LT(error, 0.15) << scene.name;
+            sum += error;
+        }
+        EXPECT_LT(sum / static_cast<double>(archetypes(aspect).size()), 0.10) << name_of(aspect);
+    }
+}
+
+TEST(WordMap, TellsAnAspectsParametersFromOtherScenesToAQuarterOfTheirRange) {
+    for (const Aspect aspect : genome::kAspects) EXPECT_LT(default_word_map().leave_one_out(aspect), 0.25);
+}
+
+TEST(WordMap, EveryEndOfAWordMovesManyParameters) {
+    for (const genome::Word& word : genome::vocabulary()) {
+        genome::Description low;
+        genome::Description high;
+        low.set(word.id, -1);
+        high.set(word.id, 1);
+        const auto a = default_word_map()(low);
+        const auto b = default_word_map()(high);
+        EXPECT_GT(error_in_ranges(a, b, word.aspect), 0.01) << word.name;
+    }
+}
+
+TEST(WordMap, ChangesGentlyAndKeepsRangesAndRules) {
+    base::RandomStream chance{base::Seed{4}};
+    for (int i = 0; i < 200; ++i) {
+        genome::Description words;
+        for (const genome::Word& word : genome::vocabulary()) words.set(word.id, chance.between(-1, 1));
+        const genome::ParameterValues values = default_word_map()(words);
+        for (const genome::Parameter& p : genome::parameter_table()) {
+            EXPECT_GE(values[p.id], p.min) << p.name;
+            EXPECT_LE(values[p.id], p.max) << p.name;
+        }
+        for (const genome::ParameterRule& rule : genome::parameter_rules()) {
+            const float bound = rule.factor * values[rule.other] + rule.offset;
+            const genome::Parameter& p = parameter(rule.id);
+            if (rule.bound == genome::ParameterRule::Bound::AtLeast)
+                EXPECT_GE(values[rule.id], std::min(bound, p.max) - 1e-3F) << rule.reason;
+            else
+                EXPECT_LE(values[rule.id], std::max(bound, p.min) + 1e-3F) << rule.reason;
+        }
+    }
+}
+
+TEST(WordMap, FillsInWordsThatWereLeftOut) {
+    genome::PartialDescription asked{};
+    asked[static_cast<std::size_t>(WordId::wet)] = 0.5F;
+    const genome::Description description = default_word_map().completed(asked);
+    EXPECT_EQ(description[WordId::wet], 0.5F);
+    const genome::Description nothing = default_word_map().completed({});
+    for (const genome::Word& word : genome::vocabulary()) EXPECT_LT(std::abs(nothing[word.id]), 0.6F) << word.name;
+}
+
+std::vector<DescribedScene> two_that_go_together() {
+    std::vector<DescribedScene> scenes;
+    base::RandomStream chance{base::Seed{1}};
+    for (int i = 0; i < 60; ++i) {
+        DescribedScene scene;
+        scene.aspect = Aspect::Land;
+        for (const genome::Word& word : genome::vocabulary(Aspect::Land))
+            scene.words[static_cast<std::size_t>(word.id)] = chance.between(-1, 1);
+        scene.words[static_cast<std::size_t>(WordId::green)] = scene.words[static_cast<std::size_t>(WordId::wet)];
+        scenes.push_back(scene);
+    }
+    return scenes;
+}
+
+TEST(WordMap, KnowsWhichWordsGoTogether) {
+    const WordMap map(two_that_go_together());
+    genome::PartialDescription asked{};
+    asked[static_cast<std::size_t>(WordId::wet)] = 0.8F;
+    EXPECT_GT(map.completed(asked)[WordId::green], 0.4F);
+    EXPECT_LT(std::abs(map.completed(asked)[WordId::cold]), 0.3F);
+}
+
+TEST(WordMap, WithFewerScenesThanWordsOrContradictionsOrNoneIsStillAMap) {
+    const genome::ParameterValues defaults;
+    EXPECT_EQ(WordMap({})(genome::Description{}), defaults);
+    DescribedScene one = archetypes(Aspect::Land).front();
+    DescribedScene other = archetypes(Aspect::Land).back();
+    other.words = one.words;  // said alike, and not alike
+    const WordMap map({one, other});
+    const auto values = map(map.completed(one.words));
+    for (const auto id : parameters_of(Aspect::Land, genome::Genome::Full)) {
+        const float low = std::min(one.values[id], other.values[id]);
+        const float high = std::max(one.values[id], other.values[id]);
+        const float slack = 0.02F * (parameter(id).max - parameter(id).min);
+        EXPECT_GE(values[id], low - slack) << parameter(id).name;
+        EXPECT_LE(values[id], high + slack) << parameter(id).name;
+    }
+}
+
+TEST(WordMap, TrainedTwiceIsTheSameMap) {
+    const WordMap a(default_scenes());
+    const WordMap b(default_scenes());
+    genome::Description words;
+    words.set(WordId::tall, 0.3F);
+    words.set(WordId::stormy, -0.7F);
+    EXPECT_EQ(a(words), b(words));
+}
+
+TEST(DescribedScenes, ComeBackFromTheirText) {
+    for (const Aspect aspect : genome::kAspects) {
+        std::vector<DescribedScene> scenes = archetypes(aspect);
+        scenes[0].weight = 0.25;
+        EXPECT_EQ(described_scenes_from(to_json(scenes, aspect), "again"), scenes);
+    }
+}
+
+class BadScenes : public testing::TestWithParam<std::pair<std::string, std::string>> {};
+
+TEST_P(BadScenes, AreRefusedByPlace) {
+    try {
+        described_scenes_from(GetParam().first, "mine.json");
+        FAIL() << GetParam().first;
+    } catch (const base::InputError& error) {
+        EXPECT_THAT(error.what(), testing::StartsWith("mine.json"));
+        EXPECT_THAT(error.what(), testing::HasSubstr(GetParam().second));
+    }
+}
+
+std::string file_with(const std::string& scene) {
+    return R"({"quadrat":"described","version":1,"aspect":"land","scenes":[)" + scene + "]}";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, BadScenes,
+    testing::Values(std::pair{std::string("nonsense"), std::string("mine.json:1")},
+                    std::pair{std::string(R"({"quadrat":"described","version":2,"aspect":"land","scenes":[]})"),
+                              std::string("another kind or version")},
+                    std::pair{std::string(R"({"quadrat":"described","version":1,"aspect":"sea","scenes":[]})"),
+                              std::string("an aspect is trees, land or sky")},
+                    std::pair{file_with(R"({"words":{"nice":1},"parameters":{}})"),
+                              std::string("\"nice\"; words for the land are wet")},
+                    std::pair{file_with(R"({"words":{"tall":1},"parameters":{}})"), std::string("scenes[0].words")},
+                    std::pair{file_with(R"({"words":{"wet":1.5},"parameters":{}})"),
+                              std::string("a word is a number from -1 to 1")},
+                    std::pair{file_with(R"({"words":{},"parameters":{"land.gain":9}})"), std::string("land.gain")},
+                    std::pair{file_with(R"({"words":{},"parameters":{"sky.depth":0.5}})"),
+                              std::string("which is of the sky")},
+                    std::pair{file_with(R"({"words":{},"parameters":{},"weight":0})"), std::string("more than 0")}));
+
+}  // namespace
+}  // namespace quadrat::breeding
