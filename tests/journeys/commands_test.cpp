@@ -68,7 +68,8 @@ TEST(Breed, AnotherProgramCanPlayAndSameSeedAndPicksGiveTheSameBytes) {
     EXPECT_EQ(nlohmann::json::parse(lines[42])["round"], 40);
     EXPECT_EQ(lines[42], lines[40]);
     EXPECT_EQ(nlohmann::json::parse(lines[43])["type"], "error");
-    for (const double p : nlohmann::json::parse(lines[41])["state"]["land"]) EXPECT_EQ(p, 0.5);
+    const auto late = nlohmann::json::parse(lines[41]);
+    for (const double p : late["state"]["land"]) EXPECT_EQ(p, 0.5);
     EXPECT_EQ(run(command, folder, picks).out, first.out);
 }
 
