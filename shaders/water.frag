@@ -18,7 +18,7 @@ void main() {
     vec3 body = view.shallow_water.rgb + view.deepening.rgb * deep;
     // A ripple that leans away shows a higher, darker piece of sky; one that leans just so, the sun.
     float bright = 1.0 + 0.20 * slope + exp2(glitter + slope * 17.0);
-    float foam = max(white - deep * 7.0, 0.0) * view.mirrored.w;
+    float foam = max(white - deep * 13.0, 0.0) * view.mirrored.w;
     // The shore shows through. The target clamps.
     pixel = vec4((before.rgb + body * before.a) * bright + foam, deep * 4.5 + (0.3 + foam));
 }

@@ -9,5 +9,5 @@ layout(location = 0) in vec2 around_m;
 
 void main() {
     vec2 xz = view.eye_seconds.xz + around_m;
-    show_water(vec3(xz.x, 0.0, xz.y), 0.6);
+    show_water(vec3(xz.x, 0.0, xz.y), 0.33);
 }

@@ -30,6 +30,9 @@ void make_inputs(const TemporaryFolder& folder) {
     folder.write("range.json", R"({"quadrat":"scene","version":1,"parameters":{"tree.branch_angle_deg":200}})");
     folder.write("version.json", R"({"quadrat":"scene","version":99,"parameters":{}})");
     folder.write("bare.png", std::string("\x89PNG\r\n\x1a\n", 8));
+    folder.write("nan.txt", "# heights\n3 4 nan\n");
+    folder.write("far.txt", "600 3 0.5\n");
+    folder.write("up.txt", "river 10 10 0 20 20 1\n");
     folder.write("out.png", "keep me");
     folder.write("out.obj", "keep me");
 }
@@ -85,6 +88,17 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"PictureFormat", {"render", "seed:1", "-o", "out.xyz", "--size", "64x64"}, {"out.xyz"}},
         BadInput{"ExportFormat", {"export", "seed:1", "-o", "out.stl", "--what", "tree"}, {"out.stl", ".obj"}},
         BadInput{"ExportWhat", {"export", "seed:1", "-o", "out.obj", "--what", "cow"}, {"cow"}},
+        BadInput{"FieldMethod", {"field", "marble", "-o", "out.png"}, {"marble", "diamond-square"}},
+        BadInput{"FieldSize", {"field", "fbm", "-o", "out.png", "--size", "8194"}, {"8194", "8193"}},
+        BadInput{"FieldNoSize", {"field", "fbm", "-o", "out.png", "--size", "0"}, {"size is 0"}},
+        BadInput{"FieldEnding", {"field", "fbm", "-o", "out.obj"}, {"out.obj", ".exr", ".png"}},
+        BadInput{"FieldWindow", {"field", "fbm", "-o", "out.png", "--window", "1,2,3"}, {"--window 1,2,3"}},
+        BadInput{"FieldWindowOutside", {"field", "fbm", "-o", "out.png", "--window", "500,0,20,20"}, {"500,0,20,20"}},
+        BadInput{"FieldFixed", {"field", "fbm", "-o", "out.png", "--fix", "nan.txt"}, {"nan.txt:2", "nan"}},
+        BadInput{"FieldFixedOutside", {"field", "fbm", "-o", "out.png", "--fix", "far.txt"}, {"600 3", "513"}},
+        BadInput{"FieldLines", {"field", "fbm", "-o", "out.png", "--lines", "up.txt"}, {"rises", "20 20"}},
+        BadInput{"FieldMask", {"field", "fbm", "-o", "out.png", "--mask", "bare.png"}, {"bare.png"}},
+        BadInput{"FieldMaskMissing", {"field", "fbm", "-o", "out.png", "--mask", "none.tif"}, {"none.tif"}},
         BadInput{"BreedGenome", {"breed", "--stdio", "--genome", "mouse"}, {"mouse"}},
         BadInput{"BreedLock", {"breed", "--stdio", "--lock", "sea"}, {"sea"}},
         BadInput{"BreedRate", {"breed", "--stdio", "--learning-rate", "2"}, {"2"}},

@@ -3,7 +3,9 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "journeys/quadrat_program.hpp"
 
@@ -48,6 +50,45 @@ TEST(Export, WritesTreesAndLandForOtherTools) {
     EXPECT_EQ(length, glb.size());
     ASSERT_EQ(run(program({"export", "seed:5", "-o", "land.exr", "--what", "land"}), folder).status, 0);
     EXPECT_GT(OIIO::ImageBuf((folder / "land.exr").string()).spec().width, 256);
+}
+
+TEST(Field, AWindowIsTheWholesOwnBytesAndEveryMethodIsWritten) {
+    const TemporaryFolder folder;
+    const auto field = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), "field");
+        const Ended ended = run(program(more), folder);
+        EXPECT_EQ(ended.status, 0) << ended.err;
+    };
+    folder.write("five.txt", "0 0 -0.8\n64 0 -0.8\n0 64 -0.8\n64 64 -0.8\n32 32 1.4\n");
+    folder.write("lines.txt", "ridge 4 4 1 30 10 1.2\nriver 60 10 0.2 40 50 -0.4\n");
+    for (const char* method : {"fbm", "square-square", "island"}) {
+        field({method, "--size", "65", "--fix", "five.txt", "--lines", "lines.txt", "-o", "whole.tif"});
+        field({method, "--size", "65", "--fix", "five.txt", "--lines", "lines.txt", "--window", "0,0,65,65", "-o",
+               "window.tif"});
+        EXPECT_TRUE(are_same_pixels(folder / "whole.tif", folder / "window.tif")) << method;
+    }
+    field({"all", "--size", "65", "--fix", "five.txt", "--relief", "-o", "all.png"});
+    EXPECT_GT(contents_of(folder / "all.png").size(), 100000U);
+    field({"ridged", "--size", "65", "--burrs", "0.1", "--smooth", "1", "--erode", "3", "--repose", "35", "-o",
+           "eroded.exr"});
+    field({"ridged", "--size", "65", "-o", "sixteen.png"});
+    field({"fbm", "--size", "65", "--mask", "sixteen.png", "-o", "masked.exr"});
+    EXPECT_FALSE(contents_of(folder / "masked.exr").empty());
+}
+
+TEST(Field, InterruptedLeavesNothing) {
+    const TemporaryFolder folder;
+    Process process(program({"field", "ridged", "--size", "8193", "--octaves", "16", "-o", "large.exr"}),
+                    folder.path());
+    // It has begun when it says how far it is.
+    while (process.is_running() && contents_of(folder / "stderr.txt").find('%') == std::string::npos)
+        std::this_thread::yield();
+    process.kill(SIGINT);
+    const Ended ended = process.wait();
+    EXPECT_EQ(ended.status, 130) << ended.err;
+    EXPECT_NE(ended.err.find("large.exr was not written"), std::string::npos) << ended.err;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        EXPECT_EQ(entry.path().filename().string().find("large"), std::string::npos) << "left behind: " << entry.path();
 }
 
 TEST(Breed, AnotherProgramCanPlayAndSameSeedAndPicksGiveTheSameBytes) {
@@ -122,7 +163,7 @@ TEST(Doctor, LooksAtEveryPartAndSaysWhatToDo) {
 
 TEST(Help, IsThereForEverySubcommand) {
     const TemporaryFolder folder;
-    for (const char* command : {"run", "breed", "render", "export", "bench", "doctor"}) {
+    for (const char* command : {"run", "breed", "render", "export", "field", "bench", "doctor"}) {
         const Ended ended = run(program({command, "--help"}), folder);
         EXPECT_EQ(ended.status, 0) << command;
         EXPECT_GT(ended.out.size(), 200U) << command;

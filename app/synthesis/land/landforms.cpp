@@ -127,7 +127,7 @@ void Landforms::karst(Row xs_m, float z_m, Heights h) const {
                 const float x = u - (static_cast<float>(cu + du) + 0.2F + 0.6F * base::unit_of(hash));
                 const float y = v - (static_cast<float>(cv + dv) + 0.2F + 0.6F * base::unit_of(hash << 16U));
                 const float radius = 0.17F + 0.17F * base::unit_of(hash << 24U);
-                const float r = rough * std::hypot(x, y) / radius;
+                const float r = rough * std::sqrt(x * x + y * y) / radius;
                 const float tall = 0.4F + 0.6F * base::unit_of(hash << 32U);
                 most = std::max(most, tall * (1.0F - smooth(0.45F, 1.0F, r)) * (1.0F - 0.2F * r * r));
             }
@@ -159,7 +159,8 @@ void Landforms::dunes(Row xs_m, float z_m, Heights h) const {
     const auto bends = noise_row(wander_, xs_m, z_m, p_.dune_wave_m / 0.6F, {0, 0}, {.count = 2});
     const auto patches = noise_row(wander_, xs_m, z_m, 140.0F, {0, 77.0F}, {.count = 1});
     for (std::size_t i = 0; i < h.size(); ++i) {
-        const float low = smooth(0.4F, 2.5F, h[i]) * (1.0F - smooth(0.35F, 0.75F, h[i] / p_.land_relief_m));
+        const float low =
+            smooth(0.4F, 2.5F, h[i]) * (1.0F - smooth(0.35F, 0.75F, h[i] / std::max(p_.land_relief_m, 80.0F)));
         const float where = low * inside(xs_m[i], z_m);
         if (where <= 0) continue;
         const float phase = xs_m[i] * along_x + z_m * along_z + 0.9F * bends[i];

@@ -70,6 +70,8 @@ Palette choose_palette(const scene::LandParameters& p, base::Seed seed) {
     const float milky = std::max(0.5F - p.water_clarity, 0.0F);
     palette.shallow = scene::mix_colours(palette.shallow, milk, milky);
     palette.deep = scene::mix_colours(palette.deep, milk, 0.7F * milky);
+    // Over a pale bed, in full light, it would come out as milk.
+    palette.shallow = scene::shifted_colour(palette.shallow, 0.8F, 1.1F);
     palette.deep = scene::shifted_colour(palette.deep, 1.0F - 0.4F * std::max(p.water_clarity - 0.5F, 0.0F));
     return palette;
 }
