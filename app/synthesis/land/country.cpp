@@ -27,15 +27,23 @@ constexpr int kSurroundSamples = 257;
 constexpr float kSeam_m = 72.0F;   // over which the land comes to meet the surround
 constexpr float kBelow_m = 40.0F;  // of the surround under the land
 
+// work(xs_m, z_m, heights of the row), rows in parallel.
+template <typename Work>
+void for_rows(mesh::Field& field, float cell_m, const Work& work) {
+    const float half = 0.5F * static_cast<float>(field.columns - 1);
+    std::vector<float> xs_m(static_cast<std::size_t>(field.columns));
+    for (int i = 0; i < field.columns; ++i) xs_m[i] = (static_cast<float>(i) - half) * cell_m;
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, field.rows, 8), [&](const auto& rows) {
+        for (int row = rows.begin(); row != rows.end(); ++row)
+            work(std::span<const float>(xs_m), xs_m[row],
+                 std::span(field.samples).subspan(field.index(0, row), xs_m.size()));
+    });
+}
+
 mesh::Field field_of(const Terrain& terrain, int samples, float cell_m) {
     mesh::Field field(samples, samples);
-    const float half = 0.5F * static_cast<float>(samples - 1);
-    std::vector<float> xs_m(samples);
-    for (int i = 0; i < samples; ++i) xs_m[i] = (static_cast<float>(i) - half) * cell_m;
-    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, samples, 8), [&](const auto& rows) {
-        for (int row = rows.begin(); row != rows.end(); ++row)
-            terrain.heights_m(xs_m, xs_m[row], cell_m,
-                              std::span(field.samples).subspan(field.index(0, row), xs_m.size()));
+    for_rows(field, cell_m, [&](std::span<const float> xs_m, float z_m, std::span<float> heights_m) {
+        terrain.heights_m(xs_m, z_m, cell_m, heights_m);
     });
     return field;
 }
@@ -108,6 +116,9 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
                    .hillslope = p.erosion_creep});
     slide_to_repose(land.height_m, land.cell_m, std::tan(glm::radians(p.erosion_repose_deg)),
                     static_cast<int>(std::lround(p.erosion_slides)));
+    for_rows(land.height_m, land.cell_m, [&](std::span<const float> xs_m, float z_m, std::span<float> heights_m) {
+        terrain.heap_dunes(xs_m, z_m, heights_m);
+    });
     land.surround_m = field_of(terrain, kSurroundSamples, kSurroundCell_m);
     carve_surround(land.surround_m, p);
     land.surround_albedo = surround_colours(land.surround_m, kSurroundCell_m, palette, p, seed);
@@ -119,7 +130,8 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
                                          .lake_area_m2 = p.lake_area_m2,
                                          .width = p.river_width,
                                          .depth = p.river_depth,
-                                         .fall_m = p.fall_height_m});
+                                         .fall_m = p.fall_height_m,
+                                         .hollows = p.dune_share > 0 ? Hollows::Seep : Hollows::Settle});
     if (p.site_share > 0) land.site = make_site(land.height_m, water.surface_m, land.cell_m, p.site_radius_m);
     if (p.road_share > 0 || land.site)
         land.roads = make_roads(land.height_m, water.surface_m, land.cell_m, land.site,

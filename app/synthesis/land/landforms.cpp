@@ -55,7 +55,6 @@ void Landforms::shape_ground(Row xs_m, float z_m, Heights h) const {
 
 void Landforms::shape_shore(Row xs_m, float z_m, Heights h) const {
     if (p_.canyon_share > 0) canyon(xs_m, z_m, h);
-    if (p_.dune_share > 0) dunes(xs_m, z_m, h);
     if (p_.cliff_share > 0) cliffs(h);
     if (p_.marsh_share > 0) marsh(xs_m, z_m, h);
 }
@@ -149,12 +148,13 @@ void Landforms::canyon(Row xs_m, float z_m, Heights h) const {
     }
 }
 
-void Landforms::dunes(Row xs_m, float z_m, Heights h) const {
+void Landforms::heap_dunes(Row xs_m, float z_m, Heights h) const {
+    if (p_.dune_share <= 0) return;
     const float bearing = glm::radians(p_.dune_bearing_deg);
     const float along_x = std::sin(bearing) / p_.dune_wave_m;
     const float along_z = -std::cos(bearing) / p_.dune_wave_m;
     // The lee side keeps sand's angle of repose.
-    const float tall_m = p_.dune_share * std::min(p_.dune_height_m, 0.58F * p_.dune_lee * p_.dune_wave_m);
+    const float tall_m = p_.dune_share * std::min(p_.dune_height_m, 0.44F * p_.dune_lee * p_.dune_wave_m);
     const float windward = 1.0F - p_.dune_lee;
     const auto bends = noise_row(wander_, xs_m, z_m, p_.dune_wave_m / 0.6F, {0, 0}, {.count = 2});
     const auto patches = noise_row(wander_, xs_m, z_m, 140.0F, {0, 77.0F}, {.count = 1});
@@ -163,9 +163,12 @@ void Landforms::dunes(Row xs_m, float z_m, Heights h) const {
             smooth(0.4F, 2.5F, h[i]) * (1.0F - smooth(0.35F, 0.75F, h[i] / std::max(p_.land_relief_m, 80.0F)));
         const float where = low * inside(xs_m[i], z_m);
         if (where <= 0) continue;
-        const float phase = xs_m[i] * along_x + z_m * along_z + 0.9F * bends[i];
+        const float phase = xs_m[i] * along_x + z_m * along_z + 0.65F * bends[i];
         const float t = phase - std::floor(phase);
-        const float rise = t < windward ? smooth(0.0F, windward, t) : 1.0F - smooth(windward, 1.0F, t);
+        // A long back, a sharp crest, a slip face with a soft foot.
+        const float up = t / windward;
+        const float down = (1.0F - t) / p_.dune_lee;
+        const float rise = t < windward ? up * up * (1.5F - 0.5F * up) : down * std::sqrt(down);
         const float patch = 0.6F + 0.9F * patches[i];
         h[i] += tall_m * where * std::max(patch, 0.15F) * rise;
     }

@@ -17,8 +17,11 @@ class Landforms {
     // Islands, mesas, terraces, a volcano, towers of karst: heights above the country's lowest ground.
     void shape_ground(std::span<const float> xs_m, float z_m, std::span<float> heights_m) const;
 
-    // A canyon, dunes, sea cliffs, marsh: heights above the sea.
+    // A canyon, sea cliffs, marsh: heights above the sea.
     void shape_shore(std::span<const float> xs_m, float z_m, std::span<float> heights_m) const;
+
+    // Dunes, which the wind heaps on ground that water has shaped already.
+    void heap_dunes(std::span<const float> xs_m, float z_m, std::span<float> heights_m) const;
 
   private:
     using Row = std::span<const float>;
@@ -29,7 +32,6 @@ class Landforms {
     void cone(Row xs_m, float z_m, Heights h) const;
     void karst(Row xs_m, float z_m, Heights h) const;
     void canyon(Row xs_m, float z_m, Heights h) const;
-    void dunes(Row xs_m, float z_m, Heights h) const;
     void cliffs(Heights h) const;
     void marsh(Row xs_m, float z_m, Heights h) const;
 

@@ -17,7 +17,8 @@ namespace {
 using scene::kNoWater;
 
 // Hollows joined by the flood: lakes where they are deep and wide, filled with earth otherwise.
-void settle_hollows(mesh::Field& h, Drainage& d, float cell_m, const FreshWaterOptions& options, mesh::Field& surface) {
+void settle_hollows(mesh::Field& h, const Drainage& d, const std::vector<float>& area_m2, float cell_m,
+                    const FreshWaterOptions& options, mesh::Field& surface) {
     const auto count = h.samples.size();
     std::vector<std::uint8_t> is_seen(count, 0);
     std::vector<std::int32_t> hollow;
@@ -28,9 +29,11 @@ void settle_hollows(mesh::Field& h, Drainage& d, float cell_m, const FreshWaterO
         is_seen[seed] = 1;
         const float level = d.spill_m.samples[seed];
         float deepest = 0;
+        float most_area_m2 = 0;
         for (std::size_t k = 0; k < hollow.size(); ++k) {
             const std::int32_t cell = hollow[k];
             deepest = std::max(deepest, level - h.samples[cell]);
+            most_area_m2 = std::max(most_area_m2, area_m2[cell]);
             const int x = cell % h.columns;
             const int y = cell / h.columns;
             for (int dy = -1; dy <= 1; ++dy) {
@@ -43,8 +46,9 @@ void settle_hollows(mesh::Field& h, Drainage& d, float cell_m, const FreshWaterO
                 }
             }
         }
-        const float area_m2 = static_cast<float>(hollow.size()) * cell_m * cell_m;
-        const bool is_lake = deepest >= options.lake_depth_m && area_m2 >= options.lake_area_m2;
+        if (options.hollows == Hollows::Seep && most_area_m2 < options.river_area_m2) continue;
+        const float water_m2 = static_cast<float>(hollow.size()) * cell_m * cell_m;
+        const bool is_lake = deepest >= options.lake_depth_m && water_m2 >= options.lake_area_m2;
         for (const std::int32_t cell : hollow) {
             if (is_lake)
                 surface.samples[cell] = level;
@@ -196,11 +200,11 @@ FreshWater make_fresh_water(mesh::Field& height_m, float cell_m, const FreshWate
                      mesh::Grid<Wet>(height_m.columns, height_m.rows, Wet::No),
                      {},
                      {}};
-    Drainage d = drain(height_m, options.sea_m);
-    settle_hollows(height_m, d, cell_m, options, water.surface_m);
+    const Drainage d = drain(height_m, options.sea_m);
+    water.drained_area_m2 = drained_area_m2(d, cell_m);
+    settle_hollows(height_m, d, water.drained_area_m2, cell_m, options, water.surface_m);
     for (std::size_t i = 0; i < water.kind.samples.size(); ++i)
         if (water.surface_m.samples[i] > kNoWater) water.kind.samples[i] = Wet::Lake;
-    water.drained_area_m2 = drained_area_m2(d, cell_m);
     carve_rivers(height_m, d, water.drained_area_m2, cell_m, options, water.surface_m);
     for (std::size_t i = 0; i < water.kind.samples.size(); ++i)
         if (water.surface_m.samples[i] > kNoWater && water.kind.samples[i] == Wet::No)

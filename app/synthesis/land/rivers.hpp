@@ -8,6 +8,9 @@
 
 namespace quadrat::synthesis::land {
 
+// What becomes of hollows that no river runs through: lakes or level ground, or, in sand, dry hollows as they are.
+enum class Hollows { Settle, Seep };
+
 struct FreshWaterOptions {
     float sea_m = 0;
     float river_area_m2 = 45000;  // drained area from which on a stream is a river
@@ -16,6 +19,7 @@ struct FreshWaterOptions {
     float width = 1;              // of rivers, to what their water asks for
     float depth = 1;
     float fall_m = 4;  // height of a waterfall, where a bed drops steeply enough to have one
+    Hollows hollows = Hollows::Settle;
 };
 
 // Lakes and rivers. Surfaces never rise downstream, lakes are level, and every wet cell has a wet way down to the sea,

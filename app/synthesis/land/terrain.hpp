@@ -19,6 +19,11 @@ class Terrain {
     // Heights above the sea's surface along a row of places, no finer than a grid of this cell can hold.
     void heights_m(std::span<const float> xs_m, float z_m, float cell_m, std::span<float> out) const;
 
+    // To be added to heights on the land after streams and slides have done their work.
+    void heap_dunes(std::span<const float> xs_m, float z_m, std::span<float> heights_m) const {
+        landforms_.heap_dunes(xs_m, z_m, heights_m);
+    }
+
   private:
     void add_ranges(std::span<const float> xs_m, float z_m, std::span<float> out) const;
     void above_lowest_m(std::span<const float> xs_m, float z_m, float cell_m, std::span<float> out) const;
