@@ -46,6 +46,7 @@ int run_command_line(int argc, const char* const* argv) {
     commands::add_render(app, chosen);
     commands::add_export(app, chosen);
     commands::add_field(app, chosen);
+    commands::add_simulate(app, chosen);
     commands::add_bench(app, chosen);
     commands::add_doctor(app, chosen);
     // CLI11 would call a misspelt subcommand a missing one.

@@ -11,7 +11,7 @@ namespace quadrat::breeding {
 namespace {
 
 constexpr double kIsotropicPrior = 0.3;  // before any pick: how likely that archetypes tell nothing of the wish
-constexpr double kOutward = 1.3;
+constexpr double kOutward = 1.15;
 constexpr std::size_t kSamples = 96;
 
 std::vector<Place> samples_of(const AspectBelief& belief, base::Seed seed) {

@@ -51,9 +51,10 @@ std::array<bool, genome::kCandidates> inheriting(const AspectBelief& belief, con
 
 std::vector<Place> archetype_places(genome::Genome genome, Aspect aspect, const WordMap& map) {
     std::vector<Place> places;
-    for (const DescribedScene& scene : archetypes(aspect))
-        places.push_back(genome == genome::Genome::Classic ? place_of(scene.values, genome, aspect)
-                                                           : place_of(map.completed(scene.words), aspect));
+    for (const DescribedScene& scene : map.scenes())
+        if (!scene.name.empty() && scene.aspect == aspect)
+            places.push_back(genome == genome::Genome::Classic ? place_of(scene.values, genome, aspect)
+                                                               : place_of(map.completed(scene.words), aspect));
     return places;
 }
 

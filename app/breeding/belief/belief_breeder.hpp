@@ -45,7 +45,7 @@ genome::Candidate wished(const BeliefState& state, const genome::Candidate& othe
 void realise(const WordMap& map, genome::Aspect aspect, const genome::Description& words, base::Seed seed,
              genome::ParameterValues& values);
 
-// Where the named scenes lie, an aspect: what the first four are chosen from.
+// Where the named scenes lie that the map was trained on, an aspect: what the first four are chosen from.
 std::vector<Place> archetype_places(genome::Genome genome, genome::Aspect aspect, const WordMap& map);
 
 }  // namespace quadrat::breeding

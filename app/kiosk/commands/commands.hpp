@@ -14,6 +14,7 @@ void add_breed(CLI::App& app, Action& chosen);
 void add_render(CLI::App& app, Action& chosen);
 void add_export(CLI::App& app, Action& chosen);
 void add_field(CLI::App& app, Action& chosen);
+void add_simulate(CLI::App& app, Action& chosen);
 void add_bench(CLI::App& app, Action& chosen);
 void add_doctor(CLI::App& app, Action& chosen);
 

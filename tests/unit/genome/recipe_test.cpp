@@ -169,7 +169,7 @@ TEST(Offer, ComesBackExactlyFromItsJson) {
         offer.round = static_cast<int>(i) + 1;
         for (std::size_t c = 0; c < kCandidates; ++c) {
             const Recipe recipe = random_recipe(base::Seed{i}.child(c));
-            offer.candidates[c] = {encode(recipe.values, Genome::Classic), recipe.values, recipe.seeds};
+            offer.candidates[c] = {encode(recipe.values, Genome::Classic), recipe.values, recipe.seeds, {}};
         }
         ASSERT_EQ(offer_from_json(to_json(offer), "test"), offer);
     }
