@@ -25,7 +25,8 @@ inline Generation generation_of(std::int64_t visit, int round) {
     generation.offer.round = round;
     for (std::size_t c = 0; c < genome::kCandidates; ++c) {
         const genome::Recipe recipe = genome::random_recipe(generation.flight.child(c));
-        generation.offer.candidates[c] = {encode(recipe.values, genome::Genome::Classic), recipe.values, recipe.seeds};
+        generation.offer.candidates[c] = {
+            encode(recipe.values, genome::Genome::Classic), recipe.values, recipe.seeds, {}};
     }
     return generation;
 }
