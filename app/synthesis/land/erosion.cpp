@@ -55,10 +55,8 @@ std::vector<float> cut(mesh::Field& h, const Drainage& d, const std::vector<floa
 // Carries what was worn down the streams and lays some of it, no higher than keeps the stream running.
 void lay(mesh::Field& h, const Drainage& d, std::vector<float> load_m, float share, float cell_area_m2,
          MovedEarth& moved) {
+    // As high as they have become: what is laid at the foot of a slope makes room for more before it, and a fan grows.
     std::vector<float> lowest_donor(h.samples.size(), 1.0e9F);
-    for (const std::int32_t cell : d.order)
-        if (d.receiver[cell] != cell)
-            lowest_donor[d.receiver[cell]] = std::min(lowest_donor[d.receiver[cell]], h.samples[cell]);
     for (std::size_t i = d.order.size(); i-- > 0;) {
         const std::int32_t cell = d.order[i];
         const std::int32_t to = d.receiver[cell];
@@ -71,6 +69,7 @@ void lay(mesh::Field& h, const Drainage& d, std::vector<float> load_m, float sha
         const float slow = share / (1.0F + 40.0F * std::max(fall, 0.0F));
         const float laid = lowest_donor[cell] < 1.0e8F ? std::min(slow * load_m[cell], room) : 0.0F;
         h.samples[cell] += laid;
+        lowest_donor[to] = std::min(lowest_donor[to], h.samples[cell]);
         moved.laid_m3 += static_cast<double>(laid) * cell_area_m2;
         load_m[to] += load_m[cell] - laid;
     }
