@@ -8,17 +8,27 @@
 layout(location = 0) in vec3 position_m;
 layout(location = 1) in vec2 age_sway;
 layout(location = 2) in vec3 wood_normal;
+layout(location = 3) in vec4 grain;  // xyz: along the limb; w: which way the bark runs around it
+layout(location = 4) in vec2 bark_tile;
 layout(location = 0) uniform vec4 bark;  // rgb: colour; w: 1 / height of the species, 1/m
 
-out vec3 shown;
+out vec3 shown;     // of the bark, less what the air hides
+out vec3 veil;      // of the air before it
+out vec2 on_bark;
+out vec2 slant;     // of the light along the bark's two ways: what its relief makes of it
 
 void main() {
     gl_Position = view.clip_from_world * vec4(planted(position_m * unfolded(age_sway.x), age_sway.y), 1.0);
 
     vec3 normal = turned(wood_normal);
+    vec3 along = turned(grain.xyz);
     // A little of the light comes round the limb, as on rough bark; the foot stands in its neighbours' shade.
     float facing = max(dot(normal, view.to_sun.xyz) * 0.85 + 0.15, 0.0);
     float foot = min(0.55 + 3.0 * position_m.y * bark.w, 1.0);
     vec3 light = view.sunlight.rgb * (facing * wind_sun_through.z) + ambient_on(normal) * foot;
-    shown = mix(encode(bark.rgb * half_tint.rgb * 2.0 * light), air.rgb, air.a);
+    shown = encode(bark.rgb * half_tint.rgb * 2.0 * light) * (1.0 - air.a);
+    veil = air.rgb * air.a;
+    on_bark = bark_tile;
+    vec3 toward = view.to_sun.xyz * (0.35 + 0.65 * wind_sun_through.z) + vec3(0.0, 0.35, 0.0);
+    slant = vec2(dot(cross(along, normal), toward) * grain.w, dot(along, toward));
 }

@@ -3,22 +3,27 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <string>
 #include <vector>
 
+#include "mesh/image.hpp"
 #include "mesh/mesh.hpp"
 
 namespace quadrat::scene {
 
-// Trunk and limbs of one species at one level of detail. Roots at the origin, y up.
+// Trunk and limbs of one species at one level of detail. Roots at the origin, y up. Closed; texture coordinates in
+// metres, across and along the limb.
 struct Wood {
     mesh::Mesh mesh;
+    std::vector<glm::vec4>
+        grains;                // a vertex: xyz the limb's direction, unit; w the side of it: coordinates run with w
     std::vector<float> ages;   // a vertex: when it appears as the tree grows, 0 seed to 1 grown
     std::vector<float> sways;  // a vertex: 0 rigid to 1 the freest twig
 };
 
 // Leaves are opaque folded blades, in shuffled order: any prefix, its blades enlarged by 1/sqrt(share), is a good
-// coarser crown. Each blade is a whole number of triangles, all the same.
+// coarser crown. Each blade is a whole number of triangles, all the same; so are the fewer triangles of its plain form.
 struct Leaves {
     struct Vertex {
         glm::vec3 site_m;    // where the blade is attached
@@ -31,10 +36,15 @@ struct Leaves {
     };
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
+    std::vector<std::uint32_t> plain_indices;  // over the same vertices, for blades of few pixels; may be empty
     std::size_t blades = 0;
 
     std::size_t indices_per_blade() const { return blades == 0 ? 0 : indices.size() / blades; }
+    std::size_t indices_per_plain_blade() const { return blades == 0 ? 0 : plain_indices.size() / blades; }
 };
+
+// Bark pictures: channels 0 and 1 the slope of its relief across and along the limb, 128 level; channel 2 its
+// lightness, 128 the bark's own colour; channel 3 unused.
 
 // The storey of a stand that a kind of plant belongs to; planting differs by it.
 enum class Storey { Tree, Shrub, Herb };
@@ -45,19 +55,38 @@ struct Species {
     std::vector<Wood> wood;                      // finest first, at least one
     Leaves leaves;                               // may have no blades
     glm::vec3 bark_colour{0.25F, 0.18F, 0.12F};  // linear
+    mesh::Image bark;                            // four channels, tileable: see Bark below; may be empty: plain
+    float bark_tile_m = 0.8F;                    // one tile of it, on the limb
     float height_m = 10;
     float crown_radius_m = 3;
     float trunk_radius_m = 0.2F;
-    // Where it grows: a preference for height and slope, used by planting.
+    // Where it grows, used by planting.
     float lowest_m = 0.5F;
     float treeline_m = 400;
     float steepest_slope = 0.8F;  // rise over run
-    float share = 1;              // of the plants, against the other species
+    float moisture = 0.4F;        // of the ground where it does best: 0 dry to 1 wet
+    float moisture_width = 0.8F;  // how far from that it still grows
+    float shade_liking = 0;       // -1 in the open to 1 under trees
+    float density = 1;            // of its storey, where it does best: 0 to 1
+    float share = 1;              // of the plants of its storey, against the other species
+};
+
+// How the trees of a flora stand together.
+struct Stand {
+    float grove_m = 95;
+    float grove_contrast = 0.5F;
+    float clearings = 0.15F;  // of the land
+    float young_share = 0.3F;
+    float size_spread = 0.25F;
+    float self_thinning = 0.5F;
+    float herb_patch_m = 11;
+    friend bool operator==(const Stand&, const Stand&) = default;
 };
 
 struct Flora {
     std::vector<Species> species;  // trees first, then undergrowth
     float spacing_m = 9;           // of trees
+    Stand stand;
 };
 
 // One plant standing in the scene.

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/parameters.hpp"
 
-#include <cmath>
-
 namespace quadrat::scene {
 
 using P = genome::ParameterId;
 
 SceneParameters realise(const genome::ParameterValues& v) {
     SceneParameters s;
-    s.trees.type = static_cast<int>(std::lround(v[P::tree_type]));
-    s.trees.branch_angle_deg = v[P::tree_branch_angle_deg];
-    s.trees.trunk_contraction = v[P::tree_trunk_contraction];
-    s.trees.branch_contraction = v[P::tree_branch_contraction];
-    s.trees.leaf_length_m = v[P::tree_leaf_length_m];
-    s.trees.spacing_m = v[P::tree_spacing_m];
+#define PARAMETER(id, name, unit, min, max, standard, bits, genome, meaning) s.trees.id = v[P::id];
+#include "genome/parameters_trees.inc"
+#undef PARAMETER
 #define PARAMETER(id, name, unit, min, max, standard, bits, genome, meaning) s.land.id = v[P::id];
 #include "genome/parameters_land.inc"
 #undef PARAMETER

@@ -6,13 +6,11 @@ namespace quadrat::scene {
 
 // What the growers need, in metres and degrees. Below this no one knows of genes. Ranges: the parameter table.
 
+// A number for each tree row of the parameter table, by the row's id.
 struct TreeParameters {
-    int type = 4;  // ABOP fig. 2.6 a to d, then the same made less flat
-    float branch_angle_deg = 40;
-    float trunk_contraction = 0.88F;
-    float branch_contraction = 0.74F;
-    float leaf_length_m = 0.46F;
-    float spacing_m = 9;
+#define PARAMETER(id, name, unit, min, max, standard, bits, genome, meaning) float id = standard;
+#include "genome/parameters_trees.inc"
+#undef PARAMETER
 };
 
 // A number for each land row of the parameter table, by the row's id.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any word read by the turtle becomes wood and leaves with every number finite and every index inside.
+// Any word read by the turtle becomes closed wood by each of the meshers, and leaves, with every number finite and
+// every index inside.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
+#include "support/manifold.hpp"
 #include "synthesis/trees/foliage.hpp"
 #include "synthesis/trees/limb_mesh.hpp"
 #include "synthesis/trees/turtle.hpp"
@@ -19,27 +21,45 @@ void require(bool is_right) {
 
 bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+void require_sound(const quadrat::scene::Wood& wood) {
+    require(quadrat::tests::manifold_fault(wood.mesh.indices, wood.mesh.positions_m.size()).empty());
+    for (std::size_t i = 0; i < wood.mesh.positions_m.size(); ++i)
+        require(is_finite(wood.mesh.positions_m[i]) && is_finite(wood.mesh.normals[i]) && std::isfinite(wood.ages[i]));
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    constexpr std::string_view kLetters = "F!+-&^/\\$[]AB";
-    if (size > 4000) return 0;
-    trees::Word word{trees::module('!', 1)};
+    constexpr std::string_view kLetters = "F!+-&^/\\$[]ABfL|";
+    if (size > 1200) return 0;
+    trees::Word word;
     for (std::size_t i = 0; i + 1 < size; i += 2) {
         const char letter = kLetters[data[i] % kLetters.size()];
         const auto value = static_cast<float>(static_cast<std::int8_t>(data[i + 1]));
-        word.push_back(trees::module(letter, letter == 'F' || letter == '!' ? 0.05F * value : 1.5F * value));
+        word.add(letter, {letter == 'F' || letter == '!' || letter == 'f' ? 0.02F * value : 1.5F * value});
     }
-    const trees::TreeSkeleton skeleton =
-        trees::interpret(word, {.tropism_strength = 0.2F, .gnarl_deg = 4, .leafy_from = 1}, quadrat::base::Seed{size});
-    for (const int stride : {1, 3}) {
-        const auto wood = trees::mesh_limbs(skeleton, {.node_stride = stride});
-        for (const auto index : wood.mesh.indices) require(index < wood.mesh.positions_m.size());
-        for (std::size_t i = 0; i < wood.mesh.positions_m.size(); ++i)
-            require(is_finite(wood.mesh.positions_m[i]) && is_finite(wood.mesh.normals[i]) &&
-                    std::isfinite(wood.ages[i]));
+    trees::TurtleOptions options;
+    options.elasticity = 0.2F;
+    options.gnarl_deg = 4;
+    options.leafy_below = 0.9F;
+    options.radius_per_width = 0.1F;
+    trees::TreeSkeleton skeleton = trees::interpret(word, options, quadrat::base::Seed{size});
+    for (const float flattest : {0.0F, 0.5F}) require_sound(trees::sweep_tubes(skeleton, {.flattest = flattest}));
+    require_sound(trees::mesh_cylinders(skeleton, 4));
+    const glm::vec3 size_m = skeleton.high_m - skeleton.low_m;
+    trees::MetaTubeDetail detail;
+    detail.cell_m = std::max({size_m.x, size_m.y, size_m.z, 0.5F}) / 40;
+    for (const bool sweeps : {false, true}) {
+        detail.sweeps_twigs = sweeps;
+        require_sound(trees::mesh_meta_tubes(skeleton, detail));
     }
-    const auto leaves = trees::make_foliage(skeleton, {.blades = 50}, quadrat::base::Seed{1});
+    if (!skeleton.limbs.empty()) {
+        trees::set_pipe_radii(skeleton, {});
+        trees::bend(skeleton, {.sag = 0.5F, .wind = {0.3F, 0, 0.1F}, .light = {0, 0.4F, 0}});
+    }
+    trees::FoliageOptions foliage;
+    foliage.blades = 50;
+    const auto leaves = trees::make_foliage(skeleton, foliage, quadrat::base::Seed{1});
     for (const auto index : leaves.indices) require(index < leaves.vertices.size());
     for (const auto& v : leaves.vertices)
         require(is_finite(v.site_m) && is_finite(v.corner_m) && is_finite(v.normal) && std::isfinite(v.shade));

@@ -14,7 +14,8 @@ namespace {
 
 constexpr float kSeedling = 0.07F;
 constexpr float kLowPlant_m = 2.2F;  // below this it is undergrowth, which fades out long before a tree does
-constexpr std::size_t kFewestBlades = 7;
+constexpr std::size_t kFewestBlades = 10;
+constexpr float kShape_px = 11;  // a shorter blade shows no more than that it is one
 
 struct Seen {
     std::uint32_t plant;
@@ -44,7 +45,8 @@ std::size_t prefix(const Kind& kind, int bucket) {
 std::size_t triangles_of(const Kind& kind, float height_px, float fineness) {
     const Closeness how = closeness(kind, height_px, fineness);
     const std::size_t blades = kind.blades == 0 ? 0 : prefix(kind, leaf_bucket(how.share));
-    return wood_triangles(kind, how) + blades * kind.triangles_per_blade;
+    return wood_triangles(kind, how) +
+           blades * (how.is_plain ? kind.triangles_per_plain_blade : kind.triangles_per_blade);
 }
 
 std::vector<Seen> seen_by(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Frustum& frustum,
@@ -140,6 +142,8 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     const float fewest = static_cast<float>(std::min(kind.blades, kFewestBlades));
     const float all = static_cast<float>(kind.blades);
     how.share = std::clamp(wanted_blades, fewest, all) / all;
+    const float blade_px = kind.blade_m * height_px / (std::max(kind.height_m, 0.1F) * std::sqrt(how.share));
+    how.is_plain = kind.triangles_per_plain_blade > 0 && blade_px * std::sqrt(fineness) < kShape_px;
     return how;
 }
 
@@ -156,7 +160,8 @@ Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, 
     const auto extend = [&](const Batch& batch) {
         for (Batch& last : crowd.batches) {
             const bool is_same = last.species == batch.species && last.part == batch.part &&
-                                 last.level == batch.level && last.blades == batch.blades;
+                                 last.level == batch.level && last.blades == batch.blades &&
+                                 last.is_plain == batch.is_plain;
             if (is_same) {
                 ++last.count;
                 return;
@@ -170,8 +175,9 @@ Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, 
         const std::size_t at = instances.size();
         instances.push_back(instance_of(plants[s.plant], kind, s, how.share, gathering));
         if (how.wood_level < kind.wood_triangles.size())
-            extend({s.species, Batch::Part::Wood, how.wood_level, 0, at, 1});
-        if (kind.blades > 0) extend({s.species, Batch::Part::Leaves, 0, prefix(kind, leaf_bucket(how.share)), at, 1});
+            extend({s.species, Batch::Part::Wood, how.wood_level, 0, false, at, 1});
+        if (kind.blades > 0)
+            extend({s.species, Batch::Part::Leaves, 0, prefix(kind, leaf_bucket(how.share)), how.is_plain, at, 1});
         crowd.triangles += triangles_of(kind, s.height_px, crowd.fineness);
     }
     return crowd;

@@ -29,6 +29,8 @@ struct Kind {
     std::vector<std::size_t> wood_triangles;  // a level, finest first
     std::size_t blades = 0;
     std::size_t triangles_per_blade = 0;
+    std::size_t triangles_per_plain_blade = 0;  // 0: there is no plain form
+    float blade_m = 0.3F;
 };
 
 struct Batch {
@@ -36,6 +38,7 @@ struct Batch {
     enum class Part { Wood, Leaves } part = Part::Wood;
     std::size_t level = 0;   // of the wood
     std::size_t blades = 0;  // of the leaves: the prefix to draw
+    bool is_plain = false;   // its blades in their plain form
     std::size_t first = 0;   // instance
     std::size_t count = 0;
 };
@@ -44,6 +47,7 @@ struct Batch {
 struct Closeness {
     std::size_t wood_level = 0;  // the number of levels: none
     float share = 1;             // of the blades
+    bool is_plain = false;       // which are too small to show their shape
 };
 Closeness closeness(const Kind& kind, float height_px, float fineness);
 

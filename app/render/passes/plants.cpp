@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <span>
 
+#include "render/gl/picture_upload.hpp"
 #include "render/passes/packing.hpp"
 
 namespace quadrat::render::passes {
@@ -16,6 +18,11 @@ struct WoodPlace {
     std::uint8_t age;
     std::uint8_t sway;
     std::uint16_t unused;
+};
+struct WoodSurface {
+    PackedNormal normal;
+    PackedNormal grain;
+    glm::vec2 texcoord;  // tiles of the bark
 };
 struct LeafPlace {
     glm::vec3 site_m;
@@ -56,27 +63,38 @@ scene::Wood pole(const scene::Species& species) {
     return wood;
 }
 
-void add_wood(gl::Slices& slices, WoodOnGpu& wood, const std::shared_ptr<const scene::Wood>& source) {
+WoodSurface surface_of(const scene::Wood& wood, std::size_t i, float tiles_per_m) {
+    WoodSurface surface{packed_normal(wood.mesh.normals[i]), {0, 127, 0, 0}, glm::vec2{0}};
+    if (i < wood.grains.size()) {
+        surface.grain = packed_normal(glm::vec3(wood.grains[i]));
+        surface.grain.w = signed_byte(wood.grains[i].w);
+    }
+    if (i < wood.mesh.texcoords.size()) surface.texcoord = wood.mesh.texcoords[i] * tiles_per_m;
+    return surface;
+}
+
+void add_wood(gl::Slices& slices, WoodOnGpu& wood, const std::shared_ptr<const scene::Wood>& source,
+              float tiles_per_m) {
     const std::size_t vertices = source->mesh.positions_m.size();
     const std::size_t indices = source->mesh.indices.size();
     wood.index_count = indices;
     slices.add(0, [&wood, vertices, indices] {
         wood.places = gl::Buffer{GL_ARRAY_BUFFER, vertices * sizeof(WoodPlace)};
-        wood.normals = gl::Buffer{GL_ARRAY_BUFFER, vertices * sizeof(PackedNormal)};
+        wood.surfaces = gl::Buffer{GL_ARRAY_BUFFER, vertices * sizeof(WoodSurface)};
         wood.indices = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, indices * sizeof(std::uint32_t)};
     });
-    slices.add_pieces(vertices, kPieceBytes / sizeof(WoodPlace), sizeof(WoodPlace) + sizeof(PackedNormal),
-                      [&wood, source](std::size_t first, std::size_t count) {
+    slices.add_pieces(vertices, kPieceBytes / sizeof(WoodPlace), sizeof(WoodPlace) + sizeof(WoodSurface),
+                      [&wood, source, tiles_per_m](std::size_t first, std::size_t count) {
                           std::vector<WoodPlace> places(count);
-                          std::vector<PackedNormal> normals(count);
+                          std::vector<WoodSurface> surfaces(count);
                           for (std::size_t i = 0; i < count; ++i) {
                               places[i] = {source->mesh.positions_m[first + i],
                                            unsigned_byte(entry(source->ages, first + i, 0)),
                                            unsigned_byte(entry(source->sways, first + i, 0)), 0};
-                              normals[i] = packed_normal(source->mesh.normals[first + i]);
+                              surfaces[i] = surface_of(*source, first + i, tiles_per_m);
                           }
                           wood.places.write<WoodPlace>(first, places);
-                          wood.normals.write<PackedNormal>(first, normals);
+                          wood.surfaces.write<WoodSurface>(first, surfaces);
                       });
     slices.add_pieces(indices, kPieceBytes / sizeof(std::uint32_t), sizeof(std::uint32_t),
                       [&wood, source](std::size_t first, std::size_t count) {
@@ -113,13 +131,21 @@ void write_leaves(SpeciesOnGpu& species, const scene::Leaves& leaves, std::size_
 void add_leaves(gl::Slices& slices, SpeciesOnGpu& species, const std::shared_ptr<const scene::Leaves>& source) {
     const std::size_t vertices = source->vertices.size();
     const std::size_t indices = source->indices.size();
+    const std::size_t plain = source->plain_indices.size();
     species.indices_per_blade = source->indices_per_blade();
+    species.indices_per_plain_blade = source->indices_per_plain_blade();
     if (source->blades == 0) return;
-    slices.add(0, [&species, vertices, indices] {
+    slices.add(0, [&species, vertices, indices, plain] {
         species.leaf_places = gl::Buffer{GL_ARRAY_BUFFER, vertices * sizeof(LeafPlace)};
         species.leaf_surfaces = gl::Buffer{GL_ARRAY_BUFFER, vertices * sizeof(LeafSurface)};
         species.leaf_indices = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, indices * sizeof(std::uint32_t)};
+        if (plain > 0) species.plain_leaf_indices = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, plain * sizeof(std::uint32_t)};
     });
+    slices.add_pieces(plain, kPieceBytes / sizeof(std::uint32_t), sizeof(std::uint32_t),
+                      [&species, source](std::size_t first, std::size_t count) {
+                          species.plain_leaf_indices.write<std::uint32_t>(
+                              first, std::span{source->plain_indices}.subspan(first, count));
+                      });
     slices.add_pieces(
         vertices, kPieceBytes / sizeof(LeafPlace), sizeof(LeafPlace) + sizeof(LeafSurface),
         [&species, source](std::size_t first, std::size_t count) { write_leaves(species, *source, first, count); });
@@ -128,6 +154,13 @@ void add_leaves(gl::Slices& slices, SpeciesOnGpu& species, const std::shared_ptr
                           species.leaf_indices.write<std::uint32_t>(first,
                                                                     std::span{source->indices}.subspan(first, count));
                       });
+}
+
+float blade_length(const scene::Species& species) {
+    float length_m = 1e-3F;
+    for (std::size_t i = 0; i < std::min<std::size_t>(species.leaves.vertices.size(), 64); ++i)
+        length_m = std::max(length_m, glm::length(species.leaves.vertices[i].corner_m));
+    return length_m;
 }
 
 float reach_of(const scene::Species& species) {
@@ -144,15 +177,31 @@ Kind kind_of(const scene::Species& species) {
     for (const scene::Wood& wood : species.wood) kind.wood_triangles.push_back(wood.mesh.triangle_count());
     kind.blades = species.leaves.blades;
     kind.triangles_per_blade = species.leaves.indices_per_blade() / 3;
+    kind.triangles_per_plain_blade = species.leaves.indices_per_plain_blade() / 3;
+    kind.blade_m = blade_length(species);
     return kind;
 }
 
 // A blade as long as its crown is wide would be seen as what it is.
 float largest_blade(const scene::Species& species) {
-    float length_m = 1e-3F;
-    for (std::size_t i = 0; i < std::min<std::size_t>(species.leaves.vertices.size(), 64); ++i)
-        length_m = std::max(length_m, glm::length(species.leaves.vertices[i].corner_m));
-    return std::max(0.80F * species.crown_radius_m / length_m, 1.0F);
+    return std::max(0.55F * species.crown_radius_m / blade_length(species), 1.0F);
+}
+
+// What every species without a picture of its bark has: neither relief nor spots.
+std::shared_ptr<const mesh::Image> plain_bark() {
+    auto plain = std::make_shared<mesh::Image>(1, 1, 4);
+    plain->bytes = {128, 128, 128, 255};
+    return plain;
+}
+
+void add_bark(gl::Slices& slices, SpeciesOnGpu& species, const std::shared_ptr<const scene::Flora>& source,
+              const scene::Species& from) {
+    gl::TextureShape shape;
+    shape.wrap_s = gl::Wrap::Repeat;
+    shape.wrap_t = gl::Wrap::Repeat;
+    shape.sampling = gl::Sampling::Sharp;
+    const std::shared_ptr<const mesh::Image> picture{source, &from.bark};
+    gl::add_picture(slices, species.bark, from.bark.bytes.empty() ? plain_bark() : picture, shape);
 }
 
 void add_species(gl::Slices& slices, FloraOnGpu& flora, std::size_t index,
@@ -171,7 +220,9 @@ void add_species(gl::Slices& slices, FloraOnGpu& flora, std::size_t index,
         flora.kinds[index].wood_triangles.push_back(levels.back()->mesh.triangle_count());
     }
     species.wood.resize(levels.size());
-    for (std::size_t level = 0; level < levels.size(); ++level) add_wood(slices, species.wood[level], levels[level]);
+    for (std::size_t level = 0; level < levels.size(); ++level)
+        add_wood(slices, species.wood[level], levels[level], 1 / std::max(from.bark_tile_m, 0.01F));
+    add_bark(slices, species, source, from);
     add_leaves(slices, species, {source, &from.leaves});
 }
 
@@ -196,14 +247,19 @@ void add_flora(gl::Slices& slices, FloraOnGpu& flora, const std::shared_ptr<cons
 }
 
 PlantsPass::PlantsPass()
-    : wood_("wood.vert", "lit.frag"),
+    : wood_("wood.vert", "wood.frag"),
       leaves_("leaves.vert", "lit.frag"),
       wood_vertices_{{0,
                       sizeof(WoodPlace),
                       gl::Advance::PerVertex,
                       {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(WoodPlace, position_m)},
                        {1, 2, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(WoodPlace, age)}}},
-                     {1, sizeof(PackedNormal), gl::Advance::PerVertex, {{2, 4, GL_BYTE, gl::Numbers::Normalised, 0}}},
+                     {1,
+                      sizeof(WoodSurface),
+                      gl::Advance::PerVertex,
+                      {{2, 4, GL_BYTE, gl::Numbers::Normalised, offsetof(WoodSurface, normal)},
+                       {3, 4, GL_BYTE, gl::Numbers::Normalised, offsetof(WoodSurface, grain)},
+                       {4, 2, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(WoodSurface, texcoord)}}},
                      {2, sizeof(Instance), gl::Advance::PerInstance, kInstanceAttributes}},
       leaf_vertices_{{0,
                       sizeof(LeafPlace),
@@ -223,7 +279,8 @@ void PlantsPass::draw_wood(const SpeciesOnGpu& species, const Batch& batch, GLui
     const WoodOnGpu& wood = species.wood[batch.level];
     glUniform4f(0, species.bark_colour.r, species.bark_colour.g, species.bark_colour.b, 1 / species.height_m);
     wood_vertices_.feed(0, wood.places.name());
-    wood_vertices_.feed(1, wood.normals.name());
+    species.bark.bind(0);
+    wood_vertices_.feed(1, wood.surfaces.name());
     wood_vertices_.feed(2, instances, batch.first * sizeof(Instance));
     wood_vertices_.feed_indices(wood.indices.name());
     draw_instances(wood.index_count, batch.count);
@@ -234,8 +291,9 @@ void PlantsPass::draw_leaves(const SpeciesOnGpu& species, const Batch& batch, GL
     leaf_vertices_.feed(0, species.leaf_places.name());
     leaf_vertices_.feed(1, species.leaf_surfaces.name());
     leaf_vertices_.feed(2, instances, batch.first * sizeof(Instance));
-    leaf_vertices_.feed_indices(species.leaf_indices.name());
-    draw_instances(batch.blades * species.indices_per_blade, batch.count);
+    leaf_vertices_.feed_indices(batch.is_plain ? species.plain_leaf_indices.name() : species.leaf_indices.name());
+    const std::size_t per_blade = batch.is_plain ? species.indices_per_plain_blade : species.indices_per_blade;
+    draw_instances(batch.blades * per_blade, batch.count);
 }
 
 std::size_t PlantsPass::draw(const FloraOnGpu& flora, const std::vector<Batch>& batches,

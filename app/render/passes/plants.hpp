@@ -6,6 +6,7 @@
 #include "render/gl/buffer.hpp"
 #include "render/gl/program.hpp"
 #include "render/gl/slices.hpp"
+#include "render/gl/texture.hpp"
 #include "render/gl/vertex_array.hpp"
 #include "render/passes/crowd.hpp"
 #include "scene/flora.hpp"
@@ -13,8 +14,8 @@
 namespace quadrat::render::passes {
 
 struct WoodOnGpu {
-    gl::Buffer places;   // what moves a vertex: read by the binner too
-    gl::Buffer normals;  // what only lights it
+    gl::Buffer places;    // what moves a vertex: read by the binner too
+    gl::Buffer surfaces;  // what only lights it
     gl::Buffer indices;
     std::size_t index_count = 0;
 };
@@ -24,7 +25,10 @@ struct SpeciesOnGpu {
     gl::Buffer leaf_places;
     gl::Buffer leaf_surfaces;
     gl::Buffer leaf_indices;
+    gl::Buffer plain_leaf_indices;
     std::size_t indices_per_blade = 0;
+    std::size_t indices_per_plain_blade = 0;
+    gl::Texture2D bark;
     float largest_blade = 1;  // times its size
     glm::vec3 bark_colour{0.2F};
     float height_m = 1;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hard-core point process: candidates on a jittered grid carry a mark each, and one stands where no candidate of a
-// better mark stands too near (Matérn's second process, 1960). Every number hangs on the candidate's cell.
+// Competition for room, light and water, after Deussen et al., "Realistic modeling and rendering of plant ecosystems"
+// (SIGGRAPH 1998). Candidates on a jittered grid each draw a species by how well it would do there, a size and a mark;
+// the old come before the young, then the better mark, and each stands where those before it leave it room (simple
+// sequential inhibition). Herbs see what light the crowns leave. Every number hangs on the candidate's cell and the
+// last pass runs in the order of the marks, so that threads do not matter.
 #include "synthesis/compose/planting.hpp"
-
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,86 +12,12 @@
 #include <glm/trigonometric.hpp>
 #include <span>
 
+#include "synthesis/compose/competition.hpp"
+#include "synthesis/compose/site.hpp"
 #include "synthesis/noise/gradient.hpp"
 
 namespace quadrat::synthesis {
 namespace {
-
-constexpr float kShore_m = 0.45F;  // nothing roots lower over the water
-constexpr float kEdge_m = 10.0F;   // nor nearer to the land's edge
-
-struct Candidate {
-    glm::vec2 at_m{0};
-    float mark = 2;  // 0 best to 1; 2: no plant here
-    std::uint32_t species = 0;
-    float scale = 1;
-};
-
-struct View {
-    float along_m;   // in front of the nearest station
-    float aside;     // tangent of the angle off its view
-    float to_way_m;  // distance from the camera's way
-};
-
-View view_of(const FlightPlan& flight, glm::vec2 at) {
-    View view{0, 0, 1.0e6F};
-    for (const FlightPlan::Station& station : flight.stations) {
-        const glm::vec2 d = at - station.at_m;
-        const float distance = glm::length(d);
-        if (distance >= view.to_way_m) continue;
-        view.to_way_m = distance;
-        view.along_m = glm::dot(d, station.ahead);
-        view.aside = std::abs(d.x * station.ahead.y - d.y * station.ahead.x) / std::max(view.along_m, 0.1F);
-    }
-    return view;
-}
-
-bool is_in_the_way(const FlightPlan& flight, glm::vec2 at, float radius_m) {
-    for (const FlightPlan::Station& station : flight.stations) {
-        const glm::vec2 d = at - station.at_m;
-        if (glm::length(d) < radius_m + 5.0F) return true;
-        const float along = glm::dot(d, station.ahead);
-        const float aside = std::abs(d.x * station.ahead.y - d.y * station.ahead.x);
-        // Before the camera the middle of the picture stays open.
-        if (along > 0 && along < 55.0F && aside < radius_m + 0.36F * along) return true;
-    }
-    return false;
-}
-
-float slope_at(const scene::Land& land, glm::vec2 at) {
-    const glm::vec3 n = scene::ground_normal(land, at);
-    return std::sqrt(std::max(0.0F, 1.0F - n.y * n.y)) / std::max(n.y, 0.05F);
-}
-
-// How well a species does here, 0 to 1.
-float welfare(const scene::Species& species, float height_m, float slope) {
-    const float above = std::clamp((height_m - std::max(species.lowest_m, kShore_m)) / 1.5F, 0.0F, 1.0F);
-    const float below = std::clamp((species.treeline_m - height_m) / (0.12F * species.treeline_m + 1.0F), 0.0F, 1.0F);
-    const float flat = std::clamp((species.steepest_slope - slope) / 0.25F, 0.0F, 1.0F);
-    return height_m < kShore_m ? 0 : above * below * flat;
-}
-
-bool is_on_land(const scene::Land& land, glm::vec2 at) {
-    return std::max(std::abs(at.x), std::abs(at.y)) < 0.5F * land.side_m() - kEdge_m;
-}
-
-// The species that does best here by its share, drawn by an own number of the place.
-std::uint32_t choose_species(const scene::Flora& flora, std::span<const std::uint32_t> kinds, float height_m,
-                             float slope, float draw, float& best_welfare) {
-    float total = 0;
-    best_welfare = 0;
-    for (const std::uint32_t kind : kinds) {
-        const float w = welfare(flora.species[kind], height_m, slope);
-        best_welfare = std::max(best_welfare, w);
-        total += w * flora.species[kind].share;
-    }
-    float left = draw * total;
-    for (const std::uint32_t kind : kinds) {
-        left -= welfare(flora.species[kind], height_m, slope) * flora.species[kind].share;
-        if (left <= 0) return kind;
-    }
-    return kinds.back();
-}
 
 struct Storeyed {
     std::vector<std::uint32_t> trees, shrubs, herbs;
@@ -114,215 +41,337 @@ Storeyed by_storey(const scene::Flora& flora) {
     return kinds;
 }
 
-// A square of cells, each with its candidate; cell (0, 0) has its corner at origin_m.
-struct CandidateGrid {
-    glm::vec2 origin_m;
-    float cell_m;
-    mesh::Grid<Candidate> cells;
-};
-
-template <typename Draw>
-CandidateGrid draw_candidates(glm::vec2 low_m, glm::vec2 high_m, float cell_m, base::Seed seed, const Draw& draw) {
-    // Cells are numbered from the world's middle, so that a place keeps its candidate whatever window is drawn.
-    const auto first = [cell_m](float m) { return static_cast<int>(std::floor(m / cell_m)); };
-    const int x0 = first(low_m.x);
-    const int y0 = first(low_m.y);
-    const int columns = first(high_m.x) - x0 + 1;
-    const int rows = first(high_m.y) - y0 + 1;
-    CandidateGrid grid{{static_cast<float>(x0) * cell_m, static_cast<float>(y0) * cell_m}, cell_m, {columns, rows}};
-    oneapi::tbb::parallel_for(0, rows, [&](int row) {
-        for (int column = 0; column < columns; ++column) {
-            base::RandomStream random{base::Seed{base::hash_of(seed, x0 + column, y0 + row)}};
-            Candidate& c = grid.cells.at(column, row);
-            c.at_m = grid.origin_m + cell_m * glm::vec2{static_cast<float>(column) + random.between(0.08F, 0.92F),
-                                                        static_cast<float>(row) + random.between(0.08F, 0.92F)};
-            draw(c, random);
-        }
-    });
-    return grid;
+// One of the kinds by its share and how well it does, drawn by an own number of the place. best: of the best of them.
+template <typename Well>
+std::uint32_t choose_species(const scene::Flora& flora, std::span<const std::uint32_t> kinds, float draw,
+                             const Well& well, float& best) {
+    constexpr std::size_t kMost = 12;
+    float weights[kMost] = {};
+    float total = 0;
+    best = 0;
+    const std::size_t count = std::min(kinds.size(), kMost);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float w = well(kinds[i]);
+        best = std::max(best, w);
+        weights[i] = w * flora.species[kinds[i]].share;
+        total += weights[i];
+    }
+    float left = draw * total;
+    for (std::size_t i = 0; i < count; ++i) {
+        left -= weights[i];
+        if (left <= 0 && weights[i] > 0) return kinds[i];
+    }
+    return kinds[count - 1];
 }
 
-// Those whose mark no nearer neighbour beats.
-template <typename Apart>
-std::vector<Candidate> hard_core(const CandidateGrid& grid, float reach_m, const Apart& apart_m) {
-    const int reach = static_cast<int>(std::ceil(reach_m / grid.cell_m));
-    std::vector<Candidate> standing;
-    for (int row = 0; row < grid.cells.rows; ++row) {
-        for (int column = 0; column < grid.cells.columns; ++column) {
-            const Candidate& c = grid.cells.at(column, row);
-            if (c.mark > 1) continue;
-            bool stands = true;
-            for (int dy = -reach; dy <= reach && stands; ++dy) {
-                for (int dx = -reach; dx <= reach && stands; ++dx) {
-                    if ((dx == 0 && dy == 0) || !grid.cells.is_inside(column + dx, row + dy)) continue;
-                    const Candidate& other = grid.cells.at(column + dx, row + dy);
-                    stands = other.mark >= c.mark || glm::length(other.at_m - c.at_m) >= apart_m(c, other);
-                }
+// Below this value lies such a share of the fBm used here (a normal distribution's, nearly).
+float quantile(float share) {
+    const float s = std::clamp(share, 0.001F, 0.999F);
+    return 0.20F * std::log(s / (1 - s)) / 1.702F;
+}
+
+class Planter {
+  public:
+    Planter(const scene::Land& land, const scene::Flora& flora, const FlightPlan& flight, const PlantingBudget& budget,
+            base::Seed seed)
+        : land_(land),
+          flora_(flora),
+          half_m_(0.5F * land.side_m()),
+          sight_(flight, half_m_),
+          ground_(land),
+          budget_(budget),
+          seed_(seed),
+          kinds_(by_storey(flora)) {}
+
+    std::vector<scene::Plant> plant() {
+        std::vector<Candidate> trees;
+        if (!kinds_.trees.empty()) {
+            trees = grow_trees();
+            keep_most_seen(trees, budget_.trees - std::min<std::size_t>(budget_.trees, 2));
+            frame_view(trees);
+        }
+        const Shade shade(flora_, trees, half_m_);
+        std::vector<Candidate> shrubs = grow_shrubs(trees, shade);
+        keep_most_seen(shrubs, budget_.undergrowth / 5);
+        std::vector<Candidate> herbs = grow_herbs(trees, shade);
+        keep_most_seen(herbs, budget_.undergrowth - shrubs.size());
+        std::vector<scene::Plant> plants;
+        plants.reserve(trees.size() + shrubs.size() + herbs.size());
+        for (const auto* storey : {&trees, &shrubs, &herbs})
+            for (const Candidate& c : *storey) plants.push_back(plant_of(c));
+        std::stable_sort(plants.begin(), plants.end(),
+                         [](const scene::Plant& a, const scene::Plant& b) { return a.species < b.species; });
+        return plants;
+    }
+
+  private:
+    scene::Plant plant_of(const Candidate& c) const {
+        base::RandomStream random{
+            base::Seed{base::hash_of(seed_, std::lround(c.at_m.x * 64), std::lround(c.at_m.y * 64))}};
+        scene::Plant plant;
+        plant.species = c.species;
+        plant.root_m = {c.at_m.x, scene::ground_height_m(land_, c.at_m), c.at_m.y};
+        plant.yaw_rad = random.between(0, glm::radians(360.0F));
+        plant.scale = c.scale;
+        plant.tint = random.between(-1, 1);
+        plant.delay = random.unit_f();
+        return plant;
+    }
+
+    float crown_m(const Candidate& c) const { return flora_.species[c.species].crown_radius_m * c.scale; }
+    float trunk_m(const Candidate& c) const { return flora_.species[c.species].trunk_radius_m * c.scale; }
+
+    std::vector<Candidate> grow_trees() {
+        const noise::Key groves(seed_.child("groves"));
+        const noise::Key clearings(seed_.child("clearings"));
+        const noise::Key stands(seed_.child("stands"));
+        const scene::Stand& stand = flora_.stand;
+        const float cell_m = std::max(0.55F * flora_.spacing_m, 2.2F);
+        // Wide spacing is open country: groves thin out with it.
+        const float openness = std::clamp((flora_.spacing_m - 4.0F) / 18.0F, 0.0F, 1.0F);
+        const float bare_below = stand.clearings < 0.01F ? -9.0F : quantile(stand.clearings);
+        const auto draw = [&](Candidate& c, base::RandomStream& random) {
+            const float mark = random.unit_f();
+            const float kind = random.unit_f();
+            const float stay = random.unit_f();
+            const float size = random.between(-1, 1);
+            c.is_young = random.unit_f() < stand.young_share;
+            if (!ground_.is_on_land(c.at_m)) return;
+            if (!ground_.is_dry(c.at_m, scene::ground_height_m(land_, c.at_m))) return;
+            const glm::vec2 g = c.at_m / stand.grove_m;
+            if (noise::fbm(clearings, 1.3F * g.x, 1.3F * g.y, {.count = 2}) < bare_below) return;
+            const float grove = noise::fbm(groves, g.x, g.y, {.count = 3, .gain = 0.5F});
+            const float density =
+                std::clamp(0.62F - 0.25F * openness + 5.2F * stand.grove_contrast * grove, 0.03F, 1.0F);
+            if (stay > density) return;
+            const Soil soil = ground_.soil(c.at_m);
+            float well = 0;
+            // Kinds keep company: each has its own ground within a grove.
+            const glm::vec2 s = c.at_m / (0.6F * stand.grove_m);
+            c.species = choose_species(
+                flora_, kinds_.trees, kind,
+                [&](std::uint32_t i) {
+                    const float own = noise::fbm(stands, s.x + 31.7F * static_cast<float>(i), s.y, {.count = 2});
+                    return welfare(flora_.species[i], soil) * std::exp2(7.0F * own);
+                },
+                well);
+            if (stay > density * std::min(well * 2.0F, 1.0F)) return;
+            c.scale = c.is_young ? 0.46F + 0.16F * size : 1.0F + stand.size_spread * size;
+            if (sight_.is_in_the_way(c.at_m, crown_m(c))) return;
+            c.mark = mark + (c.is_young ? 1.0F : 0.0F);
+        };
+        const float reach_m = std::max(0.55F * flora_.spacing_m, 2.0F) + 4.0F;
+        return compete(draw_candidates({-half_m_, -half_m_}, {half_m_, half_m_}, cell_m, seed_.child("trees"), draw),
+                       reach_m, half_m_, [&](const Candidate& a, const Candidate& b) { return apart_m(a, b); });
+    }
+
+    // The room that two trees leave each other. The more they thin themselves, the more room the old keep among each
+    // other and the less they mind the young.
+    float apart_m(const Candidate& a, const Candidate& b) const {
+        const float thin = flora_.stand.self_thinning;
+        const float trunks = 3.0F * (trunk_m(a) + trunk_m(b)) + 0.3F;
+        const float crowns = crown_m(a) + crown_m(b);
+        if (a.is_young != b.is_young)
+            return std::max({trunks, (0.36F - 0.22F * thin) * crowns, (0.4F - 0.2F * thin) * flora_.spacing_m});
+        if (a.is_young) return std::max({trunks, 0.42F * crowns, 0.32F * flora_.spacing_m});
+        return std::max({trunks, (0.34F + 0.16F * thin) * crowns, 0.55F * flora_.spacing_m});
+    }
+
+    // Keeps the plants that matter most to the picture: near ones, in view, then the rest by chance.
+    void keep_most_seen(std::vector<Candidate>& plants, std::size_t most) const {
+        if (plants.size() <= most) return;
+        std::vector<std::pair<float, std::size_t>> order;
+        order.reserve(plants.size());
+        for (std::size_t i = 0; i < plants.size(); ++i) {
+            const View view = sight_.view_of(plants[i].at_m);
+            const bool is_seen = view.along_m > 0 && view.aside < 1.0F;
+            const float far = view.to_way_m / 260.0F;
+            const float chance = plants[i].mark - std::floor(plants[i].mark);
+            order.emplace_back(chance * (1.0F + far * far) + (is_seen ? 0.0F : 0.8F + 0.01F * view.to_way_m), i);
+        }
+        std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(most), order.end());
+        std::vector<std::size_t> kept;
+        for (std::size_t i = 0; i < most; ++i) kept.push_back(order[i].second);
+        std::sort(kept.begin(), kept.end());
+        std::vector<Candidate> fewer;
+        fewer.reserve(most);
+        for (const std::size_t i : kept) fewer.push_back(plants[i]);
+        plants = std::move(fewer);
+    }
+
+    // A tree at each side of the picture, where the land allows it.
+    void frame_view(std::vector<Candidate>& trees) const {
+        const FlightPlan& flight = sight_.flight();
+        const FlightPlan::Station& middle = flight.stations[flight.stations.size() / 2];
+        const glm::vec2 aside{-middle.ahead.y, middle.ahead.x};
+        for (const float side : {-1.0F, 1.0F}) {
+            base::RandomStream random{seed_.child("frame").child(side > 0 ? 1U : 0U)};
+            for (int attempt = 0; attempt < 24; ++attempt) {
+                Candidate c;
+                const float along_m = random.between(20.0F, 52.0F);
+                c.at_m = middle.at_m + along_m * middle.ahead +
+                         side * (along_m * random.between(0.48F, 0.72F) + random.between(6.0F, 16.0F)) * aside;
+                c.scale = random.between(0.95F, 1.22F);
+                c.species = kinds_.trees.front();
+                c.mark = 0;
+                const scene::Species& species = flora_.species[c.species];
+                if (!ground_.is_on_land(c.at_m) || sight_.is_in_the_way(c.at_m, 0.8F * crown_m(c))) continue;
+                if (scene::water_depth_m(land_, c.at_m) > 0 || welfare(species, ground_.soil(c.at_m)) <= 0.2F) continue;
+                const float apart = std::max(0.6F * crown_m(c), 2.5F);
+                std::erase_if(trees, [&](const Candidate& t) {
+                    return t.mark > 0 && glm::length(t.at_m - c.at_m) < std::max(apart + 2.0F, apart_m(t, c));
+                });
+                const bool has_room = std::ranges::none_of(
+                    trees, [&](const Candidate& t) { return glm::length(t.at_m - c.at_m) < apart_m(t, c); });
+                if (!has_room) continue;
+                trees.push_back(c);
+                break;
             }
-            if (stands) standing.push_back(c);
         }
     }
-    return standing;
-}
 
-std::vector<Candidate> tree_candidates(const scene::Land& land, const scene::Flora& flora, const Storeyed& kinds,
-                                       const FlightPlan& flight, base::Seed seed) {
-    const noise::Key groves(seed.child("groves"));
-    const float half_m = 0.5F * land.side_m();
-    const float cell_m = std::max(0.72F * flora.spacing_m, 2.6F);
-    // Wide spacing is open country: groves thin out with it.
-    const float openness = std::clamp((flora.spacing_m - 4.0F) / 18.0F, 0.0F, 1.0F);
-    const auto draw = [&](Candidate& c, base::RandomStream& random) {
-        const float mark = random.unit_f();
-        const float kind = random.unit_f();
-        const float stay = random.unit_f();
-        c.scale = random.between(0.72F, 1.18F);
-        if (!is_on_land(land, c.at_m)) return;
-        const float height_m = scene::ground_height_m(land, c.at_m);
-        if (height_m < kShore_m || scene::water_depth_m(land, c.at_m) > 0) return;
-        const float grove = noise::fbm(groves, c.at_m.x / 95.0F, c.at_m.y / 95.0F, {.count = 3, .gain = 0.5F});
-        const float density = std::clamp(0.62F - 0.25F * openness + 2.6F * grove, 0.03F, 1.0F);
-        float well = 0;
-        c.species = choose_species(flora, kinds.trees, height_m, slope_at(land, c.at_m), kind, well);
-        if (stay > density * well) return;
-        const float radius_m = flora.species[c.species].crown_radius_m * c.scale;
-        if (is_in_the_way(flight, c.at_m, radius_m)) return;
-        c.mark = mark;
-    };
-    const CandidateGrid grid = draw_candidates({-half_m, -half_m}, {half_m, half_m}, cell_m, seed.child("trees"), draw);
-    const float apart_m = 0.55F * flora.spacing_m;
-    return hard_core(grid, apart_m + 4.0F, [&](const Candidate& a, const Candidate& b) {
-        const float trunks =
-            flora.species[a.species].trunk_radius_m * a.scale + flora.species[b.species].trunk_radius_m * b.scale;
-        const float crowns =
-            flora.species[a.species].crown_radius_m * a.scale + flora.species[b.species].crown_radius_m * b.scale;
-        return std::min(std::max({apart_m, 0.42F * crowns, 3.0F * trunks}), apart_m + 4.0F);
-    });
-}
-
-// Keeps the trees that matter most to the picture: near ones, in view, then the rest by chance.
-void keep_most_seen(std::vector<Candidate>& trees, const FlightPlan& flight, std::size_t most) {
-    if (trees.size() <= most) return;
-    std::vector<std::pair<float, std::size_t>> order;
-    for (std::size_t i = 0; i < trees.size(); ++i) {
-        const View view = view_of(flight, trees[i].at_m);
-        const bool is_seen = view.along_m > 0 && view.aside < 1.0F;
-        const float far = view.to_way_m / 260.0F;
-        order.emplace_back(trees[i].mark * (1.0F + far * far) + (is_seen ? 0.0F : 0.8F + 0.01F * view.to_way_m), i);
-    }
-    std::sort(order.begin(), order.end());
-    std::vector<std::size_t> kept;
-    for (std::size_t i = 0; i < most; ++i) kept.push_back(order[i].second);
-    std::sort(kept.begin(), kept.end());
-    std::vector<Candidate> fewer;
-    for (const std::size_t i : kept) fewer.push_back(trees[i]);
-    trees = std::move(fewer);
-}
-
-// A tree at each side of the picture, where the land allows it.
-void frame_view(std::vector<Candidate>& trees, const scene::Land& land, const scene::Flora& flora,
-                const Storeyed& kinds, const FlightPlan& flight, base::Seed seed) {
-    const FlightPlan::Station& middle = flight.stations[flight.stations.size() / 2];
-    const glm::vec2 aside{-middle.ahead.y, middle.ahead.x};
-    for (const float side : {-1.0F, 1.0F}) {
-        base::RandomStream random{seed.child("frame").child(side > 0 ? 1U : 0U)};
-        for (int attempt = 0; attempt < 24; ++attempt) {
-            Candidate c;
-            const float along_m = random.between(20.0F, 52.0F);
-            c.at_m = middle.at_m + along_m * middle.ahead +
-                     side * (along_m * random.between(0.48F, 0.72F) + random.between(6.0F, 16.0F)) * aside;
-            c.scale = random.between(0.95F, 1.22F);
-            c.species = kinds.trees.front();
-            c.mark = 0;
-            const scene::Species& species = flora.species[c.species];
-            if (!is_on_land(land, c.at_m) || is_in_the_way(flight, c.at_m, 0.8F * species.crown_radius_m * c.scale))
-                continue;
-            if (scene::water_depth_m(land, c.at_m) > 0) continue;
-            if (welfare(species, scene::ground_height_m(land, c.at_m), slope_at(land, c.at_m)) <= 0.2F) continue;
-            const float apart_m = std::max(0.6F * species.crown_radius_m * c.scale, 2.5F);
-            trees.erase(std::remove_if(trees.begin(), trees.end(),
-                                       [&](const Candidate& t) {
-                                           return t.mark > 0 && glm::length(t.at_m - c.at_m) < apart_m + 2.0F;
-                                       }),
-                        trees.end());
-            trees.push_back(c);
-            break;
+    void window(float reach_m, glm::vec2& low, glm::vec2& high) const {
+        low = glm::vec2{1.0e6F};
+        high = glm::vec2{-1.0e6F};
+        for (const FlightPlan::Station& station : sight_.flight().stations) {
+            low = glm::min(low, station.at_m - reach_m);
+            high = glm::max(high, station.at_m + reach_m);
         }
+        low = glm::max(low, glm::vec2{-half_m_});
+        high = glm::min(high, glm::vec2{half_m_});
     }
-}
 
-std::vector<Candidate> undergrowth(const scene::Land& land, const scene::Flora& flora,
-                                   std::span<const std::uint32_t> kinds, const FlightPlan& flight,
-                                   std::span<const Candidate> trees, float cell_m, float reach_m, base::Seed seed) {
-    if (kinds.empty()) return {};
-    const noise::Key patches(seed.child("patches"));
-    glm::vec2 low{1.0e6F};
-    glm::vec2 high{-1.0e6F};
-    for (const FlightPlan::Station& station : flight.stations) {
-        low = glm::min(low, station.at_m - reach_m);
-        high = glm::max(high, station.at_m + reach_m);
+    bool is_clear_of_trunks(std::span<const Candidate> trees, const Candidate& c) const {
+        return std::ranges::none_of(trees, [&](const Candidate& tree) {
+            const glm::vec2 d = tree.at_m - c.at_m;
+            const float apart = 2.0F * trunk_m(tree) + 0.35F * crown_m(c);
+            return glm::dot(d, d) < apart * apart;
+        });
     }
-    const auto draw = [&](Candidate& c, base::RandomStream& random) {
-        const float mark = random.unit_f();
-        const float kind = random.unit_f();
-        const float stay = random.unit_f();
-        c.scale = random.between(0.65F, 1.3F);
-        if (!is_on_land(land, c.at_m)) return;
-        const View view = view_of(flight, c.at_m);
-        if (view.along_m < 1.0F || view.aside > 1.15F || view.to_way_m > reach_m || view.to_way_m < 2.2F) return;
-        const float height_m = scene::ground_height_m(land, c.at_m);
-        if (height_m < kShore_m || scene::water_depth_m(land, c.at_m) > 0) return;
-        const float nearness = 1.0F - view.to_way_m / reach_m;
-        const float patch = 0.55F + 2.4F * noise::fbm(patches, c.at_m.x / 11.0F, c.at_m.y / 11.0F, {.count = 2});
-        float well = 0;
-        c.species = choose_species(flora, kinds, height_m, slope_at(land, c.at_m), kind, well);
-        if (stay > std::clamp(patch, 0.05F, 1.0F) * well * nearness * 1.3F) return;
-        for (const Candidate& tree : trees)
-            if (glm::length(tree.at_m - c.at_m) < flora.species[tree.species].trunk_radius_m * tree.scale * 2.0F +
-                                                      0.35F * flora.species[c.species].crown_radius_m)
+
+    // Shrubs gather: along the edges of groves, in thickets, rarely alone.
+    std::vector<Candidate> grow_shrubs(std::span<const Candidate> trees, const Shade& shade) {
+        if (kinds_.shrubs.empty()) return {};
+        const noise::Key thickets(seed_.child("thickets"));
+        glm::vec2 low;
+        glm::vec2 high;
+        const float reach_m = budget_.reach_m * 3.75F;
+        window(reach_m, low, high);
+        const auto draw = [&](Candidate& c, base::RandomStream& random) {
+            const float mark = random.unit_f();
+            const float kind = random.unit_f();
+            const float stay = random.unit_f();
+            const float size = random.unit_f();
+            if (!ground_.is_on_land(c.at_m)) return;
+            const View view = sight_.view_of(c.at_m);
+            if (view.along_m < 1.0F || view.aside > 1.15F || view.to_way_m > reach_m || view.to_way_m < 3.0F) return;
+            const float thicket = noise::fbm(thickets, c.at_m.x / 17.0F, c.at_m.y / 17.0F, {.count = 3});
+            const float cover = shade.at(c.at_m);
+            const float edge = 4.0F * cover * (1 - cover);  // the rim of a crown
+            const float wish = std::clamp(5.0F * (thicket - 0.13F), 0.0F, 1.0F) + 0.16F * edge;
+            if (stay > wish) return;
+            if (!ground_.is_dry(c.at_m, scene::ground_height_m(land_, c.at_m))) return;
+            const Soil soil = ground_.soil(c.at_m);
+            float well = 0;
+            c.species = choose_species(
+                flora_, kinds_.shrubs, kind, [&](std::uint32_t i) { return welfare(flora_.species[i], soil); }, well);
+            if (stay > wish * well * flora_.species[c.species].density * 1.4F) return;
+            // Many small ones beside a few large.
+            c.scale = 0.42F + 0.95F * size * size;
+            if (sight_.is_in_the_way(c.at_m, 0.2F * crown_m(c)) && view.to_way_m < 14.0F) return;
+            c.mark = mark + 1.0F - std::min(c.scale, 1.0F);
+        };
+        std::vector<Candidate> shrubs =
+            compete(draw_candidates(low, high, 1.9F, seed_.child("shrubs"), draw), 3.0F, half_m_,
+                    [&](const Candidate& a, const Candidate& b) { return 0.55F * (crown_m(a) + crown_m(b)); });
+        std::erase_if(shrubs, [&](const Candidate& c) { return !is_clear_of_trunks(trees, c); });
+        return shrubs;
+    }
+
+    std::vector<Candidate> grow_herbs(std::span<const Candidate> trees, const Shade& shade) {
+        if (kinds_.herbs.empty()) return {};
+        const noise::Key patches(seed_.child("patches"));
+        const float patch_m = flora_.stand.herb_patch_m;
+        glm::vec2 low;
+        glm::vec2 high;
+        window(budget_.reach_m, low, high);
+        const auto draw = [&](Candidate& c, base::RandomStream& random) {
+            const float mark = random.unit_f();
+            const float kind = random.unit_f();
+            const float stay = random.unit_f();
+            c.scale = random.between(0.65F, 1.3F);
+            if (!ground_.is_on_land(c.at_m)) return;
+            const View view = sight_.view_of(c.at_m);
+            if (view.along_m < 1.0F || view.aside > 1.15F || view.to_way_m > budget_.reach_m || view.to_way_m < 2.2F)
                 return;
-        c.mark = mark;
+            const float wish = 1.3F * std::clamp(1.0F - view.to_way_m / budget_.reach_m, 0.0F, 1.0F);
+            if (stay > wish) return;
+            if (!ground_.is_dry(c.at_m, scene::ground_height_m(land_, c.at_m))) return;
+            const Soil soil = ground_.soil(c.at_m);
+            const float cover = shade.at(c.at_m);
+            float well = 0;
+            c.species = choose_species(
+                flora_, kinds_.herbs, kind,
+                [&](std::uint32_t i) {
+                    const scene::Species& species = flora_.species[i];
+                    const float own = noise::fbm(patches, c.at_m.x / patch_m + 57.3F * static_cast<float>(i),
+                                                 c.at_m.y / patch_m, {.count = 2});
+                    const float light = std::clamp(1.0F + species.shade_liking * (2.0F * cover - 1.0F), 0.0F, 1.6F);
+                    return welfare(species, soil) * light * species.density * std::exp2(8.0F * own) * 1.6F;
+                },
+                well);
+            if (stay > wish * std::min(well, 1.0F)) return;
+            c.mark = mark;
+        };
+        std::vector<Candidate> herbs =
+            compete(draw_candidates(low, high, budget_.herb_m, seed_.child("herbs"), draw), 0.6F * budget_.herb_m,
+                    half_m_, [this](const Candidate&, const Candidate&) { return 0.5F * budget_.herb_m; });
+        Near near(trees, half_m_);
+        std::erase_if(herbs, [&](const Candidate& c) { return !is_clear_of_trunks(near.around(c.at_m), c); });
+        return herbs;
+    }
+
+    // The trees about a place, without asking all of them.
+    class Near {
+      public:
+        Near(std::span<const Candidate> trees, float half_m)
+            : half_m_(half_m), side_(static_cast<int>(2 * half_m / kCell_m) + 1) {
+            cells_.resize(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_));
+            for (const Candidate& tree : trees)
+                for (int dy = -1; dy <= 1; ++dy)
+                    for (int dx = -1; dx <= 1; ++dx)
+                        cells_[index(tree.at_m + kCell_m * glm::vec2{dx, dy})].push_back(tree);
+        }
+        std::span<const Candidate> around(glm::vec2 at) const { return cells_[index(at)]; }
+
+      private:
+        static constexpr float kCell_m = 8;
+        std::size_t index(glm::vec2 at) const {
+            const auto cell = [this](float m) {
+                return std::clamp(static_cast<int>((m + half_m_) / kCell_m), 0, side_ - 1);
+            };
+            return static_cast<std::size_t>(cell(at.y) * side_ + cell(at.x));
+        }
+        float half_m_;
+        int side_;
+        std::vector<std::vector<Candidate>> cells_;
     };
-    const CandidateGrid grid = draw_candidates(low, high, cell_m, seed, draw);
-    return hard_core(grid, 0.6F * cell_m, [cell_m](const Candidate&, const Candidate&) { return 0.5F * cell_m; });
-}
+
+    const scene::Land& land_;
+    const scene::Flora& flora_;
+    float half_m_;
+    Sight sight_;
+    Ground ground_;
+    PlantingBudget budget_;
+    base::Seed seed_;
+    Storeyed kinds_;
+};
 
 }  // namespace
 
 std::vector<scene::Plant> plant_land(const scene::Land& land, const scene::Flora& flora, const FlightPlan& flight,
-                                     base::Seed seed) {
-    const Storeyed kinds = by_storey(flora);
-    std::vector<Candidate> trees;
-    if (!kinds.trees.empty()) {
-        trees = tree_candidates(land, flora, kinds, flight, seed);
-        keep_most_seen(trees, flight, kMostTrees - 2);
-        frame_view(trees, land, flora, kinds, flight, seed);
-    }
-    std::vector<Candidate> shrubs =
-        undergrowth(land, flora, kinds.shrubs, flight, trees, 5.5F, 150.0F, seed.child("shrubs"));
-    std::vector<Candidate> herbs =
-        undergrowth(land, flora, kinds.herbs, flight, trees, 0.62F, 40.0F, seed.child("herbs"));
-    keep_most_seen(shrubs, flight, kMostUndergrowth / 6);
-    keep_most_seen(herbs, flight, kMostUndergrowth - shrubs.size());
-
-    std::vector<scene::Plant> plants;
-    for (const auto* storey : {&trees, &shrubs, &herbs}) {
-        for (const Candidate& c : *storey) {
-            base::RandomStream random{
-                base::Seed{base::hash_of(seed, std::lround(c.at_m.x * 64), std::lround(c.at_m.y * 64))}};
-            scene::Plant plant;
-            plant.species = c.species;
-            plant.root_m = {c.at_m.x, scene::ground_height_m(land, c.at_m), c.at_m.y};
-            plant.yaw_rad = random.between(0, glm::radians(360.0F));
-            plant.scale = c.scale;
-            plant.tint = random.between(-1, 1);
-            plant.delay = random.unit_f();
-            plants.push_back(plant);
-        }
-    }
-    std::stable_sort(plants.begin(), plants.end(),
-                     [](const scene::Plant& a, const scene::Plant& b) { return a.species < b.species; });
-    return plants;
+                                     base::Seed seed, const PlantingBudget& budget) {
+    return Planter(land, flora, flight, budget, seed).plant();
 }
 
 }  // namespace quadrat::synthesis

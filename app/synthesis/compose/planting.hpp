@@ -9,12 +9,18 @@
 
 namespace quadrat::synthesis {
 
-inline constexpr std::size_t kMostTrees = 900;
-inline constexpr std::size_t kMostUndergrowth = 3600;
+// How many plants a scene may have, and how far around the camera's way its undergrowth stands.
+struct PlantingBudget {
+    std::size_t trees = 900;
+    std::size_t undergrowth = 3600;
+    float reach_m = 40;    // of herbs; shrubs stand farther
+    float herb_m = 0.62F;  // between herbs where they are dense
+};
 
-// Who stands where: by height, slope and water, in groves with clearings, no two trunks or roots in one place, none in
-// the water, none in the camera's way, some to frame its view. Sorted by species; sun is left at 1.
+// Who stands where: by height, slope, moisture and light, in groves with clearings, the old with room around them and
+// the young between, no two trunks or roots in one place, none in the water, none in the camera's way, some to frame
+// its view. Sorted by species; sun is left at 1.
 std::vector<scene::Plant> plant_land(const scene::Land& land, const scene::Flora& flora, const FlightPlan& flight,
-                                     base::Seed seed);
+                                     base::Seed seed, const PlantingBudget& budget = {});
 
 }  // namespace quadrat::synthesis

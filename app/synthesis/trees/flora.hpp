@@ -6,8 +6,8 @@
 
 namespace quadrat::synthesis::trees {
 
-// All species of a scene, as grow_trees() promises them: the tree the genes ask for, a slighter relative of it, then
-// undergrowth that goes with them.
+// All species of a scene, as grow_trees() promises them: one to three trees, a shrub, then herbs. Parameters outside
+// the table's ranges are the caller's mistake; inside them every combination is plants within their budgets.
 scene::Flora make_flora(const scene::TreeParameters& parameters, base::Seed seed);
 
 }  // namespace quadrat::synthesis::trees

@@ -13,11 +13,11 @@ namespace quadrat::synthesis::trees {
 namespace {
 
 glm::vec3 any_direction(base::RandomStream& random) {
-    for (;;) {
-        const glm::vec3 v{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
-        const float r = glm::dot(v, v);
-        if (r > 0.01F && r < 1) return v / std::sqrt(r);
-    }
+    // Archimedes: height and longitude are uniform on a sphere.
+    const float y = random.between(-1, 1);
+    const float turn = random.between(0, 6.2831853F);
+    const float r = std::sqrt(std::max(1 - y * y, 0.0F));
+    return {r * std::cos(turn), y, r * std::sin(turn)};
 }
 
 struct Crown {
@@ -28,7 +28,7 @@ struct Crown {
 Crown crown_of(const TreeSkeleton& skeleton) {
     glm::vec3 low{1.0e6F};
     glm::vec3 high{-1.0e6F};
-    for (const LeafSite& site : skeleton.sites) {
+    for (const Site& site : skeleton.sites) {
         low = glm::min(low, site.at_m);
         high = glm::max(high, site.at_m);
     }
@@ -86,102 +86,190 @@ class CrownLight {
     std::array<float, kCells * kCells * kCells> above_{};
 };
 
-struct Site {
+struct Place {
     glm::vec3 at_m;
-    glm::vec3 along;
-    float path_m;
+    const Site* site;
+    float sway;
 };
 
-// Blades spread over the sites in turn, then shuffled, so that a prefix covers the whole crown.
-std::vector<Site> shuffled_sites(const TreeSkeleton& skeleton, const FoliageOptions& options, base::Seed seed) {
-    std::vector<Site> sites;
-    sites.reserve(options.blades);
+// Blades spread over the sites by their weights, then shuffled, so that a prefix covers the whole crown.
+std::vector<Place> shuffled_places(const TreeSkeleton& skeleton, const FoliageOptions& options, base::Seed seed) {
+    std::vector<Place> places;
+    places.reserve(options.blades);
+    float total = 0;
+    for (const Site& site : skeleton.sites) total += site.weight;
+    const float each = total / static_cast<float>(options.blades);
+    std::size_t at_site = 0;
+    float passed = skeleton.sites.front().weight;
     for (std::size_t i = 0; i < options.blades; ++i) {
-        base::RandomStream random{seed.child("site").child(i)};
-        const std::size_t count = skeleton.sites.size();
-        const LeafSite& at = skeleton.sites[options.blades < count ? i * count / options.blades : i % count];
-        sites.push_back({at.at_m + options.scatter_m * random.unit_f() * any_direction(random), at.along, at.path_m});
+        base::RandomStream random{base::Seed{base::hash_of(seed, 1, static_cast<std::int64_t>(i))}};
+        while (passed < each * (static_cast<float>(i) + 0.5F) && at_site + 1 < skeleton.sites.size())
+            passed += skeleton.sites[++at_site].weight;
+        std::size_t at = at_site;
+        // A tuft: the blade moves to the first of its group of neighbours.
+        if (random.unit_f() < options.clumping) at -= at % 5;
+        const Site& site = skeleton.sites[at];
+        const glm::vec3 off =
+            options.scatter_m * (1 - 0.55F * options.clumping) * random.unit_f() * any_direction(random);
+        places.push_back({site.organ == Organ::Leaf ? site.at_m + off : site.at_m + 0.5F * off, &site,
+                          skeleton.limbs[site.limb].nodes[site.node].sway});
     }
     base::RandomStream random{seed.child("shuffle")};
-    for (std::size_t i = sites.size(); i > 1; --i)
-        std::swap(sites[i - 1], sites[random.below(static_cast<std::uint32_t>(i))]);
-    return sites;
+    for (std::size_t i = places.size(); i > 1; --i)
+        std::swap(places[i - 1], places[random.below(static_cast<std::uint32_t>(i))]);
+    return places;
+}
+
+glm::vec3 across(const glm::vec3& wish, const glm::vec3& along) {
+    const glm::vec3 v = wish - glm::dot(wish, along) * along;
+    const float length2 = glm::dot(v, v);
+    if (length2 > 1.0e-6F) return v / std::sqrt(length2);
+    const glm::vec3 other = std::abs(along.y) < 0.9F ? glm::vec3{0, 1, 0} : glm::vec3{1, 0, 0};
+    return glm::normalize(glm::cross(along, other));
+}
+
+glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise) {
+    const float length2 = glm::dot(v, v);
+    return length2 > 1.0e-8F ? v / std::sqrt(length2) : otherwise;
+}
+
+// Colours of a crown, mixed once: a blade picks one.
+class Palette {
+  public:
+    explicit Palette(const LeafColours& c) : colours_(c) {
+        for (std::size_t i = 0; i < kSteps; ++i) {
+            const float t = static_cast<float>(i) / static_cast<float>(kSteps - 1);
+            green_[i] = scene::mix_colours(c.leaf, c.second, t);
+            turned_[i] = scene::mix_colours(scene::mix_colours(c.leaf, c.turned, 0.75F),
+                                            scene::shifted_colour(c.turned, 1.08F), t);
+        }
+    }
+    glm::vec3 pick(const Site& site, float out, base::RandomStream& random) const {
+        const float light = random.between(0.90F, 1.10F);
+        const float lean = random.unit_f();
+        const float when = random.unit_f();
+        if (site.organ == Organ::Flower) return colours_.blossom * light;
+        if (site.organ == Organ::Fruit) return colours_.fruit * light;
+        const bool has_turned = when * (1.25F - 0.35F * std::min(out, 1.0F)) < colours_.autumn;
+        const float t = has_turned ? lean : lean * lean * (0.35F + colours_.variety);
+        const auto i = static_cast<std::size_t>(std::clamp(t, 0.0F, 1.0F) * static_cast<float>(kSteps - 1) + 0.5F);
+        return (has_turned ? turned_[i] : green_[i]) * (1 + 1.2F * colours_.variety * (light - 1));
+    }
+
+  private:
+    static constexpr std::size_t kSteps = 12;
+    const LeafColours& colours_;
+    std::array<glm::vec3, kSteps> green_;
+    std::array<glm::vec3, kSteps> turned_;
+};
+
+BladeShape blade_at(const Place& place, const FoliageOptions& o, const glm::vec3& out_unit,
+                    base::RandomStream& random) {
+    const LeafShape& shape = leaf_shape(o.kind);
+    BladeShape blade;
+    blade.site_m = place.at_m;
+    const glm::vec3 chance = any_direction(random);
+    blade.along = unit_or((1.25F - 0.85F * o.spread) * place.site->along + 0.35F * place.site->out +
+                              o.outward * out_unit + 0.85F * o.spread * chance + glm::vec3{0, -2.2F * o.droop, 0},
+                          place.site->along);
+    if (o.is_rosette) {
+        // Fronds of a palm: the young stand up in the middle, the old hang.
+        const float age = random.unit_f();
+        blade.along = unit_or(place.site->out + glm::vec3{0, 1.35F - 1.7F * age, 0} + 0.2F * chance, place.site->along);
+        blade.face = across({0, 1, 0}, blade.along);
+        blade.length_m = o.length_m * random.between(0.82F, 1.12F);
+        blade.half_width_m = 0.5F * o.width * shape.width * blade.length_m;
+        blade.fold_m = -0.5F * o.fold * blade.half_width_m;
+        blade.bow_m = -(0.30F + 0.5F * o.droop) * blade.length_m;
+        return blade;
+    }
+    // Blades turn their flat side to the light.
+    blade.face = across(0.8F * out_unit + glm::vec3{0, 0.8F, 0} + 0.5F * o.spread * any_direction(random), blade.along);
+    blade.length_m = o.length_m * random.between(0.78F, 1.18F);
+    if (place.site->organ != Organ::Leaf) {
+        blade.is_disc = true;
+        blade.length_m = (place.site->organ == Organ::Flower ? o.flower_m : o.fruit_m) * random.between(0.85F, 1.2F);
+        blade.half_width_m = 0.5F * blade.length_m;
+        blade.fold_m = 0.3F * blade.half_width_m;
+        blade.face = unit_or(out_unit + 0.5F * chance + glm::vec3{0, 0.35F, 0}, glm::vec3{0, 1, 0});
+        blade.along = across(chance, blade.face);
+        return blade;
+    }
+    blade.half_width_m = 0.5F * o.width * shape.width * blade.length_m;
+    blade.fold_m = o.fold * blade.half_width_m;
+    blade.bow_m = -shape.arch * blade.length_m;
+    return blade;
 }
 
 }  // namespace
 
-void add_spike(scene::Leaves& leaves, const BladeShape& b, const scene::Leaves::Vertex& common) {
+void add_blade(scene::Leaves& leaves, LeafKind kind, const BladeShape& b, const scene::Leaves::Vertex& common) {
+    const LeafShape& shape = leaf_shape(kind);
     const auto first = static_cast<std::uint32_t>(leaves.vertices.size());
-    const glm::vec3 across = glm::cross(b.along, b.face);
-    for (const glm::vec3& corner :
-         {-b.half_width_m * across, b.half_width_m * across, b.length_m * b.along + b.bow_m * b.face}) {
+    const glm::vec3 side = glm::cross(b.along, b.face);
+    const auto count = shape.outline.size();
+    for (std::size_t k = 0; k < count; ++k) {
         scene::Leaves::Vertex vertex = common;
         vertex.site_m = b.site_m;
-        vertex.corner_m = corner;
+        if (b.is_disc) {
+            const float turn = 6.2831853F * static_cast<float>(k) / static_cast<float>(count);
+            const float up = k == 0 || k == shape.tip ? 1.0F : 0.2F;
+            vertex.corner_m =
+                b.half_width_m * (std::cos(turn) * b.along + std::sin(turn) * side) + up * b.fold_m * b.face;
+        } else {
+            const glm::vec2 p = shape.outline[k];
+            const float fold = b.fold_m * 2 * std::abs(p.y);
+            vertex.corner_m =
+                b.length_m * p.x * b.along + 2 * b.half_width_m * p.y * side + (fold + b.bow_m * p.x * p.x) * b.face;
+            vertex.colour *= shape.lightness[k];
+        }
         leaves.vertices.push_back(vertex);
     }
-    leaves.indices.insert(leaves.indices.end(), {first, first + 1, first + 2});
+    for (const std::uint32_t t : shape.triangles) leaves.indices.push_back(first + t);
+    for (const std::uint32_t t : shape.plain) leaves.plain_indices.push_back(first + t);
     ++leaves.blades;
 }
 
-void add_blade(scene::Leaves& leaves, const BladeShape& b, const scene::Leaves::Vertex& common) {
-    const auto first = static_cast<std::uint32_t>(leaves.vertices.size());
-    const glm::vec3 across = glm::cross(b.along, b.face);
-    const float middle_m = 0.45F * b.length_m;
-    const std::array<glm::vec3, 4> corners{
-        glm::vec3{0}, middle_m * b.along + b.half_width_m * across + (b.fold_m + 0.3F * b.bow_m) * b.face,
-        b.length_m * b.along + b.bow_m * b.face,
-        middle_m * b.along - b.half_width_m * across + (b.fold_m + 0.3F * b.bow_m) * b.face};
-    for (const glm::vec3& corner : corners) {
-        scene::Leaves::Vertex vertex = common;
-        vertex.site_m = b.site_m;
-        vertex.corner_m = corner;
-        leaves.vertices.push_back(vertex);
+void set_organs(TreeSkeleton& skeleton, float blossom, float fruit, base::Seed seed) {
+    for (std::size_t i = 0; i < skeleton.sites.size(); ++i) {
+        const float draw = base::unit_of(base::hash_of(seed, static_cast<std::int64_t>(i), 0));
+        Organ& organ = skeleton.sites[i].organ;
+        if (draw < blossom)
+            organ = Organ::Flower;
+        else if (draw < blossom + fruit)
+            organ = Organ::Fruit;
     }
-    leaves.indices.insert(leaves.indices.end(), {first, first + 2, first + 1, first, first + 3, first + 2});
-    ++leaves.blades;
 }
 
 scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& options, base::Seed seed) {
     scene::Leaves leaves;
     if (skeleton.sites.empty() || options.blades == 0) return leaves;
     const Crown crown = crown_of(skeleton);
-    const std::vector<Site> sites = shuffled_sites(skeleton, options, seed);
-    std::vector<glm::vec3> places;
-    for (const Site& site : sites) places.push_back(site.at_m);
-    const CrownLight light(crown, places);
-    leaves.vertices.reserve(4 * sites.size());
-    leaves.indices.reserve(6 * sites.size());
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-        base::RandomStream random{seed.child("blade").child(i)};
-        const Site& site = sites[i];
-        const glm::vec3 outward = (site.at_m - crown.middle_m) / crown.half_m;
+    const std::vector<Place> places = shuffled_places(skeleton, options, seed);
+    std::vector<glm::vec3> at;
+    at.reserve(places.size());
+    for (const Place& place : places) at.push_back(place.at_m);
+    const CrownLight light(crown, at);
+    const Palette palette(options.colours);
+    const LeafShape& shape = leaf_shape(options.kind);
+    leaves.vertices.reserve(shape.outline.size() * places.size());
+    leaves.indices.reserve(shape.triangles.size() * places.size());
+    leaves.plain_indices.reserve(shape.plain.size() * places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        base::RandomStream random{base::Seed{base::hash_of(seed, 2, static_cast<std::int64_t>(i))}};
+        const Place& place = places[i];
+        const glm::vec3 outward = (place.at_m - crown.middle_m) / crown.half_m;
         const float out = std::min(glm::length(outward), 1.2F);
-        const glm::vec3 out_unit = outward / std::max(glm::length(outward), 1.0e-3F);
-        const glm::vec3 hang{0, -1, 0};
-        BladeShape blade;
-        blade.site_m = site.at_m;
-        blade.along = glm::normalize(0.6F * site.along + 0.5F * out_unit + 0.8F * any_direction(random) +
-                                     1.6F * options.droop * hang);
-        // Blades turn their flat side to the light.
-        const glm::vec3 wish = out_unit + glm::vec3{0, 0.7F, 0} + 0.6F * any_direction(random);
-        const glm::vec3 face = wish - glm::dot(wish, blade.along) * blade.along;
-        blade.face = glm::length(face) > 1.0e-3F ? glm::normalize(face)
-                                                 : glm::normalize(glm::cross(blade.along, glm::vec3{0.3F, 0.5F, 0.8F}));
-        blade.length_m = options.length_m * random.between(0.75F, 1.2F);
-        blade.half_width_m = 0.5F * options.width * blade.length_m;
-        blade.fold_m = options.fold * blade.half_width_m;
-        blade.bow_m = -0.12F * blade.length_m;
+        const glm::vec3 out_unit = unit_or(outward, {0, 1, 0});
+        const BladeShape blade = blade_at(place, options, out_unit, random);
         scene::Leaves::Vertex vertex;
-        vertex.normal = glm::normalize(0.35F * blade.face + out_unit + glm::vec3{0, 0.25F, 0});
-        vertex.shade = light.at(site.at_m) * (0.72F + 0.28F * std::min(out, 1.0F));
-        const float lean = random.unit_f();
-        vertex.colour = scene::shifted_colour(scene::mix_colours(options.colour, options.second, lean * lean),
-                                              random.between(0.93F, 1.07F));
-        const float share = std::min(site.path_m / std::max(skeleton.longest_path_m, 1.0e-3F), 1.0F);
+        vertex.normal = unit_or(0.35F * blade.face + out_unit + glm::vec3{0, 0.25F, 0}, {0, 1, 0});
+        vertex.shade = light.at(place.at_m) * (0.72F + 0.28F * std::min(out, 1.0F));
+        vertex.colour = palette.pick(*place.site, out, random);
+        const float share = std::min(place.site->path_m / std::max(skeleton.longest_path_m, 1.0e-3F), 1.0F);
         vertex.age = std::min(0.12F + 0.83F * share, 1.0F);
-        vertex.sway = share * std::sqrt(share);
-        add_blade(leaves, blade, vertex);
+        vertex.sway = std::clamp(place.sway, 0.0F, 1.0F);
+        add_blade(leaves, options.kind, blade, vertex);
     }
     return leaves;
 }

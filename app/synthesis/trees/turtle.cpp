@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace quadrat::synthesis::trees {
 namespace {
+
+constexpr float kFarthest_m = 1.0e5F;
+constexpr std::size_t kDeepest = 4096;
 
 struct Turtle {
     glm::vec3 at_m{0};
@@ -16,63 +19,105 @@ struct Turtle {
     glm::vec3 left{-1, 0, 0};
     glm::vec3 up{0, 0, 1};
     float width = 1;
-    float path_m = 0;
-    int limb = -1;  // index into the limbs; -1: the next F begins one
+    int limb = -1;  // that an F would lengthen; -1: the next F begins one
     int bearer = -1;
+    int bearer_node = 0;
     int order = 0;
 
-    void turn(const glm::vec3& axis, float radians) {
-        const glm::quat q = glm::angleAxis(radians, axis);
-        heading = glm::normalize(q * heading);
-        left = glm::normalize(q * left);
-        up = glm::cross(heading, left);
-    }
+    void yaw(float radians) { turn(heading, left, radians); }
+    void pitch(float radians) { turn(heading, up, -radians); }
+    void roll(float radians) { turn(left, up, radians); }
     void level() {
         const glm::vec3 side = glm::cross(glm::vec3{0, 1, 0}, heading);
-        if (glm::length(side) < 1.0e-4F) return;
+        if (glm::dot(side, side) < 1.0e-8F) return;
         left = glm::normalize(side);
         up = glm::cross(heading, left);
     }
     void bend_toward(const glm::vec3& where, float strength) {
         const glm::vec3 axis = glm::cross(heading, where);
         const float sine = glm::length(axis);
-        if (sine > 1.0e-4F) turn(axis / sine, strength * sine);
+        if (sine < 1.0e-4F) return;
+        const glm::vec3 side = glm::cross(axis / sine, heading);
+        const float angle = strength * sine;
+        heading = glm::normalize(heading * std::cos(angle) + side * std::sin(angle));
+        left = glm::normalize(left - glm::dot(left, heading) * heading);
+        up = glm::cross(heading, left);
+    }
+
+  private:
+    // a toward b, b away from a; kept at right angles to the third, which does not move.
+    static void turn(glm::vec3& a, glm::vec3& b, float radians) {
+        const float c = std::cos(radians);
+        const float s = std::sin(radians);
+        const glm::vec3 turned = c * a + s * b;
+        b = c * b - s * a;
+        a = turned;
     }
 };
 
 class Reader {
   public:
-    Reader(const TurtleOptions& options, base::Seed seed) : options_(options), seed_(seed) {}
+    Reader(const Word& word, const TurtleOptions& options, base::Seed seed)
+        : word_(word), options_(options), seed_(seed) {
+        turtle_.width = options.width;
+    }
 
-    void read(const Module& m) {
-        const float angle = glm::radians(m.values[0]);
-        switch (m.letter) {
+    TreeSkeleton read() {
+        for (const Word::Symbol& symbol : word_.symbols) {
+            if (skeleton_.limbs.size() > options_.most_limbs) break;
+            obey(symbol);
+        }
+        measure(skeleton_);
+        return std::move(skeleton_);
+    }
+
+  private:
+    float argument(const Word::Symbol& symbol, float missing) const {
+        return symbol.arguments == 0 ? missing : word_.values[symbol.first];
+    }
+
+    void obey(const Word::Symbol& symbol) {
+        const auto angle = [&] { return glm::radians(argument(symbol, options_.angle_deg)); };
+        switch (static_cast<char>(symbol.letter)) {
             case 'F':
-                forward(m.values[0]);
+                forward(argument(symbol, options_.length));
+                break;
+            case 'f':
+                jump(argument(symbol, options_.length));
                 break;
             case '!':
-                set_width(m.values[0]);
+                turtle_.width = std::max(argument(symbol, turtle_.width * options_.width_ratio), 0.0F);
                 break;
             case '+':
-                turtle_.turn(turtle_.up, angle);
+                turtle_.yaw(angle());
                 break;
             case '-':
-                turtle_.turn(turtle_.up, -angle);
+                turtle_.yaw(-angle());
                 break;
             case '&':
-                turtle_.turn(turtle_.left, angle);
+                turtle_.pitch(angle());
                 break;
             case '^':
-                turtle_.turn(turtle_.left, -angle);
+                turtle_.pitch(-angle());
                 break;
             case '/':
-                turtle_.turn(turtle_.heading, angle);
+                turtle_.roll(-angle());
                 break;
             case '\\':
-                turtle_.turn(turtle_.heading, -angle);
+                turtle_.roll(angle());
+                break;
+            case '|':
+                turtle_.yaw(glm::pi<float>());
                 break;
             case '$':
                 turtle_.level();
+                break;
+            case 'L':
+            case '~':
+                bear(Organ::Leaf);
+                break;
+            case 'K':
+                bear(Organ::Flower);
                 break;
             case '[':
                 push();
@@ -85,38 +130,15 @@ class Reader {
         }
     }
 
-    TreeSkeleton finish() {
-        for (const Limb& limb : skeleton_.limbs)
-            for (const Limb::Node& node : limb.nodes) reach(node.at_m, node.path_m);
-        for (const LeafSite& site : skeleton_.sites) reach(site.at_m, site.path_m);
-        return std::move(skeleton_);
-    }
-
-  private:
-    void reach(const glm::vec3& at, float path_m) {
-        skeleton_.low_m = glm::min(skeleton_.low_m, at);
-        skeleton_.high_m = glm::max(skeleton_.high_m, at);
-        skeleton_.longest_path_m = std::max(skeleton_.longest_path_m, path_m);
-    }
-
-    void set_width(float width) {
-        if (first_width_ <= 0) first_width_ = width;
-        turtle_.width = width;
-    }
-
-    int generation() const {
-        const float share = turtle_.width / std::max(first_width_, 1.0e-6F);
-        return share >= 1 ? 0 : static_cast<int>(std::lround(std::log(share) / std::log(options_.width_ratio)));
-    }
-
-    float radius_m() const {
-        return std::max(options_.trunk_radius_m * turtle_.width / std::max(first_width_, 1.0e-6F),
-                        options_.least_radius_m);
-    }
+    float share() const { return turtle_.width / std::max(options_.width, 1.0e-9F); }
 
     void push() {
+        if (stack_.size() >= kDeepest) return;
         stack_.push_back(turtle_);
-        turtle_.bearer = turtle_.limb >= 0 ? turtle_.limb : turtle_.bearer;
+        if (turtle_.limb >= 0) {
+            turtle_.bearer = turtle_.limb;
+            turtle_.bearer_node = static_cast<int>(skeleton_.limbs[turtle_.limb].nodes.size()) - 1;
+        }
         turtle_.limb = -1;
         ++turtle_.order;
     }
@@ -127,52 +149,108 @@ class Reader {
         stack_.pop_back();
     }
 
+    void jump(float length) {
+        move(length);
+        turtle_.limb = -1;
+        turtle_.bearer = -1;
+    }
+
+    void move(float length) {
+        turtle_.at_m = glm::clamp(turtle_.at_m + length * turtle_.heading, -kFarthest_m, kFarthest_m);
+    }
+
     void forward(float length) {
-        base::RandomStream random{seed_.child(internode_++)};
-        const float sway_a = random.normal();
-        const float sway_b = random.normal();
-        const float gnarl = glm::radians(options_.gnarl_deg);
-        if (turtle_.path_m > 0) {
-            turtle_.turn(turtle_.left, gnarl * sway_a);
-            turtle_.turn(turtle_.up, gnarl * sway_b);
-            turtle_.bend_toward(options_.tropism, options_.tropism_strength);
-        }
-        const float step_m = length * options_.internode_m * (1.0F + 0.004F * options_.gnarl_deg * random.normal());
-        const Limb::Node start{turtle_.at_m, radius_m(), turtle_.path_m};
-        turtle_.at_m += step_m * turtle_.heading;
-        turtle_.path_m += step_m;
-        const int made = generation();
-        if (made < options_.bare_from) {
-            if (turtle_.limb < 0) {
-                turtle_.limb = static_cast<int>(skeleton_.limbs.size());
-                skeleton_.limbs.push_back({{start}, turtle_.order, made, turtle_.bearer});
-            }
-            auto& nodes = skeleton_.limbs[turtle_.limb].nodes;
-            nodes.back().radius_m = std::min(nodes.back().radius_m, start.radius_m);
-            nodes.push_back({turtle_.at_m, radius_m() * options_.width_ratio, turtle_.path_m});
-        }
-        if (made >= options_.leafy_from) {
-            skeleton_.sites.push_back({turtle_.at_m, turtle_.heading, turtle_.path_m});
-            skeleton_.sites.push_back(
-                {turtle_.at_m - 0.5F * step_m * turtle_.heading, turtle_.heading, turtle_.path_m - 0.5F * step_m});
+        if (!skeleton_.limbs.empty()) deviate();
+        const glm::vec3 from_m = turtle_.at_m;
+        move(length);
+        const float radius_m = std::max(options_.radius_per_width * turtle_.width, options_.least_radius_m);
+        if (share() >= options_.bare_below || skeleton_.limbs.empty()) lengthen(from_m, radius_m);
+        if (share() < options_.leafy_below) {
+            const std::size_t first = skeleton_.sites.size();
+            bear(Organ::Leaf);
+            if (skeleton_.sites.size() > first) skeleton_.sites.back().at_m = 0.5F * (from_m + turtle_.at_m);
+            bear(Organ::Leaf);
+            // A word may make many short shoots in one place and few long ones in another: leaves go with the room.
+            for (std::size_t i = first; i < skeleton_.sites.size(); ++i)
+                skeleton_.sites[i].weight = std::max(std::pow(std::abs(length), 1.7F), 1.0e-4F);
         }
     }
 
+    void lengthen(const glm::vec3& from_m, float radius_m) {
+        if (turtle_.limb < 0) {
+            Limb limb;
+            limb.order = turtle_.order;
+            limb.parent = turtle_.bearer;
+            limb.parent_node = turtle_.bearer_node;
+            limb.nodes.reserve(8);
+            limb.nodes.push_back({from_m, radius_m, 0, 0});
+            turtle_.limb = static_cast<int>(skeleton_.limbs.size());
+            skeleton_.limbs.push_back(std::move(limb));
+        }
+        auto& nodes = skeleton_.limbs[turtle_.limb].nodes;
+        nodes.back().radius_m = std::min(nodes.back().radius_m, radius_m);
+        nodes.push_back({turtle_.at_m, radius_m * options_.width_ratio, 0, 0});
+    }
+
+    // Two uniform numbers an internode; their sum bell-shaped enough.
+    void deviate() {
+        if (options_.gnarl_deg > 0) {
+            const std::uint64_t hash = base::hash_of(seed_, internode_++, 0);
+            const auto part = [hash](unsigned shift) {
+                return static_cast<float>((hash >> shift) & 0xFFFFU) / 32768.0F - 1.0F;
+            };
+            const float gnarl = 1.2F * glm::radians(options_.gnarl_deg);
+            turtle_.pitch(gnarl * (part(0) + part(16)));
+            turtle_.yaw(gnarl * (part(32) + part(48)));
+            left_right_angled();
+        }
+        if (options_.elasticity != 0) turtle_.bend_toward(options_.tropism, options_.elasticity);
+    }
+
+    void left_right_angled() {
+        turtle_.heading = glm::normalize(turtle_.heading);
+        turtle_.left = glm::normalize(turtle_.left - glm::dot(turtle_.left, turtle_.heading) * turtle_.heading);
+        turtle_.up = glm::cross(turtle_.heading, turtle_.left);
+    }
+
+    void bear(Organ organ) {
+        const int limb = turtle_.limb >= 0 ? turtle_.limb : turtle_.bearer;
+        Site site;
+        site.at_m = turtle_.at_m;
+        site.along = turtle_.heading;
+        site.out = turtle_.up;
+        site.limb = std::max(limb, 0);
+        site.organ = organ;
+        if (skeleton_.limbs.empty()) return;
+        const int last = static_cast<int>(skeleton_.limbs[site.limb].nodes.size()) - 1;
+        site.node = turtle_.limb >= 0 ? last : std::min(turtle_.bearer_node, last);
+        skeleton_.sites.push_back(site);
+    }
+
+    const Word& word_;
     TurtleOptions options_;
     base::Seed seed_;
     Turtle turtle_;
     std::vector<Turtle> stack_;
     TreeSkeleton skeleton_;
-    float first_width_ = 0;
-    std::uint64_t internode_ = 0;
+    std::int64_t internode_ = 0;
 };
 
 }  // namespace
 
-TreeSkeleton interpret(std::span<const Module> word, const TurtleOptions& options, base::Seed seed) {
-    Reader reader(options, seed);
-    for (const Module& m : word) reader.read(m);
-    return reader.finish();
+TurtleOptions options_of(const Grammar& grammar) {
+    TurtleOptions options;
+    options.length = grammar.length;
+    options.angle_deg = grammar.angle_deg;
+    options.width = grammar.width;
+    options.width_ratio = grammar.width_ratio;
+    options.tropism = grammar.tropism;
+    options.elasticity = grammar.elasticity;
+    return options;
+}
+
+TreeSkeleton interpret(const Word& word, const TurtleOptions& options, base::Seed seed) {
+    return Reader(word, options, seed).read();
 }
 
 }  // namespace quadrat::synthesis::trees

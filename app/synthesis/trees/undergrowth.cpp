@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/trees/undergrowth.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <string>
 #include <utility>
 
 #include "scene/colour.hpp"
 #include "synthesis/trees/foliage.hpp"
 #include "synthesis/trees/limb_mesh.hpp"
+#include "synthesis/trees/phyllotaxis.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
 
 constexpr float kTurn_rad = 6.2831853F;
-constexpr float kGoldenAngle_rad = 2.3999632F;
 
 glm::vec3 flat_direction(float bearing_rad) { return {std::cos(bearing_rad), 0, std::sin(bearing_rad)}; }
 
 scene::Leaves::Vertex vertex_of(const glm::vec3& colour, const glm::vec3& normal, float age, float shade) {
     scene::Leaves::Vertex v;
-    v.normal = normal;
+    v.normal = glm::normalize(normal);
     v.colour = colour;
     v.age = age;
     v.shade = shade;
@@ -34,137 +36,246 @@ scene::Species herb(std::string name, float height_m, float radius_m) {
     species.height_m = height_m;
     species.crown_radius_m = radius_m;
     species.trunk_radius_m = 0.02F;
-    species.treeline_m = 260;
+    species.treeline_m = 420;
     species.steepest_slope = 1.0F;
     return species;
 }
 
-// A stem for a bush: few limbs from one root.
-TreeSkeleton bush_skeleton(float height_m, base::Seed seed) {
+// One triangle from a foot of the blade's width to its tip.
+void add_spike(scene::Leaves& leaves, const BladeShape& b, const scene::Leaves::Vertex& common) {
+    const auto first = static_cast<std::uint32_t>(leaves.vertices.size());
+    const glm::vec3 side = glm::cross(b.along, b.face);
+    const glm::vec3 corners[3] = {-b.half_width_m * side, b.half_width_m * side,
+                                  b.length_m * b.along + b.bow_m * b.face};
+    for (int k = 0; k < 3; ++k) {
+        scene::Leaves::Vertex vertex = common;
+        vertex.site_m = b.site_m;
+        vertex.corner_m = corners[k];
+        vertex.colour *= k == 2 ? 1.18F : 0.82F;  // dark at the root
+        leaves.vertices.push_back(vertex);
+    }
+    leaves.indices.insert(leaves.indices.end(), {first, first + 1, first + 2});
+    ++leaves.blades;
+}
+
+// Stems from one root that fork once, by the golden angle.
+TreeSkeleton shrub_skeleton(const ShrubOptions& o, base::Seed seed) {
     TreeSkeleton skeleton;
     base::RandomStream random{seed.child("stems")};
-    constexpr int kStems = 5;
+    constexpr int kStems = 6;
+    const float h = o.height_m;
+    const auto add = [&](const glm::vec3& from, const glm::vec3& along, float length_m, float radius_m, int parent,
+                         int node) {
+        Limb limb;
+        limb.order = parent < 0 ? 0 : 1;
+        limb.parent = parent;
+        limb.parent_node = node;
+        const glm::vec3 bowed = glm::normalize(along + glm::vec3{0, 0.35F, 0});
+        const glm::vec3 middle = from + 0.5F * length_m * along;
+        limb.nodes = {{from, radius_m, 0, 0},
+                      {middle, 0.7F * radius_m, 0, 0},
+                      {middle + 0.5F * length_m * bowed, 0.35F * radius_m, 0, 0}};
+        const int index = static_cast<int>(skeleton.limbs.size());
+        for (int k = 1; k < 3; ++k) {
+            for (const float back : {0.0F, 0.25F}) {
+                Site site;
+                site.at_m = limb.nodes[k].at_m - back * length_m * along;
+                site.along = along;
+                site.out = glm::normalize(glm::cross(along, glm::vec3{0.3F, 0.2F, 0.9F}));
+                site.limb = index;
+                site.node = std::max(k - (back > 0 ? 1 : 0), 0);
+                skeleton.sites.push_back(site);
+            }
+        }
+        skeleton.limbs.push_back(std::move(limb));
+        return index;
+    };
     for (int i = 0; i < kStems; ++i) {
         const float bearing = kGoldenAngle_rad * static_cast<float>(i) + random.between(-0.4F, 0.4F);
-        const float lean = i == 0 ? 0.1F : random.between(0.45F, 0.9F);
+        const float lean = i == 0 ? 0.15F : o.width * random.between(0.5F, 1.0F);
         const glm::vec3 along = glm::normalize(flat_direction(bearing) * lean + glm::vec3{0, 1, 0});
-        const float length_m = height_m * random.between(0.62F, 0.85F);
-        Limb limb;
-        limb.order = 1;
-        limb.parent = 0;
-        limb.nodes = {{glm::vec3{0, -0.05F, 0}, 0.028F * height_m, 0},
-                      {0.55F * length_m * along, 0.018F * height_m, 0.55F * length_m},
-                      {length_m * along, 0.008F * height_m, length_m}};
-        for (const float share : {0.35F, 0.55F, 0.72F, 0.88F, 1.0F})
-            skeleton.sites.push_back({share * length_m * along, along, share * length_m});
-        skeleton.longest_path_m = std::max(skeleton.longest_path_m, length_m);
-        skeleton.limbs.push_back(limb);
+        const float length_m = h * random.between(0.45F, 0.68F);
+        const int stem = add({0, -0.04F * h, 0}, along, length_m, 0.026F * h, -1, 0);
+        for (const float side : {-1.0F, 1.0F}) {
+            const glm::vec3 fork =
+                glm::normalize(along + 0.55F * side * flat_direction(bearing + 1.57F) + glm::vec3{0, 0.15F, 0});
+            add(skeleton.limbs[stem].nodes[1].at_m, fork, 0.6F * length_m, 0.014F * h, stem, 1);
+        }
     }
-    skeleton.high_m = {height_m, height_m, height_m};
+    measure(skeleton);
     return skeleton;
 }
 
 }  // namespace
 
-scene::Species grass_tuft(const glm::vec3& colour, float height_m, base::Seed seed) {
-    scene::Species species = herb("grass", height_m, 0.8F * height_m);
-    constexpr int kBlades = 14;
+scene::Species grass_tuft(const GrassOptions& o, base::Seed seed) {
+    scene::Species species = herb("grass", o.height_m, 0.8F * o.height_m);
+    constexpr int kBlades = 16;
     for (int i = 0; i < kBlades; ++i) {
         base::RandomStream random{seed.child(static_cast<std::uint64_t>(i))};
-        const float bearing = kGoldenAngle_rad * static_cast<float>(i) + random.between(-0.5F, 0.5F);
-        const glm::vec3 out = flat_direction(bearing);
+        const glm::vec2 foot = floret(i, 0.75F * o.height_m / std::sqrt(static_cast<float>(kBlades)));
+        const glm::vec3 out = flat_direction(kGoldenAngle_rad * static_cast<float>(i) + random.between(-0.5F, 0.5F));
         BladeShape blade;
-        blade.site_m = 0.75F * height_m * std::sqrt(random.unit_f()) * out;
-        blade.along = glm::normalize(random.between(0.05F, 0.55F) * out + glm::vec3{0, 1, 0});
+        blade.site_m = {foot.x, 0, foot.y};
+        blade.along = glm::normalize(random.between(0.02F, 0.25F + 1.1F * o.spread) * out + glm::vec3{0, 1, 0});
         const glm::vec3 around = flat_direction(random.between(0, kTurn_rad));
         blade.face = glm::normalize(around - glm::dot(around, blade.along) * blade.along);
-        blade.length_m = height_m * random.between(0.5F, 1.1F);
-        blade.half_width_m = 0.055F * height_m;
-        blade.bow_m = 0.15F * blade.length_m * random.unit_f();
-        const glm::vec3 normal = glm::normalize(glm::vec3{0, 1, 0} + 0.3F * out);
-        add_spike(species.leaves, blade,
-                  vertex_of(scene::shifted_colour(colour, random.between(0.9F, 1.12F)), normal,
-                            0.6F + 0.3F * random.unit_f(), random.between(0.8F, 1.0F)));
+        blade.length_m = o.height_m * random.between(0.55F, 1.1F);
+        blade.half_width_m = 0.05F * o.height_m;
+        blade.bow_m = (0.05F + 0.3F * o.spread) * blade.length_m * random.unit_f();
+        add_spike(
+            species.leaves, blade,
+            vertex_of(scene::shifted_colour(o.colour, random.between(0.88F, 1.12F)), glm::vec3{0, 1, 0} + 0.3F * out,
+                      0.6F + 0.3F * random.unit_f(), random.between(0.8F, 1.0F)));
     }
+    species.shade_liking = -0.3F;
+    return species;
+}
+
+scene::Species reeds(const GrassOptions& o, base::Seed seed) {
+    scene::Species species = herb("reed", o.height_m, 0.35F * o.height_m);
+    constexpr int kBlades = 12;
+    const glm::vec3 head = scene::linear_from_srgb_hex(0x7A5636);
+    for (int i = 0; i < kBlades; ++i) {
+        base::RandomStream random{seed.child(static_cast<std::uint64_t>(i))};
+        const glm::vec2 foot = floret(i, 0.09F * o.height_m);
+        const glm::vec3 out = flat_direction(kGoldenAngle_rad * static_cast<float>(i));
+        BladeShape blade;
+        blade.site_m = {foot.x, 0, foot.y};
+        blade.along = glm::normalize(random.between(0.0F, 0.22F) * out + glm::vec3{0, 1, 0});
+        const glm::vec3 around = flat_direction(random.between(0, kTurn_rad));
+        blade.face = glm::normalize(around - glm::dot(around, blade.along) * blade.along);
+        const bool is_head = i % 4 == 3;
+        blade.length_m = o.height_m * (is_head ? 0.26F : random.between(0.6F, 1.05F));
+        blade.half_width_m = (is_head ? 0.028F : 0.02F) * o.height_m;
+        blade.bow_m = is_head ? 0.0F : 0.12F * blade.length_m * random.unit_f();
+        if (is_head) blade.site_m += 0.82F * o.height_m * blade.along;
+        add_spike(
+            species.leaves, blade,
+            vertex_of(is_head ? head : scene::shifted_colour(o.colour, random.between(0.85F, 1.1F)),
+                      glm::vec3{0, 1, 0} + 0.4F * out, 0.5F + 0.4F * random.unit_f(), random.between(0.8F, 1.0F)));
+    }
+    species.moisture = 1;
+    species.moisture_width = 0.35F;
+    species.lowest_m = 0.45F;
+    species.steepest_slope = 0.35F;
+    species.treeline_m = 260;
     return species;
 }
 
 scene::Species fern(const glm::vec3& colour, float height_m, base::Seed seed) {
     scene::Species species = herb("fern", height_m, height_m);
-    constexpr int kFronds = 7;
+    constexpr int kFronds = 9;
     for (int i = 0; i < kFronds; ++i) {
         base::RandomStream random{seed.child(static_cast<std::uint64_t>(i))};
-        const glm::vec3 out =
-            flat_direction(kTurn_rad * (static_cast<float>(i) + random.between(-0.3F, 0.3F)) / kFronds);
-        const glm::vec3 along = glm::normalize(out + glm::vec3{0, random.between(0.65F, 1.3F), 0});
-        const glm::vec3 face = glm::normalize(glm::vec3{0, 1, 0} - along.y * along);
-        // Two blades a frond: the second droops from the first one's tip.
-        BladeShape blade{glm::vec3{0},     along, face, 0.62F * height_m, 0.10F * height_m, -0.02F * height_m,
-                         -0.10F * height_m};
-        const scene::Leaves::Vertex vertex =
-            vertex_of(scene::shifted_colour(colour, random.between(0.9F, 1.1F)), glm::normalize(face + 0.4F * out),
-                      0.5F + 0.4F * random.unit_f(), random.between(0.7F, 1.0F));
-        add_blade(species.leaves, blade, vertex);
-        blade.site_m = 0.40F * height_m * along;
-        blade.along = glm::normalize(along + glm::vec3{0, -0.55F, 0});
+        const glm::vec3 out = flat_direction(kGoldenAngle_rad * static_cast<float>(i) + random.between(-0.2F, 0.2F));
+        BladeShape blade;
+        blade.along = glm::normalize(out + glm::vec3{0, random.between(0.7F, 1.5F), 0});
         blade.face = glm::normalize(glm::vec3{0, 1, 0} - blade.along.y * blade.along);
-        add_blade(species.leaves, blade, vertex);
+        blade.length_m = 1.15F * height_m * random.between(0.85F, 1.1F);
+        blade.half_width_m = 0.17F * height_m;
+        blade.fold_m = -0.02F * height_m;
+        blade.bow_m = -0.5F * height_m;
+        add_blade(species.leaves, LeafKind::Feather, blade,
+                  vertex_of(scene::shifted_colour(colour, random.between(0.9F, 1.1F)), blade.face + 0.4F * out,
+                            0.5F + 0.4F * random.unit_f(), random.between(0.75F, 1.0F)));
     }
+    species.shade_liking = 0.9F;
+    species.moisture = 0.75F;
+    species.moisture_width = 0.6F;
+    species.lowest_m = 1.5F;
     return species;
 }
 
-scene::Species flower(const glm::vec3& leaf, const glm::vec3& blossom, float height_m, base::Seed seed) {
-    scene::Species species = herb("flower", height_m, 0.4F * height_m);
+scene::Species flower(const FlowerOptions& o, base::Seed seed) {
+    scene::Species species = herb("flower", o.height_m, 0.4F * o.height_m);
     constexpr int kStems = 3;
+    const bool is_umbel = o.petals >= 10;
+    const float head_m = 0.15F * o.height_m;
+    struct Stem {
+        glm::vec3 top_m, along, side, face;
+    };
+    std::vector<Stem> stems;
     for (int i = 0; i < kStems; ++i) {
         base::RandomStream random{seed.child(static_cast<std::uint64_t>(i))};
         const glm::vec3 out = flat_direction(kGoldenAngle_rad * static_cast<float>(i));
-        const glm::vec3 along = glm::normalize(random.between(0.1F, 0.4F) * out + glm::vec3{0, 1, 0});
-        const glm::vec3 face = glm::normalize(out - glm::dot(out, along) * along);
-        const float stem_m = height_m * random.between(0.7F, 1.0F);
-        BladeShape stem{glm::vec3{0}, along, face, stem_m, 0.03F * height_m, 0.01F * height_m, 0};
-        add_blade(species.leaves, stem, vertex_of(leaf, glm::vec3{0, 1, 0}, 0.6F, 0.85F));
-        const glm::vec3 side = glm::cross(along, face);
-        // Head: two blades crossed, seen from above and aside.
-        for (const glm::vec3& spread : {face, side}) {
-            BladeShape petal{stem_m * along - 0.14F * height_m * spread,
-                             spread,
-                             along,
-                             0.28F * height_m,
-                             0.13F * height_m,
-                             0.04F * height_m,
-                             0};
-            add_blade(species.leaves, petal,
-                      vertex_of(scene::shifted_colour(blossom, random.between(0.94F, 1.06F)),
-                                glm::normalize(along + 0.2F * out), 0.92F, 1.0F));
+        Stem stem;
+        stem.along = glm::normalize(random.between(0.1F, 0.45F) * out + glm::vec3{0, 1, 0});
+        stem.face = glm::normalize(out - glm::dot(out, stem.along) * stem.along);
+        stem.side = glm::cross(stem.along, stem.face);
+        const float stem_m = o.height_m * random.between(0.7F, 1.0F);
+        stem.top_m = stem_m * stem.along;
+        add_blade(species.leaves, LeafKind::Lance,
+                  {glm::vec3{0}, stem.along, stem.face, stem_m, 0.025F * o.height_m, 0.01F * o.height_m, 0, false},
+                  vertex_of(o.leaf, {0, 1, 0}, 0.6F, 0.85F));
+        stems.push_back(stem);
+    }
+    const int parts = is_umbel ? 9 : o.petals;
+    for (int part = 0; part < parts; ++part) {
+        for (int i = 0; i < kStems; ++i) {
+            const Stem& stem = stems[i];
+            base::RandomStream random{seed.child("petal").child(static_cast<std::uint64_t>(part * kStems + i))};
+            BladeShape petal;
+            petal.site_m = stem.top_m;
+            const glm::vec3 normal = stem.along + 0.2F * stem.face;
+            if (is_umbel) {
+                const glm::vec2 at = floret(part, 0.42F * head_m);
+                petal.site_m += at.x * stem.side + at.y * stem.face - 0.18F * glm::length(at) * stem.along;
+                petal.is_disc = true;
+                petal.along = stem.side;
+                petal.face = stem.along;
+                petal.half_width_m = 0.42F * head_m;
+                petal.fold_m = 0.1F * head_m;
+            } else {
+                const float turn = kTurn_rad * static_cast<float>(part) / static_cast<float>(parts);
+                petal.along =
+                    glm::normalize(std::cos(turn) * stem.side + std::sin(turn) * stem.face + 0.35F * stem.along);
+                petal.face = glm::normalize(stem.along - glm::dot(stem.along, petal.along) * petal.along);
+                petal.length_m = head_m * random.between(0.95F, 1.15F);
+                petal.half_width_m = 0.30F * head_m;
+                petal.fold_m = 0.05F * head_m;
+            }
+            add_blade(species.leaves, LeafKind::Lance, petal,
+                      vertex_of(scene::shifted_colour(o.blossom, random.between(0.94F, 1.06F)), normal, 0.92F, 1.0F));
         }
     }
+    species.shade_liking = -0.5F;
     return species;
 }
 
-scene::Species bush(const glm::vec3& leaf, const glm::vec3& second, const glm::vec3& bark, float height_m,
-                    base::Seed seed) {
-    const TreeSkeleton skeleton = bush_skeleton(height_m, seed);
+scene::Species shrub(const ShrubOptions& o, base::Seed seed) {
+    TreeSkeleton skeleton = shrub_skeleton(o, seed);
+    set_organs(skeleton, 0.8F * o.blossoms, 0, seed.child("organs"));
     scene::Species species;
-    species.name = "bush";
+    species.name = "shrub";
     species.storey = scene::Storey::Shrub;
-    species.wood.push_back(mesh_limbs(skeleton, {.trunk_sides = 3, .limb_sides = 3}));
-    species.wood.push_back(mesh_limbs(skeleton, {.trunk_sides = 3, .limb_sides = 3, .node_stride = 2}));
-    species.leaves = make_foliage(skeleton,
-                                  {.blades = 230,
-                                   .length_m = 0.15F * height_m,
-                                   .width = 0.55F,
-                                   .scatter_m = 0.3F * height_m,
-                                   .droop = 0.05F,
-                                   .colour = leaf,
-                                   .second = second},
-                                  seed.child("leaves"));
-    species.bark_colour = bark;
-    species.height_m = height_m;
-    species.crown_radius_m = 0.6F * height_m;
-    species.trunk_radius_m = 0.06F * height_m;
-    species.treeline_m = 220;
-    species.steepest_slope = 0.85F;
+    TubeDetail near;
+    near.trunk_sides = 3;
+    near.has_foot = false;
+    TubeDetail far = near;
+    far.most_nodes = 18;
+    far.flattest = 2;
+    species.wood = {sweep_tubes(skeleton, near), sweep_tubes(skeleton, far)};
+    FoliageOptions foliage;
+    foliage.kind = LeafKind::Ovate;
+    const float ratio = o.height_m * o.height_m / (o.leaf_m * o.leaf_m);
+    foliage.blades = static_cast<std::size_t>(std::clamp(5.0F * ratio * (0.6F + 0.4F * o.width), 120.0F, 420.0F));
+    foliage.length_m = o.leaf_m;
+    foliage.width = 1.15F;
+    foliage.scatter_m = 0.26F * o.height_m;
+    foliage.clumping = 0.2F;
+    foliage.droop = 0.05F;
+    foliage.flower_m = 0.75F * o.leaf_m;
+    foliage.colours.leaf = o.leaf;
+    foliage.colours.second = o.second;
+    foliage.colours.blossom = o.blossom;
+    species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
+    species.bark_colour = o.bark;
+    species.height_m = o.height_m;
+    species.crown_radius_m = 0.55F * o.height_m * (0.4F + 0.6F * o.width);
+    species.trunk_radius_m = 0.06F * o.height_m;
+    species.treeline_m = 300;
+    species.steepest_slope = 0.9F;
     return species;
 }
 

@@ -111,9 +111,9 @@ TEST(Colour, MixesBetweenItsEnds) {
 TEST(Realise, HandsTheDefaultsOverAsTheyAre) {
     const scene::SceneParameters from_genes = scene::realise(genome::ParameterValues{});
     const scene::SceneParameters plain;
-    EXPECT_EQ(from_genes.trees.type, plain.trees.type);
-    EXPECT_FLOAT_EQ(from_genes.trees.branch_angle_deg, 41.25F);
-    EXPECT_FLOAT_EQ(from_genes.trees.leaf_length_m, plain.trees.leaf_length_m);
+    EXPECT_EQ(from_genes.trees.tree_type, plain.trees.tree_type);
+    EXPECT_FLOAT_EQ(from_genes.trees.tree_branch_angle_deg, 41.25F);
+    EXPECT_FLOAT_EQ(from_genes.trees.tree_leaf_length_m, plain.trees.tree_leaf_length_m);
     EXPECT_FLOAT_EQ(from_genes.land.land_relief_m, plain.land.land_relief_m);
     EXPECT_FLOAT_EQ(from_genes.sky.haze_distance_m, plain.sky.haze_distance_m);
 }

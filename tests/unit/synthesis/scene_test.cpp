@@ -18,8 +18,12 @@ using tests::grow;
 using tests::kCoarse;
 
 bool are_same(const scene::Species& a, const scene::Species& b) {
-    bool same = a.name == b.name && a.wood.size() == b.wood.size() && a.leaves.indices == b.leaves.indices &&
-                a.leaves.vertices.size() == b.leaves.vertices.size() && a.height_m == b.height_m;
+    bool same = a.name == b.name && a.bark == b.bark && a.bark_colour == b.bark_colour &&
+                a.bark_tile_m == b.bark_tile_m && a.treeline_m == b.treeline_m &&
+                a.steepest_slope == b.steepest_slope && a.moisture == b.moisture && a.shade_liking == b.shade_liking &&
+                a.density == b.density && a.share == b.share && a.wood.size() == b.wood.size() &&
+                a.leaves.indices == b.leaves.indices && a.leaves.vertices.size() == b.leaves.vertices.size() &&
+                a.height_m == b.height_m;
     for (std::size_t i = 0; same && i < a.wood.size(); ++i) same = a.wood[i].mesh == b.wood[i].mesh;
     return same && std::memcmp(a.leaves.vertices.data(), b.leaves.vertices.data(),
                                a.leaves.vertices.size() * sizeof(scene::Leaves::Vertex)) == 0;
@@ -43,7 +47,7 @@ bool are_same(const scene::Land& a, const scene::Land& b) {
 }
 
 bool are_same(const scene::Flora& a, const scene::Flora& b) {
-    bool same = a.species.size() == b.species.size() && a.spacing_m == b.spacing_m;
+    bool same = a.species.size() == b.species.size() && a.spacing_m == b.spacing_m && a.stand == b.stand;
     for (std::size_t i = 0; same && i < a.species.size(); ++i) same = are_same(a.species[i], b.species[i]);
     return same;
 }
@@ -166,6 +170,9 @@ genome::ParameterValues everything() {
     values.set(P::lake_area_m2, 210);
     values.set(P::ground_lightness, 0.95F);
     values.set(P::ground_snow_line, 0.5F);
+    for (const P id : {P::tree_autumn, P::second_autumn, P::third_autumn, P::tree_blossom, P::second_blossom,
+                       P::third_blossom, P::tree_fruit, P::shrub_blossom})
+        values.set(id, 0.3F);
     return values;
 }
 

@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: Apache-2.0
+// A dual method: a vertex for each sheet of the surface within a cell, a quadrilateral for each lattice edge that
+// crosses it (Gibson's surface nets, 1998; a vertex a sheet as in Nielson, "Dual marching cubes", 2004). The sheets of
+// all 256 cells are derived below from one rule: where a face has two inside corners across from each other, they are
+// apart on it. Both cells at a face follow the same rule, so there is no crack. Two sheets can meet twice over one such
+// face; a vertex more on each of the two meetings keeps the surface a 2-manifold (cf. Wenger, "Isosurfaces", 2013,
+// chapter 4).
+#include "mesh/isosurface.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+
+namespace quadrat::mesh {
+namespace {
+
+constexpr int kSide = SparseField::kSide;
+constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+// Corner c lies at (c & 1, c >> 1 & 1, c >> 2). Edge 4 a + k runs along axis a; k's bits are its place on the two other
+// axes, in the order a + 1, a + 2.
+constexpr int corner_of(int axis, int along, int k) {
+    const int b = (axis + 1) % 3;
+    const int c = (axis + 2) % 3;
+    return (along << axis) | ((k & 1) << b) | ((k >> 1) << c);
+}
+
+struct Sheets {
+    std::array<std::int8_t, 12> of_edge;  // which sheet crosses the edge; -1: none
+    std::int8_t count = 0;
+    std::uint8_t pinched = 0;  // bit 2 axis + side: that face has four crossings, all of one sheet
+    std::int8_t crossings = 0;
+    std::array<std::uint8_t, 12> crossed;  // the edges that are
+};
+
+constexpr int edge_between(int p, int q) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (int k = 0; k < 4; ++k) {
+            const int low = corner_of(axis, 0, k);
+            const int high = corner_of(axis, 1, k);
+            if ((low == p && high == q) || (low == q && high == p)) return 4 * axis + k;
+        }
+    return -1;
+}
+
+// Whether a face has four crossings that all belong to one sheet.
+bool is_pinched(const Sheets& sheets, int normal, int side) {
+    int sheet = -1;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (axis == normal) continue;
+        for (int k = 0; k < 4; ++k) {
+            if (((corner_of(axis, 0, k) >> normal) & 1) != side) continue;
+            const int s = sheets.of_edge[4 * axis + k];
+            if (s < 0 || (sheet >= 0 && s != sheet)) return false;
+            sheet = s;
+        }
+    }
+    return true;
+}
+
+Sheets sheets_of(int inside) {
+    // Which edges' crossings are joined over a face: union by relabelling.
+    std::array<int, 12> label{};
+    for (int e = 0; e < 12; ++e) label[e] = e;
+    const auto join = [&](int a, int b) {
+        const int from = label[a];
+        const int to = label[b];
+        for (int& l : label)
+            if (l == from) l = to;
+    };
+    const auto is_in = [&](int corner) { return ((inside >> corner) & 1) != 0; };
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int side = 0; side < 2; ++side) {
+            std::array<int, 4> ring{};  // the face's corners in order
+            constexpr std::array<int, 4> kAround{0, 1, 3, 2};
+            for (int i = 0; i < 4; ++i) ring[i] = corner_of(axis, side, kAround[i]);
+            std::array<int, 4> crossed{};
+            int crossings = 0;
+            for (int i = 0; i < 4; ++i)
+                if (is_in(ring[i]) != is_in(ring[(i + 1) % 4]))
+                    crossed[crossings++] = edge_between(ring[i], ring[(i + 1) % 4]);
+            if (crossings == 2) join(crossed[0], crossed[1]);
+            if (crossings != 4) continue;
+            for (int i = 0; i < 4; ++i)  // the two edges at an inside corner belong together
+                if (is_in(ring[i]))
+                    join(edge_between(ring[(i + 3) % 4], ring[i]), edge_between(ring[i], ring[(i + 1) % 4]));
+        }
+    }
+    Sheets sheets;
+    sheets.of_edge.fill(-1);
+    std::array<std::int8_t, 12> number{};
+    number.fill(-1);
+    for (int e = 0; e < 12; ++e) {
+        const int low = corner_of(e / 4, 0, e % 4);
+        const int high = corner_of(e / 4, 1, e % 4);
+        if (is_in(low) == is_in(high)) continue;
+        if (number[label[e]] < 0) number[label[e]] = sheets.count++;
+        sheets.of_edge[e] = number[label[e]];
+        sheets.crossed[sheets.crossings++] = static_cast<std::uint8_t>(e);
+    }
+    for (int normal = 0; normal < 3; ++normal)
+        for (int side = 0; side < 2; ++side)
+            if (is_pinched(sheets, normal, side))
+                sheets.pinched = static_cast<std::uint8_t>(sheets.pinched | (1 << (2 * normal + side)));
+    return sheets;
+}
+
+// The corner at which each edge begins.
+constexpr std::array<int, 12> kLow = [] {
+    std::array<int, 12> low{};
+    for (int e = 0; e < 12; ++e) low[e] = corner_of(e / 4, 0, e % 4);
+    return low;
+}();
+
+const std::array<Sheets, 256>& sheet_table() {
+    static const std::array<Sheets, 256> kTable = [] {
+        std::array<Sheets, 256> table{};
+        for (int i = 0; i < 256; ++i) table[i] = sheets_of(i);
+        return table;
+    }();
+    return kTable;
+}
+
+// A block and the seven after it: samples and signs across its far faces.
+struct Neighbourhood {
+    std::array<const SparseField::Block*, 8> blocks;  // null: outside
+    std::array<const std::array<std::uint8_t, 64>*, 8> signs;
+    float at(int x, int y, int z) const {
+        const int part = (x >> 3) | ((y >> 3) << 1) | ((z >> 3) << 2);
+        const SparseField::Block* block = blocks[part];
+        return block == nullptr ? -1.0F : (*block)[((z & 7) * kSide + (y & 7)) * kSide + (x & 7)];
+    }
+    // Bits of the nine samples of a row.
+    std::uint32_t row(int y, int z) const {
+        const int part = ((y >> 3) << 1) | ((z >> 3) << 2);
+        const int i = (z & 7) * kSide + (y & 7);
+        const std::uint32_t near = signs[part] == nullptr ? 0U : (*signs[part])[i];
+        const std::uint32_t far = signs[part | 1] == nullptr ? 0U : (*signs[part | 1])[i] & 1U;
+        return near | (far << 8);
+    }
+};
+
+class Polygoniser {
+  public:
+    explicit Polygoniser(const SparseField& field)
+        : field_(field),
+          table_(sheet_table()),
+          signs_(field.count()),
+          has_inside_(field.count()),
+          cells_(std::make_unique_for_overwrite<Cells[]>(std::max<std::size_t>(field.count(), 1))) {
+        for (std::size_t b = 0; b < field.count(); ++b) read_signs(b);
+    }
+
+    Surface run() {
+        surface_.positions.reserve(24 * field_.count());
+        surface_.blocks.reserve(24 * field_.count());
+        for (std::size_t b = 0; b < field_.count(); ++b) place_vertices(b);
+        surface_.indices.reserve(6 * surface_.positions.size() + 16);
+        for (std::size_t b = 0; b < field_.count(); ++b) join_vertices(b);
+        return std::move(surface_);
+    }
+
+  private:
+    struct Cells {
+        std::array<std::uint32_t, SparseField::kSamples> first;  // vertex of the first sheet
+        std::array<std::uint8_t, SparseField::kSamples> inside;
+    };
+    struct Ref {
+        std::uint32_t first;
+        std::uint8_t inside;
+    };
+
+    void read_signs(std::size_t b) {
+        const SparseField::Block& values = field_.block(b);
+        std::uint32_t any = 0;
+        for (int row = 0; row < 64; ++row) {
+            std::uint32_t bits = 0;
+            for (int x = 0; x < kSide; ++x) bits |= static_cast<std::uint32_t>(values[row * kSide + x] > 0) << x;
+            signs_[b][row] = static_cast<std::uint8_t>(bits);
+            any |= bits;
+        }
+        has_inside_[b] = any != 0;
+    }
+
+    // False where nothing can cross.
+    bool look_around(std::size_t b, Neighbourhood& n) const {
+        bool is_inside = false;
+        for (int part = 0; part < 8; ++part) {
+            const int other = field_.find(field_.place(b) + glm::ivec3{part & 1, (part >> 1) & 1, part >> 2});
+            n.blocks[part] = other < 0 ? nullptr : &field_.block(other);
+            n.signs[part] = other < 0 ? nullptr : &signs_[other];
+            is_inside = is_inside || (other >= 0 && has_inside_[other]);
+        }
+        return is_inside;
+    }
+
+    void place_vertices(std::size_t b) {
+        cells_[b].inside.fill(0);
+        Neighbourhood n;
+        if (!look_around(b, n)) return;
+        constexpr int kWide = kSide + 1;
+        std::array<std::uint32_t, kWide * kWide> rows{};
+        for (int z = 0; z <= kSide; ++z)
+            for (int y = 0; y <= kSide; ++y) rows[z * kWide + y] = n.row(y, z);
+        Cells& cells = cells_[b];
+        const glm::vec3 origin = glm::vec3(field_.place(b) * kSide);
+        for (int z = 0; z < kSide; ++z) {
+            for (int y = 0; y < kSide; ++y) {
+                const std::uint32_t* row = &rows[z * kWide + y];
+                const std::uint32_t r[4] = {row[0], row[1], row[kWide], row[kWide + 1]};
+                const std::uint32_t some = r[0] | r[1] | r[2] | r[3];
+                const std::uint32_t all = r[0] & r[1] & r[2] & r[3];
+                if (some == 0 || all == 0x1FF) continue;
+                for (int x = 0; x < kSide; ++x) {
+                    std::uint32_t inside = 0;
+                    for (int k = 0; k < 4; ++k) inside |= ((r[k] >> x) & 3U) << (2 * k);
+                    if (inside == 0 || inside == 255) continue;
+                    const int cell = (z * kSide + y) * kSide + x;
+                    cells.inside[cell] = static_cast<std::uint8_t>(inside);
+                    cells.first[cell] = static_cast<std::uint32_t>(surface_.positions.size());
+                    add_sheets(n, {x, y, z}, inside, origin, static_cast<std::uint32_t>(b));
+                }
+            }
+        }
+    }
+
+    void add_sheets(const Neighbourhood& n, glm::ivec3 cell, std::uint32_t inside, const glm::vec3& origin,
+                    std::uint32_t b) {
+        const Sheets& sheets = table_[inside];
+        std::array<float, 8> corner;
+        for (int c = 0; c < 8; ++c) corner[c] = n.at(cell.x + (c & 1), cell.y + ((c >> 1) & 1), cell.z + (c >> 2));
+        std::array<glm::vec3, 4> sums{};
+        std::array<float, 4> counts{};
+        for (int i = 0; i < sheets.crossings; ++i) {
+            const int e = sheets.crossed[i];
+            const int sheet = sheets.of_edge[e];
+            const int axis = e >> 2;
+            const int low = kLow[e];
+            const float a = corner[low];
+            const float c = corner[low | (1 << axis)];
+            glm::vec3 at{low & 1, (low >> 1) & 1, low >> 2};
+            // Away from the corners, so that no two vertices fall together.
+            at[axis] = std::clamp(a / (a - c), 0.05F, 0.95F);
+            sums[sheet] += at;
+            counts[sheet] += 1;
+        }
+        for (int s = 0; s < sheets.count; ++s) {
+            surface_.positions.push_back(origin + glm::vec3(cell) + sums[s] / counts[s]);
+            surface_.blocks.push_back(b);
+        }
+    }
+
+    Ref cell_at(glm::ivec3 cell, std::size_t home) const {
+        const glm::ivec3 place{cell.x >> 3, cell.y >> 3, cell.z >> 3};
+        const int b = place == field_.place(home) ? static_cast<int>(home) : field_.find(place);
+        if (b < 0) return {kNone, 0};
+        const int i = ((cell.z & 7) * kSide + (cell.y & 7)) * kSide + (cell.x & 7);
+        return {cells_[b].first[i], cells_[b].inside[i]};
+    }
+
+    // Whether none of a row's eight cells is crossed.
+    static bool is_idle(const Cells& cells, int first) {
+        std::uint64_t eight = 0;
+        std::memcpy(&eight, &cells.inside[first], sizeof eight);
+        return eight == 0;
+    }
+
+    // The lattice edges that begin at this block's samples.
+    void join_vertices(std::size_t b) {
+        const SparseField::Block& values = field_.block(b);
+        const Cells& cells = cells_[b];
+        const glm::ivec3 origin = field_.place(b) * kSide;
+        for (int i = 0; i < SparseField::kSamples; ++i) {
+            if (i % 8 == 0 && is_idle(cells, i)) {
+                i += 7;
+                continue;
+            }
+            const std::uint8_t inside = cells.inside[i];
+            if (inside == 0) continue;  // no edge of this cell crosses
+            const glm::ivec3 at = origin + glm::ivec3{i % kSide, i / kSide % kSide, i / (kSide * kSide)};
+            const bool is_in = values[i] > 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                const bool is_next_in = ((inside >> (1 << axis)) & 1) != 0;
+                if (is_in != is_next_in) add_face(at, axis, is_in, b);
+            }
+        }
+    }
+
+    void add_face(glm::ivec3 at, int axis, bool is_outward, std::size_t block) {
+        const int b = (axis + 1) % 3;
+        const int c = (axis + 2) % 3;
+        // The four cells about the edge, in order; in cell j the edge has the place kPlace[j].
+        constexpr std::array<std::array<int, 2>, 4> kShift{{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
+        constexpr std::array<int, 4> kPlace{0, 1, 3, 2};
+        std::array<glm::ivec3, 4> cell;
+        std::array<Ref, 4> ref;
+        std::array<std::uint32_t, 4> vertex;
+        for (int j = 0; j < 4; ++j) {
+            cell[j] = at;
+            cell[j][b] += kShift[j][0];
+            cell[j][c] += kShift[j][1];
+            ref[j] = cell_at(cell[j], block);
+            if (ref[j].first == kNone || ref[j].inside == 0) return;  // the field was cut off here
+            vertex[j] = ref[j].first + static_cast<std::uint32_t>(table_[ref[j].inside].of_edge[4 * axis + kPlace[j]]);
+        }
+        std::array<std::uint32_t, 8> ring{};
+        std::size_t count = 0;
+        std::size_t hub = 8;
+        for (int j = 0; j < 4; ++j) {
+            const int next = (j + 1) % 4;
+            ring[count++] = vertex[j];
+            // Consecutive cells differ along b for j even, along c for j odd.
+            const int normal = j % 2 == 0 ? b : c;
+            const std::uint32_t middle =
+                meeting(cell[j], ref[j], cell[next], ref[next], normal, axis, at, vertex[j], vertex[next]);
+            if (middle == kNone) continue;
+            hub = count;
+            ring[count++] = middle;
+        }
+        emit(ring, count, hub, is_outward);
+    }
+
+    // The vertex between two sheets that meet twice over one face; none when they meet once.
+    std::uint32_t meeting(glm::ivec3 cell_a, const Ref& a, glm::ivec3 cell_b, const Ref& b, int normal, int axis,
+                          glm::ivec3 edge, std::uint32_t vertex_a, std::uint32_t vertex_b) {
+        const bool is_a_low = cell_a[normal] < cell_b[normal];
+        const int a_face = 1 << (2 * normal + (is_a_low ? 1 : 0));
+        const int b_face = 1 << (2 * normal + (is_a_low ? 0 : 1));
+        if ((table_[a.inside].pinched & a_face) == 0 || (table_[b.inside].pinched & b_face) == 0) return kNone;
+        // Named by the face and by the inside corner that the segment cuts off, which is the edge's own inside end.
+        const glm::ivec3 low_cell = is_a_low ? cell_a : cell_b;
+        glm::ivec3 corner = edge;
+        glm::ivec3 other = edge;
+        other[axis] += 1;
+        if (field_.at(edge) <= 0) corner = other;
+        const std::array<int, 7> key{low_cell.x, low_cell.y, low_cell.z, normal, corner.x, corner.y, corner.z};
+        const auto [found, is_new] = meetings_.try_emplace(key, static_cast<std::uint32_t>(surface_.positions.size()));
+        if (is_new) {
+            const glm::vec3 between = 0.5F * (surface_.positions[vertex_a] + surface_.positions[vertex_b]);
+            surface_.positions.push_back(between + 0.25F * (glm::vec3(corner) - between));
+            surface_.blocks.push_back(surface_.blocks[vertex_a]);
+        }
+        return found->second;
+    }
+
+    void emit(const std::array<std::uint32_t, 8>& ring, std::size_t count, std::size_t hub, bool is_outward) {
+        const auto add = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+            if (!is_outward) std::swap(q, r);
+            const std::size_t at = surface_.indices.size();
+            surface_.indices.resize(at + 3);
+            surface_.indices[at] = p;
+            surface_.indices[at + 1] = q;
+            surface_.indices[at + 2] = r;
+        };
+        if (hub < count) {  // only the added vertex may have diagonals
+            for (std::size_t k = 1; k + 1 < count; ++k)
+                add(ring[hub], ring[(hub + k) % count], ring[(hub + k + 1) % count]);
+            return;
+        }
+        // The shorter diagonal makes the better pair.
+        const auto& p = surface_.positions;
+        const glm::vec3 d02 = p[ring[2]] - p[ring[0]];
+        const glm::vec3 d13 = p[ring[3]] - p[ring[1]];
+        if (d02.x * d02.x + d02.y * d02.y + d02.z * d02.z <= d13.x * d13.x + d13.y * d13.y + d13.z * d13.z) {
+            add(ring[0], ring[1], ring[2]);
+            add(ring[0], ring[2], ring[3]);
+        } else {
+            add(ring[0], ring[1], ring[3]);
+            add(ring[1], ring[2], ring[3]);
+        }
+    }
+
+    const SparseField& field_;
+    const std::array<Sheets, 256>& table_;
+    std::vector<std::array<std::uint8_t, 64>> signs_;
+    std::vector<char> has_inside_;
+    std::unique_ptr<Cells[]> cells_;
+    std::map<std::array<int, 7>, std::uint32_t> meetings_;
+    Surface surface_;
+};
+
+}  // namespace
+
+SparseField::SparseField(glm::ivec3 blocks)
+    : size_(glm::max(blocks, glm::ivec3{1})),
+      index_(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(size_.z),
+             -1) {}
+
+int SparseField::find(glm::ivec3 p) const {
+    if (p.x < 0 || p.y < 0 || p.z < 0 || p.x >= size_.x || p.y >= size_.y || p.z >= size_.z) return -1;
+    return index_[(static_cast<std::size_t>(p.z) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(p.y)) *
+                      static_cast<std::size_t>(size_.x) +
+                  static_cast<std::size_t>(p.x)];
+}
+
+int SparseField::make(glm::ivec3 p) {
+    const int found = find(p);
+    const bool is_in = p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x < size_.x && p.y < size_.y && p.z < size_.z;
+    if (found >= 0 || !is_in) return found;
+    const auto number = static_cast<std::int32_t>(places_.size());
+    index_[(static_cast<std::size_t>(p.z) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(p.y)) *
+               static_cast<std::size_t>(size_.x) +
+           static_cast<std::size_t>(p.x)] = number;
+    if (places_.size() % kPage == 0) pages_.push_back(std::make_unique_for_overwrite<Block[]>(kPage));
+    places_.push_back(p);
+    return number;
+}
+
+float SparseField::at(glm::ivec3 s) const {
+    const int b = find({s.x >> 3, s.y >> 3, s.z >> 3});
+    return b < 0 ? -1.0F : block(b)[((s.z & 7) * kSide + (s.y & 7)) * kSide + (s.x & 7)];
+}
+
+Surface polygonise(const SparseField& field) { return Polygoniser(field).run(); }
+
+}  // namespace quadrat::mesh

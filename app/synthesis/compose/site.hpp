@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <span>
+#include <vector>
+
+#include "scene/flora.hpp"
+#include "scene/land.hpp"
+#include "synthesis/compose/competition.hpp"
+#include "synthesis/compose/track.hpp"
+
+// What a plant finds where it would stand: how the place lies to the camera's way, its soil and its shade.
+namespace quadrat::synthesis {
+
+inline constexpr float kShore_m = 0.45F;  // nothing roots lower over the water
+inline constexpr float kEdge_m = 10.0F;   // nor nearer to the land's edge
+
+struct View {
+    float along_m;   // in front of the nearest station
+    float aside;     // tangent of the angle off its view
+    float to_way_m;  // distance from the camera's way
+};
+
+// How places lie to the flight; the nearest station is looked up, not searched for.
+class Sight {
+  public:
+    Sight(const FlightPlan& flight, float half_m) : flight_(flight), half_m_(half_m) {
+        side_ = std::max(static_cast<int>(std::ceil(2 * half_m / kCell_m)), 1);
+        nearest_.resize(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_));
+        oneapi::tbb::parallel_for(0, side_, [&](int row) {
+            for (int column = 0; column < side_; ++column) {
+                const glm::vec2 at = (glm::vec2{column, row} + 0.5F) * kCell_m - half_m_;
+                float best = 1.0e18F;
+                for (std::size_t i = 0; i < flight.stations.size(); ++i) {
+                    const glm::vec2 d = at - flight.stations[i].at_m;
+                    if (glm::dot(d, d) >= best) continue;
+                    best = glm::dot(d, d);
+                    nearest_[index(column, row)] = static_cast<std::uint16_t>(i);
+                }
+            }
+        });
+    }
+
+    View view_of(glm::vec2 at) const {
+        const auto cell = [this](float m) {
+            return std::clamp(static_cast<int>((m + half_m_) / kCell_m), 0, side_ - 1);
+        };
+        const FlightPlan::Station& station = flight_.stations[nearest_[index(cell(at.x), cell(at.y))]];
+        const glm::vec2 d = at - station.at_m;
+        View view{};
+        view.to_way_m = glm::length(d);
+        view.along_m = glm::dot(d, station.ahead);
+        view.aside = std::abs(d.x * station.ahead.y - d.y * station.ahead.x) / std::max(view.along_m, 0.1F);
+        return view;
+    }
+
+    bool is_in_the_way(glm::vec2 at, float radius_m) const {
+        if (view_of(at).to_way_m > radius_m + 58.0F) return false;
+        for (const FlightPlan::Station& station : flight_.stations) {
+            const glm::vec2 d = at - station.at_m;
+            if (glm::length(d) < radius_m + 5.0F) return true;
+            const float along = glm::dot(d, station.ahead);
+            const float aside = std::abs(d.x * station.ahead.y - d.y * station.ahead.x);
+            // Before the camera the middle of the picture stays open.
+            if (along > 0 && along < 55.0F && aside < radius_m + 0.36F * along) return true;
+        }
+        return false;
+    }
+
+    const FlightPlan& flight() const { return flight_; }
+
+  private:
+    static constexpr float kCell_m = 4;
+    std::size_t index(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(column);
+    }
+    const FlightPlan& flight_;
+    float half_m_;
+    int side_ = 1;
+    std::vector<std::uint16_t> nearest_;
+};
+
+// What a plant finds where it stands.
+struct Soil {
+    float height_m;
+    float slope;     // rise over run
+    float moisture;  // 0 dry to 1 wet
+};
+
+class Ground {
+  public:
+    explicit Ground(const scene::Land& land) : land_(land) {}
+
+    bool is_on_land(glm::vec2 at) const {
+        return std::max(std::abs(at.x), std::abs(at.y)) < 0.5F * land_.side_m() - kEdge_m;
+    }
+    bool is_dry(glm::vec2 at, float height_m) const {
+        return height_m >= kShore_m && scene::water_depth_m(land_, at) <= 0;
+    }
+
+    Soil soil(glm::vec2 at) const {
+        const glm::vec3 n = scene::ground_normal(land_, at);
+        const float height_m = scene::ground_height_m(land_, at);
+        const float slope = std::sqrt(std::max(0.0F, 1.0F - n.y * n.y)) / std::max(n.y, 0.05F);
+        // Water runs off what is steep and high and stays low and level.
+        const float low = std::clamp(1.0F - height_m / 26.0F, 0.0F, 1.0F);
+        const float moisture = 0.42F + 0.58F * wetness(at) + 0.22F * low * low - 0.30F * std::min(slope, 1.0F) -
+                               0.12F * std::clamp(height_m / 150.0F, 0.0F, 1.0F);
+        return {height_m, slope, std::clamp(moisture, 0.0F, 1.0F)};
+    }
+
+  private:
+    float wetness(glm::vec2 at) const {
+        const mesh::Image& albedo = land_.albedo;
+        if (albedo.width < 1 || albedo.channels < 4) return 0;
+        const auto px = [&](float m, int size) {
+            return std::clamp(static_cast<int>((m / land_.side_m() + 0.5F) * static_cast<float>(size)), 0, size - 1);
+        };
+        return static_cast<float>(albedo.pixel(px(at.x, albedo.width), px(at.y, albedo.height))[3]) / 255.0F;
+    }
+    const scene::Land& land_;
+};
+
+// How well a species does on this soil, 0 to 1.
+inline float welfare(const scene::Species& species, const Soil& soil) {
+    const float above = std::clamp((soil.height_m - std::max(species.lowest_m, kShore_m)) / 1.5F, 0.0F, 1.0F);
+    const float below =
+        std::clamp((species.treeline_m - soil.height_m) / (0.12F * species.treeline_m + 1.0F), 0.0F, 1.0F);
+    const float flat = std::clamp((species.steepest_slope - soil.slope) / 0.25F, 0.0F, 1.0F);
+    const float off = std::abs(soil.moisture - species.moisture);
+    const float moist = std::clamp(2.0F * (species.moisture_width - off) / species.moisture_width, 0.0F, 1.0F);
+    return soil.height_m < kShore_m ? 0 : above * below * flat * moist;
+}
+
+// How much of the sky crowns hide, on a coarse grid over the land.
+class Shade {
+  public:
+    Shade(const scene::Flora& flora, std::span<const Candidate> trees, float half_m)
+        : half_m_(half_m),
+          cover_(static_cast<int>(2 * half_m / kCell_m) + 1, static_cast<int>(2 * half_m / kCell_m) + 1, 0.0F) {
+        for (const Candidate& tree : trees) {
+            const float r = flora.species[tree.species].crown_radius_m * tree.scale;
+            const int x0 = cell(tree.at_m.x - r);
+            const int x1 = cell(tree.at_m.x + r);
+            const int y0 = cell(tree.at_m.y - r);
+            const int y1 = cell(tree.at_m.y + r);
+            for (int y = y0; y <= y1; ++y) {
+                for (int x = x0; x <= x1; ++x) {
+                    const glm::vec2 d = (glm::vec2{x, y} + 0.5F) * kCell_m - half_m_ - tree.at_m;
+                    const float in = 1.0F - glm::dot(d, d) / (r * r);
+                    if (in > 0) cover_.at(x, y) = std::max(cover_.at(x, y), std::min(1.0F, 1.6F * in));
+                }
+            }
+        }
+    }
+    float at(glm::vec2 p) const {
+        return mesh::sample(cover_, (p.x + half_m_) / kCell_m - 0.5F, (p.y + half_m_) / kCell_m - 0.5F);
+    }
+
+  private:
+    static constexpr float kCell_m = 2;
+    int cell(float m) const { return std::clamp(static_cast<int>((m + half_m_) / kCell_m), 0, cover_.columns - 1); }
+    float half_m_;
+    mesh::Field cover_;
+};
+
+}  // namespace quadrat::synthesis

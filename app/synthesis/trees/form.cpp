@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/trees/form.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "scene/colour.hpp"
+
+namespace quadrat::synthesis::trees {
+namespace {
+
+// name, trunk, width, leaf, cover, spread, outward, scatter, own leaf, keeps radii, moisture, width, lowest, treeline,
+// steep
+constexpr std::array<HabitTraits, kHabits> kTraits{{
+    {"broad tree", 0.021F, 0, 1.0F, 1.0F, 1.0F, 0.5F, 0.050F, -1, false, 0.45F, 0.8F, 0.6F, 1.0F, 1.0F},
+    {"oak", 0.026F, 0, 0.95F, 1.05F, 1.0F, 0.5F, 0.045F, -1, false, 0.45F, 0.7F, 0.8F, 0.9F, 1.0F},
+    {"fir", 0.015F, 0, 1.35F, 2.1F, 0.25F, 0.35F, 0.012F, 5, false, 0.5F, 0.8F, 1.0F, 1.35F, 1.25F},
+    {"palm", 0.016F, 0, 1.0F, 1.0F, 0.3F, 0.0F, 0.0F, 8, true, 0.5F, 0.9F, 0.45F, 0.5F, 0.8F},
+    {"cactus", 0.055F, 0, 0.42F, 0.30F, 0.4F, 0.9F, 0.0F, 9, true, 0.0F, 0.5F, 0.8F, 0.7F, 0.9F},
+    {"willow", 0.028F, 0, 0.95F, 1.15F, 0.35F, 0.15F, 0.020F, 1, false, 0.95F, 0.55F, 0.45F, 0.7F, 0.7F},
+    {"poplar", 0.016F, 0, 0.9F, 1.9F, 0.8F, 0.4F, 0.020F, -1, false, 0.7F, 0.7F, 0.5F, 0.8F, 0.8F},
+    {"acacia", 0.021F, 0, 0.85F, 1.0F, 0.9F, 0.2F, 0.030F, -1, false, 0.15F, 0.6F, 0.8F, 0.8F, 0.9F},
+    {"birch", 0.013F, 0, 0.75F, 1.1F, 0.9F, 0.35F, 0.030F, -1, false, 0.5F, 0.8F, 0.6F, 1.2F, 1.1F},
+    {"lime", 0.024F, 0, 0.95F, 1.1F, 1.0F, 0.5F, 0.045F, -1, false, 0.45F, 0.7F, 0.6F, 0.9F, 1.0F},
+    {"stone pine", 0.020F, 0, 1.05F, 2.0F, 0.8F, 0.4F, 0.025F, 5, false, 0.15F, 0.6F, 0.6F, 0.8F, 1.1F},
+    {"elm", 0.021F, 0, 0.9F, 1.0F, 1.0F, 0.45F, 0.040F, -1, false, 0.5F, 0.7F, 0.6F, 0.9F, 1.0F},
+    {"ternary tree", 0.018F, 0, 0.95F, 1.0F, 0.9F, 0.4F, 0.050F, -1, false, 0.4F, 0.8F, 0.6F, 0.9F, 1.0F},
+    {"pine", 0.017F, 0, 1.0F, 1.9F, 0.8F, 0.4F, 0.022F, 5, false, 0.3F, 0.8F, 0.8F, 1.3F, 1.35F},
+    {"cherry", 0.023F, 0, 0.75F, 1.1F, 1.0F, 0.5F, 0.035F, -1, false, 0.45F, 0.6F, 0.8F, 0.8F, 0.9F},
+    {"cypress", 0.015F, 0, 1.0F, 3.0F, 0.45F, 0.45F, 0.014F, 5, false, 0.2F, 0.7F, 0.8F, 0.8F, 1.2F},
+}};
+
+// Which kinds go with each, the closest first.
+using H = Habit;
+constexpr std::array<std::array<Habit, 8>, kHabits> kCompanions{{
+    {H::AsType, H::Birch, H::Lime, H::Poplar, H::Fir, H::Oak, H::Acacia, H::Palm},
+    {H::Oak, H::Lime, H::Birch, H::Elm, H::Cherry, H::Pine, H::Willow, H::Fir},
+    {H::Fir, H::Birch, H::Pine, H::Fir, H::Lime, H::Poplar, H::Oak, H::Palm},
+    {H::Palm, H::Acacia, H::StonePine, H::Palm, H::Cypress, H::Cactus, H::Elm, H::Fir},
+    {H::Cactus, H::Acacia, H::Cactus, H::StonePine, H::Palm, H::Cypress, H::Ternary, H::Fir},
+    {H::Willow, H::Poplar, H::Birch, H::Elm, H::Oak, H::Cherry, H::Lime, H::Fir},
+    {H::Poplar, H::Willow, H::Lime, H::Birch, H::Cherry, H::Cypress, H::Elm, H::Fir},
+    {H::Acacia, H::StonePine, H::Acacia, H::Palm, H::Cactus, H::Elm, H::Ternary, H::Cypress},
+    {H::Birch, H::Fir, H::Pine, H::Lime, H::Willow, H::Poplar, H::Oak, H::Elm},
+    {H::Lime, H::Oak, H::Birch, H::Cherry, H::Elm, H::Poplar, H::Fir, H::Pine},
+    {H::StonePine, H::Cypress, H::Acacia, H::Palm, H::Pine, H::Oak, H::Cactus, H::Fir},
+    {H::Elm, H::Oak, H::Willow, H::Lime, H::Acacia, H::Poplar, H::Pine, H::Palm},
+    {H::Ternary, H::Acacia, H::Elm, H::Palm, H::StonePine, H::Cypress, H::Cherry, H::Cactus},
+    {H::Pine, H::Birch, H::Fir, H::Pine, H::Oak, H::StonePine, H::Lime, H::Elm},
+    {H::Cherry, H::Lime, H::Poplar, H::Birch, H::Cypress, H::Oak, H::Willow, H::Pine},
+    {H::Cypress, H::StonePine, H::Oak, H::Cherry, H::Poplar, H::Palm, H::Acacia, H::Pine},
+}};
+
+// Colours chosen together by eye, sRGB: leaf, second leaf, bark, grass, blossom (the accent).
+struct Dress {
+    std::uint32_t leaf, second, bark, grass, blossom;
+};
+constexpr std::array<Dress, 10> kDresses{{
+    {0x6E9440, 0xA3B557, 0x6A5744, 0x8FA354, 0xE9DCC0},  // spring
+    {0x4C7038, 0x7C9448, 0x5A4A3C, 0x7F9A4A, 0xE8C25A},  // summer oak
+    {0x3E6248, 0x5F8458, 0x6C4F3C, 0x7A9458, 0xDFA6B8},  // deep green
+    {0x7F8A58, 0xA3A878, 0x7C7064, 0xA7A468, 0xB59AC8},  // olive
+    {0xC88A3C, 0xB9552F, 0x54463C, 0xB09A58, 0xC8573F},  // autumn
+    {0xD0A94A, 0xA7AE52, 0xC9C2B4, 0x9DA058, 0xE3B04B},  // birch
+    {0x4F7470, 0x7A9A8C, 0x6A5A50, 0x8A9A68, 0xD8D4E6},  // blue conifer
+    {0x5E8C3E, 0x8FB048, 0x8A6A50, 0x88AC48, 0xE2604A},  // bright south
+    {0x93A65C, 0xE3B9C2, 0x5E4A42, 0x90A860, 0xF0CDD4},  // blossom
+    {0x8C4A3A, 0xA86A44, 0x5C4C44, 0x94985C, 0xD9C46A},  // copper
+}};
+
+int choice(float gene, int count) { return std::clamp(static_cast<int>(std::lround(gene)), 0, count - 1); }
+
+glm::vec3 between(const std::array<std::uint32_t, 6>& hexes, float hue) {
+    const float at = std::clamp(hue, 0.0F, 1.0F) * 5.0F;
+    const auto i = std::min(static_cast<std::size_t>(at), std::size_t{4});
+    return scene::mix_colours(scene::linear_from_srgb_hex(hexes[i]), scene::linear_from_srgb_hex(hexes[i + 1]),
+                              at - static_cast<float>(i));
+}
+
+glm::vec3 fruit_colour(float hue) { return between({0x9AA84A, 0xE0B43E, 0xE07A2E, 0xC23A2C, 0x7A3458, 0x44508A}, hue); }
+
+// Toward yellow or toward blue in OKLab.
+glm::vec3 yellower(const glm::vec3& colour, float by) {
+    glm::vec3 lab = scene::oklab_from_linear(colour);
+    lab.z += 0.045F * by;
+    lab.y += 0.012F * by;
+    return glm::max(scene::linear_from_oklab(lab), glm::vec3{0});
+}
+
+glm::vec3 warmer(const glm::vec3& colour, float by) {
+    glm::vec3 lab = scene::oklab_from_linear(colour);
+    lab.z += 0.022F * by;
+    lab.y += 0.016F * by;
+    return glm::max(scene::linear_from_oklab(lab), glm::vec3{0});
+}
+
+// The hue and lightness that go with a kind, whatever the palette: firs are darker, cacti bluer.
+glm::vec3 of_kind(Habit habit, const glm::vec3& leaf) {
+    switch (habit) {
+        case H::Fir:
+            return scene::shifted_colour(scene::mix_colours(leaf, scene::linear_from_srgb_hex(0x38574A), 0.55F), 0.86F);
+        case H::Pine:
+        case H::StonePine:
+            return scene::mix_colours(leaf, scene::linear_from_srgb_hex(0x4C6A48), 0.45F);
+        case H::Cypress:
+            return scene::shifted_colour(scene::mix_colours(leaf, scene::linear_from_srgb_hex(0x44603E), 0.5F), 0.85F);
+        case H::Cactus:
+            return scene::linear_from_srgb_hex(0xD9CFA8);  // its spines
+        case H::Willow:
+            return scene::mix_colours(leaf, scene::linear_from_srgb_hex(0x8FA65A), 0.45F);
+        case H::Palm:
+            return scene::mix_colours(leaf, scene::linear_from_srgb_hex(0x6A9244), 0.5F);
+        case H::Birch:
+            return scene::shifted_colour(leaf, 1.10F);
+        default:
+            return leaf;
+    }
+}
+
+glm::vec3 bark_of_kind(Habit habit, const glm::vec3& bark) {
+    switch (habit) {
+        case H::Birch:
+            return scene::mix_colours(bark, scene::linear_from_srgb_hex(0xD8D2C6), 0.8F);
+        case H::Cactus:
+            return scene::linear_from_srgb_hex(0x5F8250);
+        case H::Palm:
+            return scene::mix_colours(bark, scene::linear_from_srgb_hex(0x8C7C68), 0.6F);
+        case H::Pine:
+        case H::StonePine:
+            return scene::mix_colours(bark, scene::linear_from_srgb_hex(0x8A5A40), 0.55F);
+        case H::Cherry:
+            return scene::mix_colours(bark, scene::linear_from_srgb_hex(0x5A3A34), 0.5F);
+        default:
+            return bark;
+    }
+}
+
+void set_shared(Form& f, const scene::TreeParameters& p) {
+    f.type = choice(p.tree_type, 8);
+    f.branch_angle_deg = p.tree_branch_angle_deg;
+    f.trunk_contraction = p.tree_trunk_contraction;
+    f.branch_contraction = p.tree_branch_contraction;
+    f.clear_stem = p.tree_clear_stem;
+    f.girth = p.tree_girth;
+    f.taper = p.tree_taper;
+    f.stems = 1 + choice(p.tree_stems - 1, 4);
+    f.lean_deg = p.tree_lean_deg;
+    f.divergence_deg = p.tree_divergence_deg;
+    f.limb_rise = p.tree_limb_rise;
+    f.leader = p.tree_leader;
+    f.sag = p.tree_sag;
+    f.light_seeking = p.tree_light_seeking;
+    f.wind_lean = p.tree_wind_lean;
+    f.wind_from_deg = p.tree_wind_from_deg;
+    f.crowding = p.tree_crowding;
+    f.root_flare = p.tree_root_flare;
+    f.bareness = p.tree_bareness;
+    f.leaf_width = p.tree_leaf_width;
+    f.leaf_fold = p.tree_leaf_fold;
+    f.leaf_droop = p.tree_leaf_droop;
+    f.leaf_clumping = p.tree_leaf_clumping;
+    f.fruit = p.tree_fruit;
+    f.fruit_m = p.tree_fruit_m;
+    f.bark_kind = choice(p.tree_bark_kind, 4);
+    f.bark_depth = p.tree_bark_depth;
+    f.bark_tile_m = p.tree_bark_tile_m;
+}
+
+// The rows that each species has for itself.
+struct Own {
+    Habit habit;
+    float height_m, crown_width, gnarl_deg, limb_density, leaf_length_m, leaf_shape, leaf_density, yellowness,
+        lightness, autumn, blossom, bark_lightness;
+};
+
+Own own_of(const scene::TreeParameters& p, Rank rank) {
+    const auto first = static_cast<Habit>(choice(p.tree_habit, kHabits));
+    const auto companion = [&](float gene) { return kCompanions[static_cast<std::size_t>(first)][choice(gene, 8)]; };
+    switch (rank) {
+        case Rank::First:
+            return {first,
+                    p.tree_height_m,
+                    p.tree_crown_width,
+                    p.tree_gnarl_deg,
+                    p.tree_limb_density,
+                    p.tree_leaf_length_m,
+                    p.tree_leaf_shape,
+                    p.tree_leaf_density,
+                    p.tree_leaf_yellowness,
+                    p.tree_leaf_lightness,
+                    p.tree_autumn,
+                    p.tree_blossom,
+                    p.tree_bark_lightness};
+        case Rank::Second:
+            return {companion(p.second_companion),
+                    p.second_height * p.tree_height_m,
+                    p.second_crown_width,
+                    p.second_gnarl_deg,
+                    p.second_limb_density,
+                    p.second_leaf_length_m,
+                    p.second_leaf_shape,
+                    p.second_leaf_density,
+                    p.tree_leaf_yellowness + p.second_leaf_yellowness,
+                    p.tree_leaf_lightness * p.second_leaf_lightness,
+                    p.second_autumn,
+                    p.second_blossom,
+                    p.second_bark_lightness};
+        case Rank::Third:
+            return {companion(p.third_companion),
+                    p.third_height * p.tree_height_m,
+                    p.third_crown_width,
+                    p.third_gnarl_deg,
+                    p.third_limb_density,
+                    p.third_leaf_length_m,
+                    p.third_leaf_shape,
+                    p.third_leaf_density,
+                    p.tree_leaf_yellowness + p.third_leaf_yellowness,
+                    p.tree_leaf_lightness * p.third_leaf_lightness,
+                    p.third_autumn,
+                    p.third_blossom,
+                    p.third_bark_lightness};
+    }
+    return {};
+}
+
+}  // namespace
+
+const HabitTraits& traits(Habit habit) { return kTraits[static_cast<std::size_t>(habit)]; }
+
+glm::vec3 blossom_colour(float hue) {
+    return between({0xF4EEE6, 0xEFB9C6, 0xD0463E, 0xE8853A, 0xF0CB50, 0x9A7CC0}, hue);
+}
+
+Wear wear_of(const scene::TreeParameters& p) {
+    const Dress& d = kDresses[choice(p.tree_palette, 10)];
+    const auto colour = [](std::uint32_t hex) { return scene::linear_from_srgb_hex(hex); };
+    const auto leaf = [&](std::uint32_t hex) { return scene::shifted_colour(colour(hex), 1, p.tree_leaf_chroma); };
+    const glm::vec3 dry = scene::linear_from_srgb_hex(0xC2AE72);
+    return {leaf(d.leaf), leaf(d.second), warmer(colour(d.bark), p.tree_bark_warmth),
+            scene::mix_colours(colour(d.grass), dry, 0.85F * p.grass_dryness), colour(d.blossom)};
+}
+
+Form form_of(const scene::TreeParameters& p, Rank rank) {
+    Form f;
+    set_shared(f, p);
+    const Own own = own_of(p, rank);
+    f.habit = own.habit;
+    // Cacti are not as high as trees.
+    f.height_m = std::clamp(own.height_m, 2.5F, 30.0F) * (f.habit == Habit::Cactus ? 0.5F : 1.0F);
+    f.crown_width = own.crown_width;
+    f.gnarl_deg = own.gnarl_deg;
+    f.limb_density = own.limb_density;
+    f.leaf_length_m = own.leaf_length_m;
+    f.leaf =
+        static_cast<LeafKind>(traits(f.habit).own_leaf >= 0 ? traits(f.habit).own_leaf : choice(own.leaf_shape, 8));
+    f.leaf_density = own.leaf_density;
+    f.blossom = own.blossom;
+    const Wear wear = wear_of(p);
+    const auto dress = [&](const glm::vec3& colour) {
+        const glm::vec3 shifted =
+            scene::shifted_colour(of_kind(f.habit, colour), std::clamp(own.lightness, 0.65F, 1.35F));
+        return glm::clamp(yellower(shifted, std::clamp(own.yellowness, -1.2F, 1.2F)), 0.0F, 0.9F);
+    };
+    f.colours.leaf = dress(wear.leaf);
+    f.colours.second = dress(wear.second);
+    f.colours.variety = p.tree_leaf_variety;
+    f.colours.turned = between({0xE2BE48, 0xE0A83C, 0xD88A34, 0xC8662E, 0xB0442C, 0x8E3030}, p.tree_autumn_red);
+    f.colours.autumn = own.autumn;
+    f.colours.blossom = blossom_colour(p.tree_blossom_hue);
+    f.colours.fruit = fruit_colour(p.tree_fruit_hue);
+    f.bark = glm::clamp(scene::shifted_colour(bark_of_kind(f.habit, wear.bark), own.bark_lightness), 0.0F, 0.85F);
+    return f;
+}
+
+}  // namespace quadrat::synthesis::trees

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/trees/species.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/trees/bark.hpp"
+#include "synthesis/trees/limb_mesh.hpp"
+
+namespace quadrat::synthesis::trees {
+namespace {
+
+constexpr std::size_t kSmoothTriangles = 3600;
+constexpr std::size_t kTwigNodes = 420;  // beside them
+constexpr int kBarkSide = 128;
+
+// The thickest that counts: a trunk, not its foot.
+std::vector<scene::Wood> levels_of(const TreeSkeleton& skeleton) {
+    MetaTubeDetail smooth;
+    smooth.cell_m = cell_for(skeleton, kSmoothTriangles);
+    smooth.most_nodes = kTwigNodes + 4 * skeleton.limbs.front().nodes.size();
+    smooth.twig_sides = 3;
+    std::vector<scene::Wood> levels{mesh_meta_tubes(skeleton, smooth)};
+    const std::size_t trunk = skeleton.limbs.front().nodes.size();
+    struct Level {
+        int sides;
+        std::size_t nodes;  // beside the trunk's
+        float flattest;
+    };
+    constexpr Level kLevels[] = {{8, 260, 0.15F}, {6, 90, 0.4F}, {4, 26, 0.9F}, {3, 0, 2.0F}};
+    for (const Level& level : kLevels) {
+        TubeDetail detail;
+        detail.trunk_sides = level.sides;
+        detail.most_nodes = trunk + level.nodes;
+        detail.flattest = level.flattest;
+        levels.push_back(sweep_tubes(skeleton, detail));
+    }
+    return levels;
+}
+
+FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
+    const HabitTraits& t = traits(f.habit);
+    const LeafShape& shape = leaf_shape(f.leaf);
+    FoliageOptions o;
+    o.kind = f.leaf;
+    // Leaves of a large tree are seen from farther away: sprays of them.
+    o.length_m = 1.15F * t.leaf * f.leaf_length_m * std::sqrt(std::clamp(species.height_m / 13.0F, 0.45F, 1.6F));
+    o.width = f.leaf_width;
+    o.fold = f.leaf_fold;
+    o.scatter_m = t.scatter * species.height_m;
+    o.clumping = f.leaf_clumping;
+    o.droop = f.leaf_droop + (f.habit == Habit::Willow ? 0.5F : 0.0F);
+    o.spread = t.spread;
+    o.outward = t.outward;
+    o.flower_m = std::max(0.55F * o.length_m, 0.16F);
+    o.fruit_m = f.fruit_m;
+    o.colours = f.colours;
+    const auto most = kMostLeafTriangles * 3 / shape.triangles.size();
+    if (f.habit == Habit::Palm) {
+        o.length_m = 0.30F * species.height_m * std::sqrt(6.0F / std::max(species.height_m, 6.0F)) *
+                     (0.6F + 0.9F * f.leaf_length_m);
+        o.blades = static_cast<std::size_t>(static_cast<float>(30 * f.stems) * f.leaf_density);
+        o.clumping = 0;
+        o.scatter_m = 0;
+        o.is_rosette = true;
+    } else {
+        // Small leaves are many and large ones few, so that both make a crown; a narrow crown has most of its leaves on
+        // its mantle.
+        const float r = species.crown_radius_m;
+        const float crown_m2 = r * r + 0.4F * r * species.height_m;
+        const float blade_m2 = o.length_m * o.length_m * shape.width * f.leaf_width;
+        const float wanted = 10.0F * t.cover * f.leaf_density * crown_m2 / blade_m2;
+        o.blades = static_cast<std::size_t>(std::clamp(wanted, 160.0F, static_cast<float>(most)));
+        // What the budget denies in number is given in size.
+        const float missing = wanted / static_cast<float>(o.blades);
+        if (missing > 1) o.length_m *= std::min(std::sqrt(missing), 1.8F);
+    }
+    o.blades = std::min(o.blades, most);
+    o.blades = static_cast<std::size_t>(static_cast<float>(o.blades) * (1 - 0.92F * f.bareness));
+    return o;
+}
+
+// How far from the stem the crown's mass reaches: a twig that stands out does not count.
+float crown_radius(const TreeSkeleton& skeleton) {
+    std::vector<float> reach;
+    for (const Site& site : skeleton.sites) reach.push_back(std::hypot(site.at_m.x, site.at_m.z));
+    if (reach.size() < 8)
+        return std::max(0.25F * (skeleton.high_m.x - skeleton.low_m.x + skeleton.high_m.z - skeleton.low_m.z), 0.3F);
+    const auto most = reach.begin() + static_cast<std::ptrdiff_t>(reach.size() * 9 / 10);
+    std::nth_element(reach.begin(), most, reach.end());
+    return std::max(*most, 0.3F);
+}
+
+}  // namespace
+
+scene::Species make_species(const Form& f, base::Seed seed) {
+    const HabitTraits& t = traits(f.habit);
+    TreeSkeleton skeleton = grow_skeleton(f, seed.child("skeleton"));
+    if (f.habit != Habit::Palm && f.habit != Habit::Cactus)
+        set_organs(skeleton, 0.75F * f.blossom, 0.2F * f.fruit, seed.child("organs"));
+    if (f.habit == Habit::Cactus) set_organs(skeleton, 0.3F * f.blossom, 0.2F * f.fruit, seed.child("organs"));
+    scene::Species species;
+    species.name = t.name;
+    species.height_m = skeleton.high_m.y;
+    species.crown_radius_m = f.habit == Habit::Palm ? 0.28F * skeleton.high_m.y : crown_radius(skeleton);
+    species.trunk_radius_m = skeleton.limbs.front().nodes.front().radius_m * (f.stems > 1 ? 2.2F : 1.0F);
+    species.wood = levels_of(skeleton);
+    const FoliageOptions foliage = foliage_of(f, species);
+    species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
+    if (f.habit == Habit::Palm) {
+        species.crown_radius_m = std::max(species.crown_radius_m, 0.8F * foliage.length_m);
+        species.height_m += 0.3F * foliage.length_m;
+    }
+    species.bark_colour = f.bark;
+    const Bark kind = f.habit == Habit::Birch    ? Bark::Banded
+                      : f.habit == Habit::Cactus ? Bark::Furrowed
+                                                 : static_cast<Bark>(f.bark_kind);
+    species.bark = bark_picture(bark_relief(kind, seed.child("bark"), kBarkSide), f.bark_depth);
+    species.bark_tile_m = f.bark_tile_m * std::clamp(species.trunk_radius_m / 0.28F, 0.5F, 1.6F);
+    species.lowest_m = t.lowest_m;
+    species.moisture = t.moisture;
+    species.moisture_width = t.moisture_width;
+    return species;
+}
+
+}  // namespace quadrat::synthesis::trees

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "scene/flora.hpp"
+#include "synthesis/trees/form.hpp"
+
+namespace quadrat::synthesis::trees {
+
+// The most that a species may have, whatever its genes: each parameter's range is chosen so that they hold.
+inline constexpr std::size_t kMostLimbs = 4000;
+inline constexpr std::size_t kMostLeafTriangles = 6400;
+inline constexpr std::size_t kMostWoodTriangles = 9000;  // of the finest level; the whole species: 16 MB less than half
+
+// A finished tree: skeleton, smooth limbs, levels of detail, leaves and bark.
+scene::Species make_species(const Form& form, base::Seed seed);
+
+}  // namespace quadrat::synthesis::trees

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "synthesis/trees/bark.hpp"
+#include "synthesis/trees/colonisation.hpp"
+#include "synthesis/trees/phyllotaxis.hpp"
+#include "synthesis/trees/turtle.hpp"
+#include "synthesis/trees/weber_penn.hpp"
+
+namespace quadrat::synthesis::trees {
+namespace {
+
+TreeSkeleton grown(const char* name, int steps, float gnarl_deg = 0) {
+    const Grammar grammar = library_grammar(name);
+    TurtleOptions options = options_of(grammar);
+    options.gnarl_deg = gnarl_deg;
+    options.leafy_below = 0.3F;
+    DeriveOptions how;
+    how.steps = steps;
+    return interpret(derive(grammar, how).word, options, base::Seed{3});
+}
+
+void expect_whole(const TreeSkeleton& skeleton) {
+    ASSERT_FALSE(skeleton.limbs.empty());
+    for (std::size_t i = 0; i < skeleton.limbs.size(); ++i) {
+        const Limb& limb = skeleton.limbs[i];
+        ASSERT_GE(limb.nodes.size(), 2U);
+        ASSERT_LT(limb.parent, static_cast<int>(i));
+        for (const Limb::Node& node : limb.nodes) {
+            ASSERT_TRUE(std::isfinite(node.at_m.x + node.at_m.y + node.at_m.z));
+            ASSERT_GT(node.radius_m, 0);
+            ASSERT_TRUE(node.sway >= 0 && node.sway <= 1);
+        }
+        if (limb.parent < 0) continue;
+        const Limb& bearer = skeleton.limbs[limb.parent];
+        ASSERT_LT(limb.parent_node, static_cast<int>(bearer.nodes.size()));
+        EXPECT_LT(glm::distance(bearer.nodes[limb.parent_node].at_m, limb.nodes.front().at_m), 1e-4F) << i;
+    }
+    for (const Site& site : skeleton.sites) {
+        ASSERT_LT(site.limb, static_cast<int>(skeleton.limbs.size()));
+        ASSERT_LT(site.node, static_cast<int>(skeleton.limbs[site.limb].nodes.size()));
+        ASSERT_NEAR(glm::length(site.along), 1, 1e-3);
+        ASSERT_NEAR(glm::length(site.out), 1, 1e-3);
+    }
+}
+
+TEST(Turtle, WalksASquareBackToItsStart) {
+    for (const char turn : {'&', '+', '-', '^'}) {
+        Word word;
+        for (int i = 0; i < 4; ++i) {
+            word.add('F', {1});
+            word.add(turn, {90});
+        }
+        const TreeSkeleton skeleton = interpret(word, {}, base::Seed{1});
+        ASSERT_EQ(skeleton.limbs.size(), 1U);
+        EXPECT_NEAR(glm::length(skeleton.limbs[0].nodes.back().at_m), 0, 1e-5);
+        EXPECT_NEAR(skeleton.longest_path_m, 4, 1e-5);
+    }
+}
+
+TEST(Turtle, TurnsAsTheBooksMatricesSay) {
+    // From heading up: + turns left, & pitches down and away from up, and \ rolls left toward up.
+    const auto after = [](std::initializer_list<std::pair<char, float>> turns) {
+        Word word;
+        for (const auto& turn : turns) word.add(turn.first, {turn.second});
+        word.add('F', {1});
+        return interpret(word, {}, base::Seed{1}).limbs.front().nodes.back().at_m;
+    };
+    const auto near = [](const glm::vec3& a, const glm::vec3& b) { return glm::distance(a, b) < 1e-5F; };
+    EXPECT_TRUE(near(after({}), {0, 1, 0}));
+    EXPECT_TRUE(near(after({{'+', 90}}), {-1, 0, 0}));
+    EXPECT_TRUE(near(after({{'&', 90}}), {0, 0, -1}));
+    EXPECT_TRUE(near(after({{'\\', 90}, {'+', 90}}), {0, 0, 1}));
+    EXPECT_TRUE(near(after({{'/', 90}, {'+', 90}}), {0, 0, -1}));
+    EXPECT_TRUE(near(after({{'|', 0}}), {0, -1, 0}));
+}
+
+TEST(Turtle, BeginsEveryLimbOnItsBearerInEveryGrammarOfTheLibrary) {
+    for (const NamedGrammar& one : grammar_library()) {
+        SCOPED_TRACE(one.name);
+        expect_whole(grown(std::string(one.name).c_str(), 5, 5));
+    }
+}
+
+TEST(Turtle, ReadsWordsThatMakeNoSense) {
+    Word word;
+    for (const char c : {']', '[', '[', 'F', ']', ']', ']', '!', 'L', '$', '|', '%'}) word.add(c);
+    EXPECT_EQ(interpret(word, {}, base::Seed{1}).limbs.size(), 1U);
+    EXPECT_TRUE(interpret({}, {}, base::Seed{1}).limbs.empty());
+}
+
+TEST(WeberPenn, GrowsEveryPresetWholeAndAsHighAsItIs) {
+    for (int i = 0; i <= static_cast<int>(Preset::Cypress); ++i) {
+        const WeberPenn& preset = weber_penn(static_cast<Preset>(i));
+        SCOPED_TRACE(preset.name);
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            const TreeSkeleton skeleton = grow_weber_penn(preset, base::Seed{seed});
+            expect_whole(skeleton);
+            EXPECT_GT(skeleton.high_m.y, 0.6F);
+            EXPECT_LT(skeleton.high_m.y, 1.8F);
+            EXPECT_FALSE(skeleton.sites.empty());
+            EXPECT_LE(skeleton.limbs.size(), 1700U);
+        }
+    }
+}
+
+TEST(WeberPenn, KeepsItsBudgetOfLimbsByLeavingOutTheLatest) {
+    const TreeSkeleton few = grow_weber_penn(weber_penn(Preset::Fir), base::Seed{1}, 40);
+    EXPECT_EQ(few.limbs.size(), 40U);
+    for (std::size_t i = 1; i < few.limbs.size(); ++i) EXPECT_EQ(few.limbs[i].order, 1);
+}
+
+TEST(Colonisation, FillsItsCrownAndNothingElse) {
+    Colonisation c;
+    const TreeSkeleton skeleton = colonise(c, base::Seed{5});
+    expect_whole(skeleton);
+    EXPECT_GT(skeleton.limbs.size(), 60U);
+    EXPECT_NEAR(skeleton.high_m.y, 1, 0.1);
+    EXPECT_GT(skeleton.high_m.x, 0.6F * c.crown_radius);
+    for (const Limb& limb : skeleton.limbs)
+        for (const Limb::Node& node : limb.nodes)
+            EXPECT_LT(std::hypot(node.at_m.x, node.at_m.z), c.crown_radius + c.kill);
+}
+
+TEST(Colonisation, IsKeptOutOfItsNeighboursShadeAndOffTheGround) {
+    Colonisation c;
+    const std::vector<glm::vec4> neighbours{{0.5F, 0.6F, 0, 0.4F}};
+    const TreeSkeleton open = colonise(c, base::Seed{5});
+    c.neighbours = neighbours;
+    const TreeSkeleton shaded = colonise(c, base::Seed{5});
+    EXPECT_LT(shaded.high_m.x, 0.75F * open.high_m.x);
+    EXPECT_LT(shaded.low_m.x, 0.7F * open.low_m.x);
+    Colonisation hillside;
+    hillside.crown_base = 0.02F;
+    hillside.slope = {0.9F, 0};
+    hillside.clearance = 0.1F;
+    for (const Limb& limb : colonise(hillside, base::Seed{5}).limbs)
+        for (const Limb::Node& node : limb.nodes)
+            EXPECT_GT(node.at_m.y, 0.9F * node.at_m.x - hillside.kill) << "under the hill";
+}
+
+TEST(PipeModel, GivesALimbTheSumOfWhatItBears) {
+    TreeSkeleton skeleton;
+    skeleton.limbs.resize(3);
+    skeleton.limbs[0].nodes = {{{0, 0, 0}}, {{0, 1, 0}}};
+    for (const std::size_t i : {1U, 2U}) {
+        skeleton.limbs[i].nodes = {{{0, 1, 0}}, {{1, 2, 0}}};
+        skeleton.limbs[i].parent = 0;
+        skeleton.limbs[i].parent_node = 1;
+    }
+    PipeModel model;
+    model.exponent = 2;
+    model.trunk_radius_m = 0.5F;
+    set_pipe_radii(skeleton, model);
+    const auto area = [&](std::size_t limb, std::size_t node) {
+        return std::pow(skeleton.limbs[limb].nodes[node].radius_m, 2.0F);
+    };
+    EXPECT_FLOAT_EQ(skeleton.limbs[0].nodes[0].radius_m, 0.5F);
+    // The trunk's upper end bears two limbs and ends itself in a tip, whose area a limb has at its end.
+    EXPECT_NEAR(area(0, 1), area(1, 0) + area(2, 0) + area(1, 1), 1e-3);
+    EXPECT_LT(skeleton.limbs[1].nodes[1].radius_m, skeleton.limbs[1].nodes[0].radius_m);
+}
+
+TEST(Bending, KeepsLengthsAndJointsAndPullsTheWayItSays) {
+    TreeSkeleton skeleton = grown("changed-c", 8);
+    set_pipe_radii(skeleton, {});
+    measure(skeleton);
+    const TreeSkeleton before = skeleton;
+    Forces forces;
+    forces.sag = 1;
+    forces.wind = {0.8F, 0, 0};
+    bend(skeleton, forces);
+    expect_whole(skeleton);
+    double shift = 0;
+    double drop = 0;
+    for (std::size_t l = 0; l < skeleton.limbs.size(); ++l) {
+        for (std::size_t i = 1; i < skeleton.limbs[l].nodes.size(); ++i) {
+            const auto& now = skeleton.limbs[l].nodes;
+            const auto& then = before.limbs[l].nodes;
+            ASSERT_NEAR(glm::distance(now[i].at_m, now[i - 1].at_m), glm::distance(then[i].at_m, then[i - 1].at_m),
+                        1e-3);
+            shift += now[i].at_m.x - then[i].at_m.x;
+            drop += then[i].at_m.y - now[i].at_m.y;
+        }
+    }
+    EXPECT_GT(shift, 0);
+    EXPECT_GT(drop, 0);
+    EXPECT_LT(glm::distance(skeleton.limbs[0].nodes[0].at_m, before.limbs[0].nodes[0].at_m), 1e-6F);
+}
+
+TEST(Phyllotaxis, PlacesFloretsEvenlyAtTheGoldenAngle) {
+    for (int n = 1; n < 400; ++n) {
+        const glm::vec2 at = floret(n, 0.5F);
+        EXPECT_NEAR(glm::length(at), 0.5 * std::sqrt(n), 1e-4);
+        const double turn = std::remainder(std::atan2(at.y, at.x) - n * 137.50776 * M_PI / 180, 2 * M_PI);
+        EXPECT_NEAR(turn, 0, 2e-3);
+    }
+    // No two of them come nearer than about a unit apart when c is one.
+    float nearest = 9;
+    for (int i = 0; i < 300; ++i)
+        for (int k = 0; k < i; ++k) nearest = std::min(nearest, glm::distance(floret(i, 1), floret(k, 1)));
+    EXPECT_GT(nearest, 0.9F);
+}
+
+TEST(Phyllotaxis, CoversAConeFromFootToTip) {
+    glm::vec3 outward;
+    EXPECT_LT(scale_on_cone(0, 50, outward).y, 0.05F);
+    EXPECT_GT(scale_on_cone(49, 50, outward).y, 0.95F);
+    for (int n = 0; n < 50; ++n) {
+        scale_on_cone(n, 50, outward);
+        EXPECT_NEAR(glm::length(outward), 1, 1e-5);
+    }
+}
+
+TEST(Bark, ReactsIntoAPatternThatRunsAlongTheLimb) {
+    const mesh::Field field = react({}, base::Seed{3}, 64);
+    double mean = 0;
+    double across = 0;
+    double along = 0;
+    double square = 0;
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            const double v = field.at(x, y);
+            ASSERT_TRUE(v >= 0 && v < 1);
+            mean += v / 4096;
+            square += v * v / 4096;
+            across += std::abs(v - field.at((x + 1) % 64, y));
+            along += std::abs(v - field.at(x, (y + 1) % 64));
+        }
+    }
+    EXPECT_GT(std::sqrt(square - mean * mean), 0.08) << "no pattern";
+    EXPECT_GT(across, 1.5 * along);
+}
+
+TEST(Bark, OfEveryKindTilesAndIsLevelInTheMean) {
+    for (const Bark kind : {Bark::Furrowed, Bark::Plates, Bark::Smooth, Bark::Banded}) {
+        const mesh::Field relief = bark_relief(kind, base::Seed{9}, 128);
+        double inside = 0;
+        double seam = 0;
+        for (int i = 0; i < 128; ++i) {
+            seam += std::abs(relief.at(127, i) - relief.at(0, i)) + std::abs(relief.at(i, 127) - relief.at(i, 0));
+            for (int k = 0; k < 127; ++k)
+                inside += (std::abs(relief.at(k, i) - relief.at(k + 1, i)) +
+                           std::abs(relief.at(i, k) - relief.at(i, k + 1))) /
+                          127;
+        }
+        EXPECT_LT(seam, 2.2 * inside) << static_cast<int>(kind);
+        const mesh::Image picture = bark_picture(relief, 1);
+        double slope = 0;
+        for (std::size_t i = 0; i < picture.bytes.size(); i += 4) slope += picture.bytes[i] - 128.0;
+        EXPECT_NEAR(slope / (128 * 128), 0, 3);
+    }
+}
+
+}  // namespace
+}  // namespace quadrat::synthesis::trees
