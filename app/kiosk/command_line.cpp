@@ -45,6 +45,7 @@ int run_command_line(int argc, const char* const* argv) {
     commands::add_breed(app, chosen);
     commands::add_render(app, chosen);
     commands::add_export(app, chosen);
+    commands::add_lsystem(app, chosen);
     commands::add_field(app, chosen);
     commands::add_simulate(app, chosen);
     commands::add_bench(app, chosen);

@@ -60,8 +60,8 @@ std::string machine_description() {
 std::string table_of(const std::vector<Measurement>& results) {
     std::string out;
     for (const Measurement& m : results)
-        out += fmt::format("{:<32} {:>12.2f} {:<10} {} thread{}\n", m.name, m.value, m.unit, m.threads,
-                           m.threads == 1 ? "" : "s");
+        out += fmt::format("{:<32} {:>12.2f} {:<10} {} thread{}{}{}\n", m.name, m.value, m.unit, m.threads,
+                           m.threads == 1 ? "" : "s", m.others.empty() ? "" : "   others: ", m.others);
     return out;
 }
 
@@ -72,8 +72,10 @@ std::string json_of(const std::vector<Measurement>& results, const std::string& 
                        {"memory_gb", memory_gb()},
                        {"gpu", gpu}};
     json["results"] = nlohmann::ordered_json::array();
-    for (const Measurement& m : results)
+    for (const Measurement& m : results) {
         json["results"].push_back({{"name", m.name}, {"value", m.value}, {"unit", m.unit}, {"threads", m.threads}});
+        if (!m.others.empty()) json["results"].back()["others"] = m.others;
+    }
     return json.dump();
 }
 

@@ -12,6 +12,7 @@ struct Measurement {
     double value = 0;
     std::string unit;
     int threads = 1;
+    std::string others = {};  // what the source papers and peers need for the same; may be empty
 };
 
 // The share-th smallest, by the nearest rank; 0 for none.

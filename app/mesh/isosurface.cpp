@@ -228,7 +228,15 @@ class Polygoniser {
                     std::uint32_t b) {
         const Sheets& sheets = table_[inside];
         std::array<float, 8> corner;
-        for (int c = 0; c < 8; ++c) corner[c] = n.at(cell.x + (c & 1), cell.y + ((c >> 1) & 1), cell.z + (c >> 2));
+        const SparseField::Block* own =
+            cell.x < kSide - 1 && cell.y < kSide - 1 && cell.z < kSide - 1 ? n.blocks[0] : nullptr;
+        const int first = (cell.z * kSide + cell.y) * kSide + cell.x;
+        for (int c = 0; c < 8; ++c) {
+            if (own != nullptr)
+                corner[c] = (*own)[first + (c & 1) + ((c >> 1) & 1) * kSide + (c >> 2) * kSide * kSide];
+            else
+                corner[c] = n.at(cell.x + (c & 1), cell.y + ((c >> 1) & 1), cell.z + (c >> 2));
+        }
         std::array<glm::vec3, 4> sums{};
         std::array<float, 4> counts{};
         for (int i = 0; i < sheets.crossings; ++i) {
@@ -303,7 +311,10 @@ class Polygoniser {
             if (ref[j].first == kNone || ref[j].inside == 0) return;  // the field was cut off here
             vertex[j] = ref[j].first + static_cast<std::uint32_t>(table_[ref[j].inside].of_edge[4 * axis + kPlace[j]]);
         }
-        std::array<std::uint32_t, 8> ring{};
+        const int pinched = table_[ref[0].inside].pinched | table_[ref[1].inside].pinched |
+                            table_[ref[2].inside].pinched | table_[ref[3].inside].pinched;
+        std::array<std::uint32_t, 8> ring{vertex[0], vertex[1], vertex[2], vertex[3]};
+        if (pinched == 0) return emit(ring, 4, 8, is_outward);  // as nearly always
         std::size_t count = 0;
         std::size_t hub = 8;
         for (int j = 0; j < 4; ++j) {

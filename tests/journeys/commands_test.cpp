@@ -163,7 +163,7 @@ TEST(Doctor, LooksAtEveryPartAndSaysWhatToDo) {
 
 TEST(Help, IsThereForEverySubcommand) {
     const TemporaryFolder folder;
-    for (const char* command : {"run", "breed", "render", "export", "field", "bench", "doctor"}) {
+    for (const char* command : {"run", "breed", "render", "export", "field", "lsystem", "bench", "doctor"}) {
         const Ended ended = run(program({command, "--help"}), folder);
         EXPECT_EQ(ended.status, 0) << command;
         EXPECT_GT(ended.out.size(), 200U) << command;

@@ -13,6 +13,7 @@ void add_run(CLI::App& app, Action& chosen);
 void add_breed(CLI::App& app, Action& chosen);
 void add_render(CLI::App& app, Action& chosen);
 void add_export(CLI::App& app, Action& chosen);
+void add_lsystem(CLI::App& app, Action& chosen);
 void add_field(CLI::App& app, Action& chosen);
 void add_simulate(CLI::App& app, Action& chosen);
 void add_bench(CLI::App& app, Action& chosen);

@@ -5,10 +5,12 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "kiosk/clamped_scene.hpp"
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/growing.hpp"
 #include "kiosk/image_file.hpp"
 #include "kiosk/picture.hpp"
+#include "kiosk/tree_export.hpp"
 #include "mesh/model.hpp"
 
 namespace quadrat::kiosk::commands {
@@ -18,32 +20,11 @@ struct Options {
     std::string scene;
     std::string output;
     std::string what = "scene";
+    std::string limbs = "drawn";
 };
-
-// Leaves carry their own vertices; other tools want them as one mesh in the leaves' mean colour.
-mesh::Model::Part leaves_of(const scene::Species& species, const std::string& name) {
-    mesh::Model::Part part{name + "_leaves", {}, {}};
-    glm::vec3 colour{0};
-    for (const scene::Leaves::Vertex& v : species.leaves.vertices) {
-        part.mesh.positions_m.push_back(v.site_m + v.corner_m);
-        part.mesh.normals.push_back(v.normal);
-        colour += v.colour;
-    }
-    part.mesh.indices = species.leaves.indices;
-    if (!species.leaves.vertices.empty()) part.colour = colour / static_cast<float>(species.leaves.vertices.size());
-    return part;
-}
 
 mesh::Model::Part wood_of(const scene::Species& species, const std::string& name, std::size_t level) {
     return {name + "_wood", species.wood.at(std::min(level, species.wood.size() - 1)).mesh, species.bark_colour};
-}
-
-mesh::Model tree_model(const scene::Scene& scene) {
-    const scene::Species& species = scene.flora->species.front();
-    mesh::Model model;
-    model.parts.push_back(wood_of(species, "tree", 0));
-    model.parts.push_back(leaves_of(species, "tree"));
-    return model;
 }
 
 mesh::Model::Part land_part(const scene::Land& land) {
@@ -75,7 +56,7 @@ mesh::Model scene_model(const scene::Scene& scene, bool writes_instances_out) {
         const scene::Species& species = scene.flora->species[i];
         const std::string name = fmt::format("species{}", i);
         model.parts.push_back(wood_of(species, name, writes_instances_out ? 99 : 0));
-        model.parts.push_back(leaves_of(species, name));
+        model.parts.push_back(leaves_part(species, name));
     }
     for (const scene::Plant& plant : scene.plants)
         for (std::size_t part = 0; part < 2; ++part)
@@ -89,7 +70,14 @@ int write(const Options& options) {
     if (ending != ".obj" && ending != ".glb" && !is_heights)
         throw base::InputError(fmt::format("{}: --what {} is written as .obj or .glb{}", options.output, options.what,
                                            options.what == "land" ? ", or as heights in .exr or .tif" : ""));
-    const Picture picture = read_scene(options.scene);
+    const Picture picture = read_scene_clamped(options.scene);
+    const auto in_format = [&](const mesh::Model& model) {
+        return ending == ".obj" ? mesh::to_obj(model) : mesh::to_glb(model);
+    };
+    if (options.what == "tree") {  // which needs neither land nor sky
+        base::write_file(options.output, in_format(tree_model(picture.scenes.front(), limbs_from(options.limbs))));
+        return 0;
+    }
     const auto scene = grow(picture.scenes.front());
     if (is_heights) {
         base::write_file_by(options.output, [&](const std::filesystem::path& temporary) {
@@ -98,10 +86,9 @@ int write(const Options& options) {
         return 0;
     }
     mesh::Model model;
-    if (options.what == "tree") model = tree_model(*scene);
     if (options.what == "land") model.parts.push_back(land_part(*scene->land));
     if (options.what == "scene") model = scene_model(*scene, ending == ".obj");
-    base::write_file(options.output, ending == ".obj" ? mesh::to_obj(model) : mesh::to_glb(model));
+    base::write_file(options.output, in_format(model));
     return 0;
 }
 
@@ -115,6 +102,9 @@ void add_export(CLI::App& app, Action& chosen) {
         ->required();
     command->add_option("--what", options->what, "tree, land or scene")
         ->check(CLI::IsMember({"tree", "land", "scene"}))
+        ->capture_default_str();
+    command->add_option("--limbs", options->limbs, "Of a tree: drawn, smooth (one surface), swept or cylinders")
+        ->check(CLI::IsMember({"drawn", "smooth", "swept", "cylinders"}))
         ->capture_default_str();
     command->callback([options, &chosen] { chosen = [options] { return write(*options); }; });
 }

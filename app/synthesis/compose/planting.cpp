@@ -6,6 +6,8 @@
 // last pass runs in the order of the marks, so that threads do not matter.
 #include "synthesis/compose/planting.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -51,7 +53,7 @@ std::uint32_t choose_species(const scene::Flora& flora, std::span<const std::uin
     best = 0;
     const std::size_t count = std::min(kinds.size(), kMost);
     for (std::size_t i = 0; i < count; ++i) {
-        const float w = well(kinds[i]);
+        const float w = well(kinds[i], i);
         best = std::max(best, w);
         weights[i] = w * flora.species[kinds[i]].share;
         total += weights[i];
@@ -69,6 +71,32 @@ float quantile(float share) {
     const float s = std::clamp(share, 0.001F, 0.999F);
     return 0.20F * std::log(s / (1 - s)) / 1.702F;
 }
+
+// fBm over a window, worked out on a grid and read between its samples: many places ask for it.
+class NoiseMap {
+  public:
+    NoiseMap(base::Seed seed, glm::vec2 low_m, glm::vec2 high_m, float scale_m, int octaves)
+        : low_m_(low_m), cell_m_(scale_m / 7) {
+        const glm::vec2 size = glm::max(high_m - low_m, glm::vec2{cell_m_}) / cell_m_;
+        map_ = mesh::Field(static_cast<int>(size.x) + 2, static_cast<int>(size.y) + 2);
+        const noise::Key key(seed);
+        oneapi::tbb::parallel_for(0, map_.rows, [&](int row) {
+            const auto columns = static_cast<std::size_t>(map_.columns);
+            std::vector<float> xs(columns);
+            const std::vector<float> ys(columns, (low_m.y + static_cast<float>(row) * cell_m_) / scale_m);
+            for (std::size_t i = 0; i < columns; ++i) xs[i] = (low_m.x + static_cast<float>(i) * cell_m_) / scale_m;
+            noise::fbm(key, xs, ys, {&map_.at(0, row), columns}, {.count = octaves});
+        });
+    }
+    float at(glm::vec2 at_m) const {
+        return mesh::sample(map_, (at_m.x - low_m_.x) / cell_m_, (at_m.y - low_m_.y) / cell_m_);
+    }
+
+  private:
+    glm::vec2 low_m_;
+    float cell_m_;
+    mesh::Field map_;
+};
 
 class Planter {
   public:
@@ -122,10 +150,14 @@ class Planter {
     float trunk_m(const Candidate& c) const { return flora_.species[c.species].trunk_radius_m * c.scale; }
 
     std::vector<Candidate> grow_trees() {
-        const noise::Key groves(seed_.child("groves"));
-        const noise::Key clearings(seed_.child("clearings"));
-        const noise::Key stands(seed_.child("stands"));
         const scene::Stand& stand = flora_.stand;
+        const glm::vec2 low{-half_m_};
+        const glm::vec2 high{half_m_};
+        const NoiseMap groves(seed_.child("groves"), low, high, stand.grove_m, 3);
+        const NoiseMap clearings(seed_.child("clearings"), low, high, stand.grove_m / 1.3F, 2);
+        std::vector<NoiseMap> stands;
+        for (const std::uint32_t kind : kinds_.trees)
+            stands.emplace_back(seed_.child("stands").child(kind), low, high, 0.6F * stand.grove_m, 2);
         const float cell_m = std::max(0.55F * flora_.spacing_m, 2.2F);
         // Wide spacing is open country: groves thin out with it.
         const float openness = std::clamp((flora_.spacing_m - 4.0F) / 18.0F, 0.0F, 1.0F);
@@ -137,22 +169,19 @@ class Planter {
             const float size = random.between(-1, 1);
             c.is_young = random.unit_f() < stand.young_share;
             if (!ground_.is_on_land(c.at_m)) return;
-            if (!ground_.is_dry(c.at_m, scene::ground_height_m(land_, c.at_m))) return;
-            const glm::vec2 g = c.at_m / stand.grove_m;
-            if (noise::fbm(clearings, 1.3F * g.x, 1.3F * g.y, {.count = 2}) < bare_below) return;
-            const float grove = noise::fbm(groves, g.x, g.y, {.count = 3, .gain = 0.5F});
+            if (!ground_.is_free(c.at_m, 1.0F)) return;
+            if (clearings.at(c.at_m) < bare_below) return;
+            const float grove = groves.at(c.at_m);
             const float density =
                 std::clamp(0.62F - 0.25F * openness + 5.2F * stand.grove_contrast * grove, 0.03F, 1.0F);
             if (stay > density) return;
             const Soil soil = ground_.soil(c.at_m);
             float well = 0;
             // Kinds keep company: each has its own ground within a grove.
-            const glm::vec2 s = c.at_m / (0.6F * stand.grove_m);
             c.species = choose_species(
                 flora_, kinds_.trees, kind,
-                [&](std::uint32_t i) {
-                    const float own = noise::fbm(stands, s.x + 31.7F * static_cast<float>(i), s.y, {.count = 2});
-                    return welfare(flora_.species[i], soil) * std::exp2(7.0F * own);
+                [&](std::uint32_t i, std::size_t place) {
+                    return welfare(flora_.species[i], soil) * std::exp2(7.0F * stands[place].at(c.at_m));
                 },
                 well);
             if (stay > density * std::min(well * 2.0F, 1.0F)) return;
@@ -216,7 +245,7 @@ class Planter {
                 c.mark = 0;
                 const scene::Species& species = flora_.species[c.species];
                 if (!ground_.is_on_land(c.at_m) || sight_.is_in_the_way(c.at_m, 0.8F * crown_m(c))) continue;
-                if (scene::water_depth_m(land_, c.at_m) > 0 || welfare(species, ground_.soil(c.at_m)) <= 0.2F) continue;
+                if (!ground_.is_free(c.at_m, 1.0F) || welfare(species, ground_.soil(c.at_m)) <= 0.2F) continue;
                 const float apart = std::max(0.6F * crown_m(c), 2.5F);
                 std::erase_if(trees, [&](const Candidate& t) {
                     return t.mark > 0 && glm::length(t.at_m - c.at_m) < std::max(apart + 2.0F, apart_m(t, c));
@@ -252,11 +281,11 @@ class Planter {
     // Shrubs gather: along the edges of groves, in thickets, rarely alone.
     std::vector<Candidate> grow_shrubs(std::span<const Candidate> trees, const Shade& shade) {
         if (kinds_.shrubs.empty()) return {};
-        const noise::Key thickets(seed_.child("thickets"));
         glm::vec2 low;
         glm::vec2 high;
         const float reach_m = budget_.reach_m * 3.75F;
         window(reach_m, low, high);
+        const NoiseMap thickets(seed_.child("thickets"), low, high, 17, 3);
         const auto draw = [&](Candidate& c, base::RandomStream& random) {
             const float mark = random.unit_f();
             const float kind = random.unit_f();
@@ -265,16 +294,17 @@ class Planter {
             if (!ground_.is_on_land(c.at_m)) return;
             const View view = sight_.view_of(c.at_m);
             if (view.along_m < 1.0F || view.aside > 1.15F || view.to_way_m > reach_m || view.to_way_m < 3.0F) return;
-            const float thicket = noise::fbm(thickets, c.at_m.x / 17.0F, c.at_m.y / 17.0F, {.count = 3});
+            const float thicket = thickets.at(c.at_m);
             const float cover = shade.at(c.at_m);
             const float edge = 4.0F * cover * (1 - cover);  // the rim of a crown
             const float wish = std::clamp(5.0F * (thicket - 0.13F), 0.0F, 1.0F) + 0.16F * edge;
             if (stay > wish) return;
-            if (!ground_.is_dry(c.at_m, scene::ground_height_m(land_, c.at_m))) return;
+            if (!ground_.is_free(c.at_m, 0.5F)) return;
             const Soil soil = ground_.soil(c.at_m);
             float well = 0;
             c.species = choose_species(
-                flora_, kinds_.shrubs, kind, [&](std::uint32_t i) { return welfare(flora_.species[i], soil); }, well);
+                flora_, kinds_.shrubs, kind,
+                [&](std::uint32_t i, std::size_t) { return welfare(flora_.species[i], soil); }, well);
             if (stay > wish * well * flora_.species[c.species].density * 1.4F) return;
             // Many small ones beside a few large.
             c.scale = 0.42F + 0.95F * size * size;
@@ -290,11 +320,12 @@ class Planter {
 
     std::vector<Candidate> grow_herbs(std::span<const Candidate> trees, const Shade& shade) {
         if (kinds_.herbs.empty()) return {};
-        const noise::Key patches(seed_.child("patches"));
-        const float patch_m = flora_.stand.herb_patch_m;
         glm::vec2 low;
         glm::vec2 high;
         window(budget_.reach_m, low, high);
+        std::vector<NoiseMap> patches;
+        for (const std::uint32_t kind : kinds_.herbs)
+            patches.emplace_back(seed_.child("patches").child(kind), low, high, flora_.stand.herb_patch_m, 2);
         const auto draw = [&](Candidate& c, base::RandomStream& random) {
             const float mark = random.unit_f();
             const float kind = random.unit_f();
@@ -306,16 +337,15 @@ class Planter {
                 return;
             const float wish = 1.3F * std::clamp(1.0F - view.to_way_m / budget_.reach_m, 0.0F, 1.0F);
             if (stay > wish) return;
-            if (!ground_.is_dry(c.at_m, scene::ground_height_m(land_, c.at_m))) return;
+            if (!ground_.is_free(c.at_m, 0.1F)) return;
             const Soil soil = ground_.soil(c.at_m);
             const float cover = shade.at(c.at_m);
             float well = 0;
             c.species = choose_species(
                 flora_, kinds_.herbs, kind,
-                [&](std::uint32_t i) {
+                [&](std::uint32_t i, std::size_t place) {
                     const scene::Species& species = flora_.species[i];
-                    const float own = noise::fbm(patches, c.at_m.x / patch_m + 57.3F * static_cast<float>(i),
-                                                 c.at_m.y / patch_m, {.count = 2});
+                    const float own = patches[place].at(c.at_m);
                     const float light = std::clamp(1.0F + species.shade_liking * (2.0F * cover - 1.0F), 0.0F, 1.6F);
                     return welfare(species, soil) * light * species.density * std::exp2(8.0F * own) * 1.6F;
                 },

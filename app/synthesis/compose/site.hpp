@@ -75,7 +75,7 @@ class Sight {
     const FlightPlan& flight() const { return flight_; }
 
   private:
-    static constexpr float kCell_m = 4;
+    static constexpr float kCell_m = 8;
     std::size_t index(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(column);
     }
@@ -99,8 +99,10 @@ class Ground {
     bool is_on_land(glm::vec2 at) const {
         return std::max(std::abs(at.x), std::abs(at.y)) < 0.5F * land_.side_m() - kEdge_m;
     }
-    bool is_dry(glm::vec2 at, float height_m) const {
-        return height_m >= kShore_m && scene::water_depth_m(land_, at) <= 0;
+    // Neither in the water nor on a road or a settlement's ground, nor nearer to one than room_m.
+    bool is_free(glm::vec2 at, float room_m) const {
+        return scene::ground_height_m(land_, at) >= kShore_m && scene::water_depth_m(land_, at) <= 0 &&
+               scene::to_road_m(land_, at) > room_m;
     }
 
     Soil soil(glm::vec2 at) const {

@@ -28,7 +28,7 @@ void add_trees(scene::Flora& flora, const scene::TreeParameters& p, base::Seed s
     flora.species.resize(wanted.size());
     oneapi::tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
         const HabitTraits& t = traits(wanted[i].form.habit);
-        scene::Species species = make_species(wanted[i].form, seed.child("species").child(i));
+        scene::Species species = make_species(wanted[i].form, seed_of_species(seed, i));
         species.share = wanted[i].share;
         species.treeline_m = t.treeline * p.stand_treeline_m;
         species.steepest_slope = t.steepness * p.stand_slope_limit;
@@ -52,7 +52,7 @@ void add_shrubs(scene::Flora& flora, const scene::TreeParameters& p, const Wear&
     o.height_m = p.shrub_height_m;
     o.width = p.shrub_width;
     o.leaf_m = p.shrub_leaf_m;
-    o.blossoms = p.shrub_blossom;
+    o.blossoms = p.shrub_blossom * p.shrub_blossom * p.shrub_blossom;
     scene::Species species = shrub(o, seed.child("shrub"));
     species.density = p.shrub_density;
     flora.species.push_back(std::move(species));

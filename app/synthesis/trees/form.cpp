@@ -137,6 +137,12 @@ glm::vec3 bark_of_kind(Habit habit, const glm::vec3& bark) {
     }
 }
 
+// Blossom, fruit and autumn are seasons: half of the range is without, and a whole crown of them is rare.
+float festive(float gene) {
+    const float t = std::max(2 * gene - 1, 0.0F);
+    return t * (0.35F + 0.65F * t);
+}
+
 void set_shared(Form& f, const scene::TreeParameters& p) {
     f.type = choice(p.tree_type, 8);
     f.branch_angle_deg = p.tree_branch_angle_deg;
@@ -145,7 +151,7 @@ void set_shared(Form& f, const scene::TreeParameters& p) {
     f.clear_stem = p.tree_clear_stem;
     f.girth = p.tree_girth;
     f.taper = p.tree_taper;
-    f.stems = 1 + choice(p.tree_stems - 1, 4);
+    f.stems = std::max(choice(p.tree_stems, 4), 1);
     f.lean_deg = p.tree_lean_deg;
     f.divergence_deg = p.tree_divergence_deg;
     f.limb_rise = p.tree_limb_rise;
@@ -156,12 +162,12 @@ void set_shared(Form& f, const scene::TreeParameters& p) {
     f.wind_from_deg = p.tree_wind_from_deg;
     f.crowding = p.tree_crowding;
     f.root_flare = p.tree_root_flare;
-    f.bareness = p.tree_bareness;
+    f.bareness = p.tree_bareness * p.tree_bareness;
     f.leaf_width = p.tree_leaf_width;
     f.leaf_fold = p.tree_leaf_fold;
     f.leaf_droop = p.tree_leaf_droop;
     f.leaf_clumping = p.tree_leaf_clumping;
-    f.fruit = p.tree_fruit;
+    f.fruit = festive(p.tree_fruit);
     f.fruit_m = p.tree_fruit_m;
     f.bark_kind = choice(p.tree_bark_kind, 4);
     f.bark_depth = p.tree_bark_depth;
@@ -256,7 +262,7 @@ Form form_of(const scene::TreeParameters& p, Rank rank) {
     f.leaf =
         static_cast<LeafKind>(traits(f.habit).own_leaf >= 0 ? traits(f.habit).own_leaf : choice(own.leaf_shape, 8));
     f.leaf_density = own.leaf_density;
-    f.blossom = own.blossom;
+    f.blossom = festive(own.blossom);
     const Wear wear = wear_of(p);
     const auto dress = [&](const glm::vec3& colour) {
         const glm::vec3 shifted =
@@ -267,7 +273,7 @@ Form form_of(const scene::TreeParameters& p, Rank rank) {
     f.colours.second = dress(wear.second);
     f.colours.variety = p.tree_leaf_variety;
     f.colours.turned = between({0xE2BE48, 0xE0A83C, 0xD88A34, 0xC8662E, 0xB0442C, 0x8E3030}, p.tree_autumn_red);
-    f.colours.autumn = own.autumn;
+    f.colours.autumn = festive(own.autumn);
     f.colours.blossom = blossom_colour(p.tree_blossom_hue);
     f.colours.fruit = fruit_colour(p.tree_fruit_hue);
     f.bark = glm::clamp(scene::shifted_colour(bark_of_kind(f.habit, wear.bark), own.bark_lightness), 0.0F, 0.85F);

@@ -93,9 +93,15 @@ float crown_radius(const TreeSkeleton& skeleton) {
 
 }  // namespace
 
+base::Seed seed_of_species(base::Seed flora, std::size_t index) { return flora.child("species").child(index); }
+
+TreeSkeleton skeleton_of_species(const Form& form, base::Seed seed) {
+    return grow_skeleton(form, seed.child("skeleton"));
+}
+
 scene::Species make_species(const Form& f, base::Seed seed) {
     const HabitTraits& t = traits(f.habit);
-    TreeSkeleton skeleton = grow_skeleton(f, seed.child("skeleton"));
+    TreeSkeleton skeleton = skeleton_of_species(f, seed);
     if (f.habit != Habit::Palm && f.habit != Habit::Cactus)
         set_organs(skeleton, 0.75F * f.blossom, 0.2F * f.fruit, seed.child("organs"));
     if (f.habit == Habit::Cactus) set_organs(skeleton, 0.3F * f.blossom, 0.2F * f.fruit, seed.child("organs"));

@@ -12,5 +12,9 @@ inline constexpr std::size_t kMostWoodTriangles = 9000;  // of the finest level;
 
 // A finished tree: skeleton, smooth limbs, levels of detail, leaves and bark.
 scene::Species make_species(const Form& form, base::Seed seed);
+TreeSkeleton skeleton_of_species(const Form& form, base::Seed seed);  // that it is made of
+
+// What the index-th tree of a flora of this seed is made from.
+base::Seed seed_of_species(base::Seed flora, std::size_t index);
 
 }  // namespace quadrat::synthesis::trees

@@ -172,7 +172,7 @@ genome::ParameterValues everything() {
     values.set(P::ground_snow_line, 0.5F);
     for (const P id : {P::tree_autumn, P::second_autumn, P::third_autumn, P::tree_blossom, P::second_blossom,
                        P::third_blossom, P::tree_fruit, P::shrub_blossom})
-        values.set(id, 0.3F);
+        values.set(id, 0.8F);
     return values;
 }
 
