@@ -8,7 +8,13 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     using namespace quadrat;
-    breeding::StdioProtocol protocol(breeding::Session(breeding::Breeder({}), base::Seed{7}));
+    // Of odd length: bred in words.
+    breeding::BreederOptions options;
+    if (size % 2 == 1) {
+        options.kind = breeding::BreederKind::Belief;
+        options.genome = genome::Genome::Full;
+    }
+    breeding::StdioProtocol protocol(breeding::Session(breeding::Breeder(options), base::Seed{7}));
     std::string_view rest(reinterpret_cast<const char*>(bytes), size);
     while (!rest.empty()) {
         const std::string_view line = rest.substr(0, rest.find('\n'));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -27,6 +28,21 @@ struct AspectMap {
     std::vector<double> trust;
     std::optional<WordGaussian> gaussian;
 };
+
+// Between two kinds lies neither of them: scenes vote for theirs, the louder the nearer they are described.
+constexpr double kHearing = 0.6;  // radius, in words
+
+float voted(const AspectMap& map, ParameterId id, const Point& at) {
+    std::map<float, double> votes;
+    for (std::size_t i = 0; i < map.points.size(); ++i) {
+        double squares = 0;
+        for (std::size_t d = 0; d < at.size(); ++d) squares += (at[d] - map.points[i][d]) * (at[d] - map.points[i][d]);
+        // The far tail is a polynomial's: there is always a nearest scene, however far it is.
+        const double nearness = 1 / (1 + squares / (kHearing * kHearing));
+        votes[map.values[i][id]] += map.trust[i] * nearness * nearness * nearness * nearness;
+    }
+    return std::ranges::max_element(votes, {}, [](const auto& vote) { return vote.second; })->first;
+}
 
 double share_of_range(const genome::Parameter& p, float value) {
     return (static_cast<double>(value) - p.min) / (static_cast<double>(p.max) - p.min);
@@ -129,6 +145,10 @@ void WordMap::realise(Aspect aspect, const genome::Description& words, genome::P
     map.basis.evaluate(at, basis);
     for (std::size_t p = 0; p < map.ids.size(); ++p) {
         const genome::Parameter& row = parameter(map.ids[p]);
+        if (row.unit == genome::kChoice) {
+            values.set(row.id, voted(map, row.id, at));
+            continue;
+        }
         double share = 0;
         for (std::size_t j = 0; j < basis.size(); ++j) share += map.weights[p][j] * basis[j];
         values.set(row.id, static_cast<float>(row.min + share * (static_cast<double>(row.max) - row.min)));
