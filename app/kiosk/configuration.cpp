@@ -14,6 +14,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "genome/speech.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -77,6 +78,20 @@ class Reader {
             const std::string name(key.str());
             if (!kEnglish.contains(name)) refuse_unknown(node, "text", name, keys_of(kEnglish));
             texts[name] = string_in(node, "text", name.c_str(), {});
+        }
+    }
+
+    void read_words(std::map<std::string, std::array<double, 2>>& words) {
+        for (const genome::Word& word : genome::vocabulary()) {
+            const std::string name(word.name);
+            const toml::node* node = find("words", name.c_str());
+            if (node == nullptr) continue;
+            const toml::array* ends = node->as_array();
+            const auto low = ends != nullptr && ends->size() == 2 ? (*ends)[0].value<double>() : std::nullopt;
+            const auto high = low ? (*ends)[1].value<double>() : std::nullopt;
+            if (!high || !(-1 <= *low && *low <= *high && *high <= 1))
+                refuse(*node, "words", name.c_str(), "is not a range: write [LOW, HIGH], from -1 to 1");
+            words[name] = {*low, *high};
         }
     }
 
@@ -159,10 +174,14 @@ void read_visit(Reader& reader, Configuration::Visit& visit) {
     reader.read("visit", "countdown_s", visit.countdown_s, 1, 120);
     reader.read("visit", "finale_s", visit.finale_s, 2, 600);
     reader.read("visit", "long_press_s", visit.long_press_s, 0.5, 30);
+    std::vector<std::string> spoken;
+    for (const std::string_view code : genome::language_codes()) spoken.emplace_back(code);
+    reader.read("visit", "language", visit.language, spoken);
 }
 
 void read_breeding(Reader& reader, Configuration::Breeding& breeding) {
-    reader.read("breeding", "breeder", breeding.breeder, {"pbil", "random"});
+    reader.read("breeding", "genome", breeding.genome, {"words", "classic"});
+    reader.read("breeding", "breeder", breeding.breeder, {"belief", "pbil", "pbil-gaussian", "random"});
     reader.read("breeding", "learning_rate", breeding.learning_rate, 0, 1);
     reader.read("breeding", "mutation", breeding.mutation, 0, 1);
     reader.read("breeding", "mutation_form", breeding.mutation_form, {"toward-half", "random"});
@@ -185,6 +204,7 @@ Configuration configuration_from(std::string_view source_text, const std::string
     reader.read("buttons", "inputs", configuration.inputs);
     read_visit(reader, configuration.visit);
     read_breeding(reader, configuration.breeding);
+    reader.read_words(configuration.words);
     reader.read("picture", "alpha", configuration.picture.alpha, 0.05, 20);
     reader.read("picture", "land_samples", configuration.picture.land_samples, 65, 1025);
     reader.read_texts(configuration.texts);

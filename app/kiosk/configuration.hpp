@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -28,16 +29,21 @@ struct Configuration {
         double patience_s = 25;   // without a press, until "Still there?"
         double countdown_s = 10;  // of "Still there?"
         double finale_s = 20;
-        double long_press_s = 2;  // of any choice button: to the finale
+        double long_press_s = 2;      // of any choice button: to the finale
+        std::string language = "en";  // in which landscapes are described
     } visit;
 
     struct Breeding {
-        std::string breeder = "pbil";               // pbil, random
+        std::string genome = "words";               // words, classic
+        std::string breeder = "belief";             // belief, pbil, pbil-gaussian, random
         double learning_rate = 0.2;                 // 0 to 1
         double mutation = 0.02;                     // 0 to 1
         std::string mutation_form = "toward-half";  // toward-half, random
         std::vector<std::string> locked;            // aspects that never move: trees, land, sky
     } breeding;
+
+    // What a word may be, by its name: two numbers from -1 to 1; the same twice locks it there.
+    std::map<std::string, std::array<double, 2>> words;
 
     struct Picture {
         double alpha = 1;        // detail

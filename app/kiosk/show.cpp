@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/log.hpp"
+#include "genome/speech.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -36,6 +37,10 @@ exhibit::Timings timings_of(const Configuration& configuration) {
 breeding::BreederOptions breeder_options_of(const Configuration& configuration) {
     breeding::BreederOptions options;
     options.kind = breeding::breeder_named(configuration.breeding.breeder);
+    options.genome = configuration.breeding.genome == "classic" ? genome::Genome::Classic : genome::Genome::Full;
+    for (const auto& [name, ends] : configuration.words)
+        options.ranges[static_cast<std::size_t>(genome::word_named(name).value())] = {static_cast<float>(ends[0]),
+                                                                                      static_cast<float>(ends[1])};
     options.pbil.learning_rate = configuration.breeding.learning_rate;
     options.pbil.mutation = configuration.breeding.mutation;
     options.pbil.mutation_form = configuration.breeding.mutation_form == "random" ? breeding::MutationForm::Random
@@ -52,7 +57,8 @@ Show::Show(const Configuration& configuration, ShowOptions options, exhibit::Arc
           if (const auto latest = archive.latest(); latest && archive.is_open(latest->visit)) interrupted_ = latest;
           return std::move(archive);
       }()),
-      grower_(options_.growing) {
+      grower_(options_.growing),
+      language_(configuration.visit.language) {
     for (const std::string& name : configuration.breeding.locked) locked_.push_back(genome::aspect_named(name).value());
 }
 
@@ -185,6 +191,8 @@ void Show::carry_out(const exhibit::GrowFinale& wish, Instant /*now*/) {
         session_->next(wish.answers);
     }
     const genome::Candidate favourite = session_->favourite();
+    sentence_ = favourite.words ? genome::language(language_).describe(*favourite.words) : "";
+    if (!sentence_.empty()) base::log::info("the landscape they bred: {}", sentence_);
     waiting_.emplace();
     waiting_->generation = wish.generation;
     waiting_->is_finale = true;

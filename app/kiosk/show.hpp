@@ -67,6 +67,7 @@ class Show {
     std::optional<exhibit::Choice> last_press() const { return last_press_; }
     Instant last_press_at() const { return last_press_at_; }
     int visits_ended() const { return visits_ended_; }
+    const std::string& sentence() const { return sentence_; }  // the finale's landscape in words; "" without words
     bool can_go_back() const;
 
   private:
@@ -106,6 +107,8 @@ class Show {
     Instant last_press_at_{0};
     Keeper keeper_;
     Grower grower_;
+    std::string language_;
+    std::string sentence_;
 };
 
 }  // namespace quadrat::kiosk

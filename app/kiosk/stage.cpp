@@ -76,7 +76,8 @@ std::string words(const StageView& view, const Configuration& configuration) {
         case exhibit::Prompt::YourLandscape:
             break;
     }
-    return text(configuration, "finale");
+    if (view.sentence.empty()) return text(configuration, "finale");
+    return fmt::format("{}\n{}", text(configuration, "finale"), view.sentence);
 }
 
 render::Frame Stage::frame(const StageView& view, const display::Canvas& canvas) {

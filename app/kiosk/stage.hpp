@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "display/display.hpp"
@@ -39,6 +40,7 @@ struct StageView {
     const std::optional<Flash>& flash;
     float growing_progress = 0;  // of what Breed waits for, 0 to 1
     Instant now{0};
+    std::string_view sentence = {};  // of the finale's landscape
 };
 
 // From the visit's state to a frame: which views, how dim, which words. Holds rasterised words, nothing else.

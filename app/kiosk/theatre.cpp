@@ -60,7 +60,8 @@ render::Drawn Theatre::draw(const Show& show, float growing_progress, Instant no
     const Cast cast = cast_of(show.on_stage());
     std::optional<Flash> flash;
     if (show.last_press()) flash = Flash{*show.last_press(), show.last_press_at()};
-    return renderer_->draw(stage_->frame({show.state(), show.timings(), cast, flash, growing_progress, now}, canvas));
+    return renderer_->draw(
+        stage_->frame({show.state(), show.timings(), cast, flash, growing_progress, now, show.sentence()}, canvas));
 }
 
 mesh::Image Theatre::photograph(const Act& act, const Picture& picture, const display::Canvas& canvas) {

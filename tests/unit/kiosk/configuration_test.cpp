@@ -31,7 +31,10 @@ TEST(Configuration, TheFileThatIsDeliveredSaysTheDefaults) {
     EXPECT_EQ(delivered.visit.countdown_s, standard.visit.countdown_s);
     EXPECT_EQ(delivered.visit.finale_s, standard.visit.finale_s);
     EXPECT_EQ(delivered.visit.long_press_s, standard.visit.long_press_s);
+    EXPECT_EQ(delivered.visit.language, standard.visit.language);
+    EXPECT_EQ(delivered.breeding.genome, standard.breeding.genome);
     EXPECT_EQ(delivered.breeding.breeder, standard.breeding.breeder);
+    EXPECT_EQ(delivered.words, standard.words);
     EXPECT_EQ(delivered.breeding.learning_rate, standard.breeding.learning_rate);
     EXPECT_EQ(delivered.breeding.mutation, standard.breeding.mutation);
     EXPECT_EQ(delivered.picture.alpha, standard.picture.alpha);
@@ -54,6 +57,23 @@ TEST(Configuration, ReadsWhatTheSiteDecides) {
     EXPECT_EQ(breeder_options_of(c).pbil.mutation_form, breeding::MutationForm::Random);
     EXPECT_EQ(text(c, "ask.trees"), "Welche Bäume?");
     EXPECT_EQ(text(c, "ask.sky"), "Which has the best sky?");
+}
+
+TEST(Configuration, BreedsInWordsWithinTheSitesRanges) {
+    const auto standard = breeder_options_of(Configuration{});
+    EXPECT_EQ(standard.kind, breeding::BreederKind::Belief);
+    EXPECT_EQ(standard.genome, genome::Genome::Full);
+    const Configuration c = configuration_from("[visit]\nlanguage = \"de\"\n[words]\nwet = [-1, 0.25]\n", "site.toml");
+    EXPECT_EQ(c.visit.language, "de");
+    const breeding::WordRange wet = breeder_options_of(c).ranges[static_cast<std::size_t>(genome::WordId::wet)];
+    EXPECT_EQ(wet, (breeding::WordRange{-1, 0.25F}));
+    EXPECT_EQ(
+        breeder_options_of(configuration_from("[breeding]\ngenome = \"classic\"\nbreeder = \"pbil\"\n", "site.toml"))
+            .genome,
+        genome::Genome::Classic);
+    EXPECT_THAT(refusal_of("[words]\nwet = [0.5, 0]\n"), HasSubstr("site.toml:2: words.wet is not a range"));
+    EXPECT_THAT(refusal_of("[words]\nnice = [0, 1]\n"), HasSubstr("words.nice is not known"));
+    EXPECT_THAT(refusal_of("[visit]\nlanguage = \"tlh\"\n"), HasSubstr("visit.language is \"tlh\""));
 }
 
 TEST(Configuration, RefusesInOneLineWithTheLineTheKeyAndWhatWouldBeRight) {
