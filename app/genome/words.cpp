@@ -28,8 +28,9 @@ static_assert(words_stand_by_aspect());
 std::span<const Word> vocabulary() { return kVocabulary; }
 
 std::span<const Word> vocabulary(Aspect aspect) {
-    const auto [first, last] = std::ranges::equal_range(kVocabulary, aspect, {}, &Word::aspect);
-    return {first, last};
+    const auto first = std::ranges::find(kVocabulary, aspect, &Word::aspect);
+    const auto count = std::ranges::count(kVocabulary, aspect, &Word::aspect);
+    return {first, static_cast<std::size_t>(count)};
 }
 
 const Word& word(WordId id) {
