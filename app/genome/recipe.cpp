@@ -31,7 +31,7 @@ Recipe random_recipe(base::Seed seed) {
     Recipe recipe;
     for (const Parameter& p : parameter_table()) {
         base::RandomStream chance(seed.child("parameter").child(p.name));
-        const bool is_whole = p.unit.empty();
+        const bool is_whole = p.unit.empty() || p.unit == kChoice;
         const auto steps = static_cast<std::uint32_t>(p.max - p.min) + 1U;
         recipe.values.set(p.id,
                           is_whole ? p.min + static_cast<float>(chance.below(steps)) : chance.between(p.min, p.max));

@@ -57,7 +57,7 @@ TEST(Recipe, OfARandomSeedIsInRangeWholeInItsChoicesAndDiffersFromTheNext) {
         for (const Parameter& p : parameter_table()) {
             EXPECT_GE(recipe.values[p.id], p.min);
             EXPECT_LE(recipe.values[p.id], p.max);
-            if (p.unit.empty()) {
+            if (p.unit.empty() || p.unit == kChoice) {
                 EXPECT_EQ(recipe.values[p.id], std::round(recipe.values[p.id])) << p.name;
             }
         }

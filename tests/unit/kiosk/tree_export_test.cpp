@@ -73,9 +73,10 @@ TEST(TreeExport, OfEveryWayOfMeshingIsClosed) {
 
 TEST(TreeExport, ClampsParametersThatNoSceneCanHaveInsteadOfFailing) {
     const tests::TemporaryFolder folder;
-    folder.write(
-        "wild.json",
-        R"({"quadrat":"scene","version":1,"parameters":{"tree.height_m":9000,"tree.type":-3,"tree.girth":1.1}})");
+    folder.write("wild.json",
+                 R"({"quadrat":"scene","version":1,"seeds":{"trees":"0000000000000001","land":"0000000000000002",)"
+                 R"("sky":"0000000000000003"},"camera":"0000000000000004",)"
+                 R"("parameters":{"tree.height_m":9000,"tree.type":-3,"tree.girth":1.1}})");
     EXPECT_THROW(read_scene((folder / "wild.json").string()), base::InputError);
     const genome::Recipe recipe = read_scene_clamped((folder / "wild.json").string()).scenes.front();
     using P = genome::ParameterId;
