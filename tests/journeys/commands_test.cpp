@@ -16,7 +16,7 @@ using namespace quadrat::tests;
 bool are_same_pixels(const std::filesystem::path& a, const std::filesystem::path& b) {
     const OIIO::ImageBuf one(a.string());
     const OIIO::ImageBuf other(b.string());
-    return OIIO::ImageBufAlgo::compare(one, other, 0, 0).maxerror == 0;
+    return one.spec().width > 0 && OIIO::ImageBufAlgo::compare(one, other, 0, 0).maxerror == 0;
 }
 
 TEST(Render, APictureCarriesItsSceneAndIsDrawnAgainPixelForPixel) {
@@ -61,11 +61,14 @@ TEST(Field, AWindowIsTheWholesOwnBytesAndEveryMethodIsWritten) {
     };
     folder.write("five.txt", "0 0 -0.8\n64 0 -0.8\n0 64 -0.8\n64 64 -0.8\n32 32 1.4\n");
     folder.write("lines.txt", "ridge 4 4 1 30 10 1.2\nriver 60 10 0.2 40 50 -0.4\n");
-    for (const char* method : {"fbm", "square-square", "island"}) {
-        field({method, "--size", "65", "--fix", "five.txt", "--lines", "lines.txt", "-o", "whole.tif"});
+    for (const std::string method : {"fbm", "square-square", "island"}) {
+        // A name is read once: OpenImageIO keeps what a file of that name held.
+        const std::string whole = "whole-" + method + ".tif";
+        const std::string window = "window-" + method + ".tif";
+        field({method, "--size", "65", "--fix", "five.txt", "--lines", "lines.txt", "-o", whole});
         field({method, "--size", "65", "--fix", "five.txt", "--lines", "lines.txt", "--window", "0,0,65,65", "-o",
-               "window.tif"});
-        EXPECT_TRUE(are_same_pixels(folder / "whole.tif", folder / "window.tif")) << method;
+               window});
+        EXPECT_TRUE(are_same_pixels(folder / whole, folder / window)) << method;
     }
     field({"all", "--size", "65", "--fix", "five.txt", "--relief", "-o", "all.png"});
     EXPECT_GT(contents_of(folder / "all.png").size(), 100000U);
