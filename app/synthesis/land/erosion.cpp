@@ -52,9 +52,40 @@ std::vector<float> cut(mesh::Field& h, const Drainage& d, const std::vector<floa
     return depth;
 }
 
+constexpr float kFanSlope = 0.10F;  // rise over run
+
+// A cone of what a stream carries, heaped where it comes out of the steep ground and filling only what lies lower.
+// load: heights of one cell. Returns how much of it lies there.
+float heap_fan(mesh::Field& h, std::int32_t apex, float load, float cell_m) {
+    const float unit_slope = kFanSlope * cell_m;
+    const float tall = std::min(std::cbrt(0.95F * unit_slope * unit_slope * load), 0.3F * cell_m);
+    const int reach = static_cast<int>(tall / unit_slope);
+    if (reach < 1) return 0;
+    const int column = apex % h.columns;
+    const int row = apex / h.columns;
+    const float top = h.samples[apex] + tall;
+    float heaped = 0;
+    const auto over = [&](const auto& visit) {
+        for (int y = std::max(1, row - reach); y <= std::min(h.rows - 2, row + reach); ++y) {
+            for (int x = std::max(1, column - reach); x <= std::min(h.columns - 2, column + reach); ++x) {
+                const auto squared = static_cast<float>((x - column) * (x - column) + (y - row) * (y - row));
+                const float missing = top - unit_slope * std::sqrt(squared) - h.at(x, y);
+                // A drop into deep water or off a cliff is no place for a fan.
+                if (missing > 0) visit(h.at(x, y), std::min(missing, 1.5F * tall));
+            }
+        }
+    };
+    over([&](float&, float missing) { heaped += missing; });
+    const float share = heaped > load ? load / heaped : 1.0F;
+    over([&](float& height, float missing) { height += share * missing; });
+    return share * heaped;
+}
+
 // Carries what was worn down the streams and lays some of it, no higher than keeps the stream running.
-void lay(mesh::Field& h, const Drainage& d, std::vector<float> load_m, float share, float cell_area_m2,
+void lay(mesh::Field& h, const Drainage& d, std::vector<float> load_m, float cell_m, const StreamErosion& how,
          MovedEarth& moved) {
+    const float cell_area_m2 = cell_m * cell_m;
+    constexpr float kLeastLoad = 20;  // of a stream that makes a fan, heights of a cell in metres
     // As high as they have become: what is laid at the foot of a slope makes room for more before it, and a fan grows.
     std::vector<float> lowest_donor(h.samples.size(), 1.0e9F);
     for (std::size_t i = d.order.size(); i-- > 0;) {
@@ -66,12 +97,20 @@ void lay(mesh::Field& h, const Drainage& d, std::vector<float> load_m, float sha
         }
         const float fall = h.samples[cell] - h.samples[to];
         const float room = std::max(0.0F, 0.35F * (lowest_donor[cell] - h.samples[cell]));
-        const float slow = share / (1.0F + 40.0F * std::max(fall, 0.0F));
+        const float slow = how.deposit / (1.0F + 40.0F * std::max(fall, 0.0F));
         const float laid = lowest_donor[cell] < 1.0e8F ? std::min(slow * load_m[cell], room) : 0.0F;
         h.samples[cell] += laid;
         lowest_donor[to] = std::min(lowest_donor[to], h.samples[cell]);
         moved.laid_m3 += static_cast<double>(laid) * cell_area_m2;
-        load_m[to] += load_m[cell] - laid;
+        float left = load_m[cell] - laid;
+        const float flat = 1.2F * kFanSlope * cell_m;
+        if (left > kLeastLoad && fall < flat && lowest_donor[cell] - h.samples[cell] >= flat &&
+            lowest_donor[cell] < 1.0e8F && h.samples[cell] > how.sea_m) {
+            const float heaped = heap_fan(h, cell, how.fans * left, cell_m);
+            moved.laid_m3 += static_cast<double>(heaped) * cell_area_m2;
+            left -= heaped;
+        }
+        load_m[to] += left;
     }
 }
 
@@ -99,7 +138,7 @@ MovedEarth erode_by_streams(mesh::Field& height_m, float cell_m, const StreamEro
         const std::vector<float> area_m2 = drained_area_m2(d, cell_m);
         std::vector<float> worn = cut(height_m, d, area_m2, cell_m, how);
         for (const float w : worn) moved.worn_m3 += static_cast<double>(w) * cell_area_m2;
-        lay(height_m, d, std::move(worn), how.deposit, cell_area_m2, moved);
+        lay(height_m, d, std::move(worn), cell_m, how, moved);
         if (how.hillslope > 0) creep(height_m, scratch, how.hillslope);
     }
     return moved;

@@ -8,6 +8,7 @@ struct StreamErosion {
     int steps = 8;
     float strength = 1;       // of the cutting: 0 none, 1 valleys that reach well into the heights, 3 worn down
     float deposit = 0.4F;     // share of what a stream carries that it may drop a step where it runs flat
+    float fans = 0;           // share of it that it spreads as a fan where it leaves the steep ground
     float spring_m2 = 160;    // drained area from which on there is a stream to cut
     float sea_m = 0;          // base level
     float hillslope = 0.05F;  // creep: how far a step evens the ground between streams, 0 to 0.2

@@ -113,6 +113,43 @@ TEST(StreamErosion, CutsDeeperWhereMoreWaterRuns) {
     EXPECT_GT(streams / stream_cells, 3 * slopes / slope_cells);
 }
 
+// A slope with springs of chance above a plain: gullies are cut into the slope, and below it what came down lies spread
+// out, wider than the gullies are.
+TEST(StreamErosion, LeavesGulliesAboveAndFansBelow) {
+    constexpr int kSide = 129;
+    mesh::Field field(kSide, kSide);
+    const mesh::Field rough = hills(21, kSide, 6);
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x)
+            field.at(x, y) =
+                (y < 64 ? 2 + 0.9F * static_cast<float>(64 - y) : 2 + 0.006F * static_cast<float>(128 - y)) +
+                (y < 64 ? 1.0F : 0.05F) * (rough.at(x, y) - 15);
+    const mesh::Field before = field;
+    land::erode_by_streams(field, 2,
+                           {.steps = 8, .strength = 1, .deposit = 0.6F, .fans = 0.2F, .sea_m = -1000, .hillslope = 0});
+    int cut = 0;
+    int raised = 0;
+    float deepest_m = 0;
+    float thickest_m = 0;
+    for (int y = 4; y < kSide - 4; ++y) {
+        for (int x = 4; x < kSide - 4; ++x) {
+            const float change_m = field.at(x, y) - before.at(x, y);
+            if (y < 60) {
+                cut += change_m < -1.0F;
+                deepest_m = std::max(deepest_m, -change_m);
+            } else if (y > 66) {
+                raised += change_m > 0.02F;
+                thickest_m = std::max(thickest_m, change_m);
+            }
+        }
+    }
+    EXPECT_GT(deepest_m, 3);
+    EXPECT_GT(cut, 300);
+    EXPECT_LT(cut, 56 * 121 * 3 / 4) << "gullies, not a slope worn back as a whole";
+    EXPECT_GT(thickest_m, 0.1F);
+    EXPECT_GT(raised, 25);
+}
+
 TEST(StreamErosion, WithoutStrengthLeavesTheGroundAlone) {
     mesh::Field field = hills(3);
     const mesh::Field before = field;
