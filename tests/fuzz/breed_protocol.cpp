@@ -6,6 +6,12 @@
 
 #include "breeding/stdio_protocol.hpp"
 
+// Training takes longer under the sanitizers than one input may.
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+    quadrat::breeding::default_word_map();
+    return 0;
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     using namespace quadrat;
     // Of odd length: bred in words.
