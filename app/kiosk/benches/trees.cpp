@@ -77,7 +77,7 @@ void smooth(Results& results) {
         skeleton.limbs.resize(300);
         std::erase_if(skeleton.sites, [](const Site& site) { return site.limb >= 300; });
     }
-    set_pipe_radii(skeleton, {2.3F, 0.021F * skeleton.high_m.y, 0.008F});
+    set_pipe_radii(skeleton, {});
     measure(skeleton);
     const glm::vec3 size = skeleton.high_m - skeleton.low_m;
     MetaTubeDetail detail;
