@@ -50,7 +50,7 @@ genome::Candidate wish_of(const PbilGaussianState& state, const genome::Candidat
 Breeder::Breeder(const BreederOptions& options) : options_(options) {
     switch (options.kind) {
         case BreederKind::Belief: {
-            BeliefState belief = initial_belief(options.genome, options.map);
+            BeliefState belief = initial_belief(options.genome, word_map());
             belief.ranges = options.ranges;
             belief_ = std::move(belief);
             break;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -22,8 +23,8 @@ struct BreederOptions {
     BreederKind kind = BreederKind::Pbil;
     genome::Genome genome = genome::Genome::Classic;  // Full: in words, for the breeder that has them
     PbilOptions pbil;
-    WordMap map = default_word_map();
-    WordRanges ranges;  // what a curator allows; the belief breeder keeps to them
+    std::optional<WordMap> map;  // nothing: the default map, trained by the first breeder that asks it
+    WordRanges ranges;           // what a curator allows; the belief breeder keeps to them
     friend bool operator==(const BreederOptions&, const BreederOptions&) = default;
 };
 
@@ -35,7 +36,7 @@ class Breeder {
 
     std::string_view name() const;  // "belief", "pbil", "pbil-gaussian", "random"
     genome::Genome genome() const { return options_.genome; }
-    const WordMap& word_map() const { return options_.map; }
+    const WordMap& word_map() const { return options_.map ? *options_.map : default_word_map(); }
     int round() const;  // 1, 2, …: that of the offer propose gives
 
     // The four candidates of this round. Depends on the belief and the seed alone. Aspects are independent: what one
@@ -68,7 +69,7 @@ class Breeder {
     friend bool operator==(const Breeder&, const Breeder&) = default;
 
   private:
-    using Belief = std::variant<BeliefState, PbilState, PbilGaussianState, RandomState>;
+    using Belief = std::variant<PbilState, PbilGaussianState, RandomState, BeliefState>;
 
     BreederOptions options_;
     Belief belief_;

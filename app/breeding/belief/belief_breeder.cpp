@@ -74,9 +74,7 @@ void realise(const WordMap& map, Aspect aspect, const genome::Description& words
 }
 
 BeliefState initial_belief(genome::Genome genome, const WordMap& map) {
-    BeliefState state;
-    state.genome = genome;
-    state.map = map;
+    BeliefState state{genome, map};
     for (const Aspect aspect : genome::kAspects)
         state.aspects[aspect] = initial_belief(dimensions_of(genome, aspect), archetype_places(genome, aspect, map));
     return state;
@@ -89,8 +87,9 @@ genome::Offer propose(const BeliefState& state, base::Seed seed) {
         offer.candidates[c].seeds = growth_seeds(seed, state.round, c);
     for (const Aspect aspect : genome::kAspects) {
         const AspectBelief& belief = state.aspects[aspect];
-        const FourPlaces four = proposed(belief, archetype_places(state.genome, aspect, state.map),
-                                         draw_seed(seed, state.round, aspect, 0));
+        // Archetypes are asked for as long as nothing was named.
+        const auto known = belief.winner ? std::vector<Place>{} : archetype_places(state.genome, aspect, state.map);
+        const FourPlaces four = proposed(belief, known, draw_seed(seed, state.round, aspect, 0));
         const auto inherits = inheriting(belief, four);
         for (std::size_t c = 0; c < genome::kCandidates; ++c) {
             if (inherits[c]) offer.candidates[c].seeds[aspect] = state.inherited[aspect];

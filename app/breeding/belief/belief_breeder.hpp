@@ -18,12 +18,12 @@ using WordRanges = std::array<WordRange, genome::kWordCount>;
 // The belief breeder. In the whole table a wish lies in words, and parameters follow from them by the word map; in the
 // classic genome it lies in the 21 parameters themselves.
 struct BeliefState {
-    genome::Genome genome = genome::Genome::Full;
-    WordMap map = default_word_map();
-    WordRanges ranges;
-    genome::PerAspect<AspectBelief> aspects;
-    genome::PerAspect<base::Seed> inherited;  // the accidents of the last winner of an aspect; once there is one
-    genome::PerAspect<bool> locked;
+    genome::Genome genome;
+    WordMap map;
+    WordRanges ranges{};
+    genome::PerAspect<AspectBelief> aspects{};
+    genome::PerAspect<base::Seed> inherited{};  // the accidents of the last winner of an aspect; once there is one
+    genome::PerAspect<bool> locked{};
     int round = 1;
     friend bool operator==(const BeliefState&, const BeliefState&) = default;
 };

@@ -67,7 +67,8 @@ class Visit : public Player {
 // The 2003 paper's searches that learn nothing: four scenes a round, of which, with the best so far, the best is kept.
 class Search : public Player {
   public:
-    Search(Method method, genome::Genome genome, const WordMap& map) : method_(method), kept_(middle(genome)) {
+    Search(Method method, genome::Genome genome, const WordMap& map)
+        : method_(method), genome_(genome), kept_(middle(genome)) {
         for (const Aspect aspect : kAspects) archetypes_[aspect] = archetype_values(genome, aspect, map);
     }
 
@@ -75,8 +76,7 @@ class Search : public Player {
         double squares = 0;
         for (const Aspect aspect : kAspects) {
             std::vector<Place> places;
-            for (std::size_t k = 0; k < genome::kCandidates; ++k)
-                places.push_back(next_place(visitor.genome(), aspect, k, chance));
+            for (std::size_t k = 0; k < genome::kCandidates; ++k) places.push_back(next_place(aspect, k, chance));
             double nearest = 1e9;
             for (const Place& place : places) nearest = std::min(nearest, visitor.distance(place, aspect));
             squares += nearest * nearest / static_cast<double>(kAspects.size());
@@ -98,10 +98,9 @@ class Search : public Player {
         return places;
     }
 
-    Place next_place(genome::Genome genome, Aspect aspect, std::size_t k, base::RandomStream& chance) {
-        genome_ = genome;
-        Place place(parameters_of(aspect, genome).size());
-        if (method_ == Method::Exhaustive) return counted(genome, aspect, round_ * genome::kCandidates + k);
+    Place next_place(Aspect aspect, std::size_t k, base::RandomStream& chance) {
+        Place place(parameters_of(aspect, genome_).size());
+        if (method_ == Method::Exhaustive) return counted(genome_, aspect, round_ * genome::kCandidates + k);
         for (std::size_t i = 0; i < place.size(); ++i) {
             double low = 0;
             double high = 1;
@@ -128,7 +127,7 @@ class Search : public Player {
     }
 
     Method method_;
-    genome::Genome genome_ = genome::Genome::Classic;
+    genome::Genome genome_;
     genome::PerAspect<std::vector<Place>> archetypes_;
     Places kept_;
     bool has_kept_ = false;
