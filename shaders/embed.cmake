@@ -83,7 +83,7 @@ std::span<const Source> sources() { return kSources; }
 const Source& source(std::string_view name) {
     for (const Source& one : kSources)
         if (one.name == name) return one;
-    assert(!\"a shader of this name\");
+    assert(false && \"a shader of this name\");
     return kSources[0];
 }
 
