@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "synthesis/compose/crown_shadows.hpp"
+#include "synthesis/compose/stone_shadows.hpp"
 
 namespace quadrat::synthesis {
 namespace {
@@ -60,6 +61,11 @@ mesh::Field sky_openness(const scene::Land& land) {
         }
     });
     return open;
+}
+
+// Takes away this share of the light where something hides all of it.
+void darken(mesh::Field& light, const mesh::Field& hidden, float share) {
+    for (std::size_t i = 0; i < hidden.samples.size(); ++i) light.samples[i] *= 1.0F - share * hidden.samples[i];
 }
 
 std::uint8_t half_byte(float linear) {
@@ -119,7 +125,9 @@ scene::BakedLight bake_light(const scene::Land& land, const scene::Sky& sky, con
                              std::span<const scene::Plant> plants, const LandShadow& shadow, int side_px) {
     scene::BakedLight light{mesh::Image(side_px, side_px, 4)};
     const mesh::Field open = sky_openness(land);
-    const CrownShade crowns = cast_crowns(land, sky.sun_direction, flora, plants, side_px);
+    CrownShade crowns = cast_crowns(land, sky.sun_direction, flora, plants, side_px);
+    darken(crowns.sun, cast_stone(land, sky.sun_direction, side_px), 0.94F);
+    darken(crowns.sky, cast_stone(land, {0, 1, 0}, side_px), 0.6F);
     const float px_m = land.side_m() / static_cast<float>(side_px);
     const float half_m = 0.5F * land.side_m();
     const float open_per_px = static_cast<float>(open.columns) / static_cast<float>(side_px);

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "scene/land.hpp"
+#include "support/effort.hpp"
 #include "synthesis/land/drainage.hpp"
 #include "synthesis/land/field_methods.hpp"
 #include "synthesis/land/rivers.hpp"
@@ -30,7 +31,7 @@ mesh::Field hills(std::uint64_t seed, int size = 129, float relief_m = 120) {
 double volume(const mesh::Field& field) { return std::accumulate(field.samples.begin(), field.samples.end(), 0.0); }
 
 TEST(Drainage, LeadsEveryCellDownToTheSeaOrTheBorder) {
-    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    for (std::uint64_t seed = 0; seed < tests::of(30U); ++seed) {
         const mesh::Field field = hills(seed, 65);
         const land::Drainage d = land::drain(field, 0);
         ASSERT_EQ(d.order.size(), field.samples.size());
@@ -204,7 +205,7 @@ TEST(Smoothing, KeepsAPlaneInsideAndLessensTheRest) {
 TEST(FreshWater, AlwaysHasAWayDown) {
     int rivers = 0;
     int lakes = 0;
-    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    for (std::uint64_t seed = 0; seed < tests::of(500U); ++seed) {
         mesh::Field field = hills(seed, 65, 60);
         const land::FreshWater water =
             land::make_fresh_water(field, 8, {.river_area_m2 = 12000, .lake_depth_m = 0.8F, .lake_area_m2 = 400});
@@ -253,8 +254,8 @@ TEST(FreshWater, AlwaysHasAWayDown) {
         }
         for (const auto index : water.mesh.indices) ASSERT_LT(index, water.mesh.positions_m.size());
     }
-    EXPECT_GT(rivers, 5000);
-    EXPECT_GT(lakes, 500);
+    EXPECT_GT(rivers, tests::of(5000));
+    EXPECT_GT(lakes, tests::of(500));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "support/effort.hpp"
 #include "synthesis/trees/bark.hpp"
 #include "synthesis/trees/colonisation.hpp"
 #include "synthesis/trees/phyllotaxis.hpp"
@@ -97,7 +98,7 @@ TEST(WeberPenn, GrowsEveryPresetWholeAndAsHighAsItIs) {
     for (int i = 0; i <= static_cast<int>(Preset::Cypress); ++i) {
         const WeberPenn& preset = weber_penn(static_cast<Preset>(i));
         SCOPED_TRACE(preset.name);
-        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        for (std::uint64_t seed = 0; seed < tests::of(20U); ++seed) {
             const TreeSkeleton skeleton = grow_weber_penn(preset, base::Seed{seed});
             expect_whole(skeleton);
             EXPECT_GT(skeleton.high_m.y, 0.6F);

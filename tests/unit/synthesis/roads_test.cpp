@@ -9,6 +9,7 @@
 #include <map>
 
 #include "genome/recipe.hpp"
+#include "support/effort.hpp"
 #include "synthesis/grow.hpp"
 
 namespace {
@@ -29,7 +30,7 @@ glm::vec2 plan(const glm::vec3& p) { return {p.x, p.z}; }
 
 TEST(Roads, KeepTheirGradeAndStayOnDryLandOrFords) {
     int roads = 0;
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    for (std::uint64_t seed = 0; seed < tests::of(60U); ++seed) {
         const scene::Land land = settled(seed, 1, -1);
         for (const scene::Road& road : land.roads) {
             ++roads;
@@ -41,14 +42,14 @@ TEST(Roads, KeepTheirGradeAndStayOnDryLandOrFords) {
             }
         }
     }
-    EXPECT_GT(roads, 25);
+    EXPECT_GT(roads, tests::of(25));
 }
 
 // The ground itself, over ten metres: a wheel feels no more than the bound and what the land's samples round.
 TEST(Roads, AreAsLevelAsTheySay) {
     int measured = 0;
     int steep = 0;
-    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    for (std::uint64_t seed = 0; seed < tests::of(30U); ++seed) {
         const scene::Land land = settled(seed, 1, -1);
         for (const scene::Road& road : land.roads) {
             for (std::size_t i = 4; i < road.line_m.size(); i += 4) {
@@ -92,7 +93,7 @@ TEST(Roads, BendWhereTheStraightWayIsTooSteep) {
 TEST(Sites, AreLevelDryAndReached) {
     int sites = 0;
     int reached = 0;
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    for (std::uint64_t seed = 0; seed < tests::of(60U); ++seed) {
         const scene::Land land = settled(seed, -1, 1);
         if (!land.site) continue;
         ++sites;
@@ -113,12 +114,12 @@ TEST(Sites, AreLevelDryAndReached) {
             is_reached = is_reached || glm::length(plan(road.line_m.front()) - middle) < land.site->radius_m + 6;
         reached += is_reached;
     }
-    EXPECT_GT(sites, 45);
+    EXPECT_GT(sites, tests::of(45));
     EXPECT_GE(reached, sites - 1);
 }
 
 TEST(Stones, FaceOutwardAndKeepToTheLand) {
-    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    for (std::uint64_t seed = 0; seed < tests::of(12U); ++seed) {
         const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
         scene::SceneParameters p = scene::realise(recipe.values);
         p.land.arch_share = 1;

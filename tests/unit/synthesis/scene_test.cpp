@@ -7,6 +7,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
+#include "support/effort.hpp"
 #include "synthesis/compose/track.hpp"
 #include "unit/synthesis/scenes.hpp"
 
@@ -14,8 +15,8 @@ namespace {
 
 using namespace quadrat;
 using namespace quadrat::synthesis;
-using tests::grow;
-using tests::kCoarse;
+using test_scenes::grow;
+using test_scenes::kCoarse;
 
 bool are_same(const scene::Species& a, const scene::Species& b) {
     bool same = a.name == b.name && a.bark == b.bark && a.bark_colour == b.bark_colour &&
@@ -77,7 +78,7 @@ TEST(Scene, IsTheSameBitForBitOnAnyNumberOfThreads) {
 }
 
 TEST(Scene, OfAnyGenomeIsFiniteAndAPlaceOneCouldStandIn) {
-    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    for (std::uint64_t seed = 0; seed < tests::of(200U); ++seed) {
         const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
         const scene::SceneParameters p = scene::realise(recipe.values);
         const scene::Land land = grow_land(p.land, recipe.seeds[genome::Aspect::Land], kCoarse);
@@ -92,7 +93,7 @@ TEST(Scene, OfAnyGenomeIsFiniteAndAPlaceOneCouldStandIn) {
 }
 
 TEST(Scene, OfAnyGenomeKeepsItsPlantsOnDryLandAndApart) {
-    for (std::uint64_t seed = 0; seed < 24; ++seed) {
+    for (std::uint64_t seed = 0; seed < tests::of(24U); ++seed) {
         const scene::Scene s = grow(genome::random_recipe(base::Seed{seed}));
         std::vector<const scene::Plant*> trees;
         for (const scene::Plant& plant : s.plants) {
@@ -123,7 +124,7 @@ TEST(Scene, SortsItsPlantsBySpecies) {
 }
 
 TEST(Scene, FliesOverGroundAndWaterAllTheWayAndThroughNoCrown) {
-    for (std::uint64_t seed = 0; seed < 24; ++seed) {
+    for (std::uint64_t seed = 0; seed < tests::of(24U); ++seed) {
         const scene::Scene s = grow(genome::random_recipe(base::Seed{seed}));
         for (float t = 0; t <= 0.5F * s.track.period_s; t += 0.25F) {
             const scene::Camera camera = scene::camera_at(s.track, t);
@@ -203,7 +204,7 @@ TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
 }
 
 TEST(Land, ContinuesIntoItsSurroundWithoutAStep) {
-    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    for (std::uint64_t seed = 0; seed < tests::of(20U); ++seed) {
         const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
         const scene::Land land =
             grow_land(scene::realise(recipe.values).land, recipe.seeds[genome::Aspect::Land], kCoarse);
@@ -224,7 +225,7 @@ TEST(Land, ContinuesIntoItsSurroundWithoutAStep) {
 }
 
 TEST(Sky, HasAUnitSunAboveTheHorizonAndFinitePositiveLight) {
-    for (std::uint64_t seed = 0; seed < 24; ++seed) {
+    for (std::uint64_t seed = 0; seed < tests::of(24U); ++seed) {
         const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
         const scene::Sky sky = grow_sky(scene::realise(recipe.values).sky, recipe.seeds[genome::Aspect::Sky]);
         EXPECT_NEAR(glm::length(sky.sun_direction), 1, 1e-5);

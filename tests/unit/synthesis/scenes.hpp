@@ -3,7 +3,7 @@
 #include "genome/recipe.hpp"
 #include "synthesis/grow.hpp"
 
-namespace quadrat::synthesis::tests {
+namespace quadrat::synthesis::test_scenes {
 
 // Small enough to grow hundreds.
 inline constexpr scene::Fineness kCoarse{.land_samples = 129, .light_px = 64, .albedo_px = 64};
@@ -17,4 +17,4 @@ inline scene::Scene grow(const genome::Recipe& recipe, const scene::Fineness& fi
                    recipe.seeds[Aspect::Trees], recipe.flight, fineness);
 }
 
-}  // namespace quadrat::synthesis::tests
+}  // namespace quadrat::synthesis::test_scenes

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "genome/recipe.hpp"
+#include "support/effort.hpp"
 #include "support/manifold.hpp"
 #include "synthesis/grow.hpp"
 #include "synthesis/trees/form.hpp"
@@ -116,11 +117,7 @@ TEST(Trees, OfEveryTypeOfTheClassicGenomeAreDifferentPlants) {
 
 // What the table promises: every combination of its parameters is a plant within its budget.
 TEST(Trees, OfTenThousandRandomGenomesHoldTheirBudgets) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    constexpr int kTrees = 500;
-#else
-    constexpr int kTrees = 10'000;
-#endif
+    constexpr int kTrees = tests::of(10'000);
     std::mutex mutex;
     std::string faults;
     const auto blame = [&](int i, const std::string& what) {

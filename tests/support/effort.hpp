@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <concepts>
+
+namespace quadrat::tests {
+
+// How many of the `whole` cases of a sweep to try: all of them, or a tenth where a sanitizer makes each ten times as
+// dear. Sanitizers look for faults on a path, not for rare numbers; the plain build goes through them all.
+template <std::integral Count>
+constexpr Count of(Count whole) {
+#ifdef QUADRAT_SANITIZED
+    return whole < 10 ? 1 : whole / 10;
+#else
+    return whole;
+#endif
+}
+
+}  // namespace quadrat::tests
