@@ -12,8 +12,10 @@ layout(location = 3) in float rank;  // the blade's place in the shuffled order,
 layout(location = 4) in vec4 leaf_normal;
 layout(location = 0) uniform float largest;  // a blade may be enlarged by this much; beyond it the crown thins instead
 layout(location = 5) in vec4 root_colour_shade;  // rgb: square root of the colour; a: light through the own crown
+layout(location = 6) in vec2 blade;  // from the midrib to the rim, from the foot to the tip
 
 out vec3 shown;
+out vec2 on_blade;
 
 // A share of the blades stands for all of them, each enlarged; those about to leave shrink first, so none pops.
 float blade_scale(float grown) {
@@ -23,6 +25,7 @@ float blade_scale(float grown) {
 }
 
 void main() {
+    on_blade = blade;
     float grown = unfolded(age_sway.x);
     vec3 in_plant_m = site_m * grown + corner_m * blade_scale(grown);
     float flutter = 0.012 * sin(view.eye_seconds.w * 4.3 + dot(site_m, vec3(17.0, 11.0, 13.0)));

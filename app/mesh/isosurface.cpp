@@ -50,7 +50,7 @@ bool is_pinched(const Sheets& sheets, int normal, int side) {
         if (axis == normal) continue;
         for (int k = 0; k < 4; ++k) {
             if (((corner_of(axis, 0, k) >> normal) & 1) != side) continue;
-            const int s = sheets.of_edge[4 * axis + k];
+            const int s{sheets.of_edge[4 * axis + k]};
             if (s < 0 || (sheet >= 0 && s != sheet)) return false;
             sheet = s;
         }
@@ -241,7 +241,7 @@ class Polygoniser {
         std::array<float, 4> counts{};
         for (int i = 0; i < sheets.crossings; ++i) {
             const int e = sheets.crossed[i];
-            const int sheet = sheets.of_edge[e];
+            const int sheet{sheets.of_edge[e]};
             const int axis = e >> 2;
             const int low = kLow[e];
             const float a = corner[low];

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <string>
@@ -32,7 +33,8 @@ struct Leaves {
         glm::vec3 colour;    // linear
         float age = 1;
         float sway = 1;
-        float shade = 1;  // light that reaches it through its own crown, 0 to 1
+        float shade = 1;        // light that reaches it through its own crown, 0 to 1
+        glm::vec2 on_blade{0};  // across: 0 on the midrib to 1 at the rim; along: 0 the foot to 1 the tip
     };
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
@@ -45,6 +47,8 @@ struct Leaves {
 
 // Bark pictures: channels 0 and 1 the slope of its relief across and along the limb, 128 level; channel 2 its
 // lightness, 128 the bark's own colour; channel 3 unused.
+// Leaf pictures: one channel, lightness, 128 a blade's own colour and the mean of all, so that a blade too small to
+// show its veins keeps that; columns from the midrib to the rim, rows from the foot to the tip.
 
 // The storey of a stand that a kind of plant belongs to; planting differs by it.
 enum class Storey { Tree, Shrub, Herb };
@@ -55,7 +59,8 @@ struct Species {
     std::vector<Wood> wood;                      // finest first, at least one
     Leaves leaves;                               // may have no blades
     glm::vec3 bark_colour{0.25F, 0.18F, 0.12F};  // linear
-    mesh::Image bark;                            // four channels, tileable: see Bark below; may be empty: plain
+    mesh::Image bark;                            // four channels, tileable: see above; may be empty: plain
+    mesh::Image leaf;                            // one channel, see above; may be empty: plain
     float bark_tile_m = 0.8F;                    // one tile of it, on the limb
     float height_m = 10;
     float crown_radius_m = 3;

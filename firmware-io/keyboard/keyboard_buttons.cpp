@@ -30,7 +30,7 @@ void KeyboardButtons::play(const Stroke& stroke) {
         debouncer_.lost(stroke.at);
         return;
     }
-    is_held_[static_cast<std::size_t>(stroke.key)] = stroke.motion == Motion::Down;
+    is_held_[static_cast<unsigned char>(stroke.key)] = stroke.motion == Motion::Down;
     const Button button = *button_for_key(stroke.key);
     bool is_closed = false;
     for (std::size_t key = 0; key < is_held_.size(); ++key)

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "journeys/quadrat_program.hpp"
+#include "support/effort.hpp"
 
 namespace {
 
@@ -41,7 +42,7 @@ TEST(PowerCut, TheExhibitGoesOnWithTheGenerationItLastShowed) {
     const TemporaryFolder folder;
     folder.write("small.toml", "[picture]\nland_samples = 129\n");
     folder.write("visit.script", endless_visit());
-    for (int cut = 0; cut < 4; ++cut) {
+    for (int cut = 0; cut < quadrat::tests::of(4); ++cut) {
         std::filesystem::remove_all(folder / "state");
         Process exhibit(exhibit_command(), folder.path());
         wait_for(exhibit, folder / "stderr.txt", "picture generation-0" + std::to_string(2 + cut % 3));

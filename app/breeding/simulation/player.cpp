@@ -223,16 +223,56 @@ genome::ParameterValues nearest_archetypes(const SimulatedVisitor& visitor, cons
     return values_of(nearest, visitor.genome());
 }
 
+// The words that the map brings nearest to the wish: pattern search (Hooke & Jeeves, 1961), aspect by aspect, from the
+// nearest of the scenes it was trained on.
+genome::ParameterValues projected(const SimulatedVisitor& visitor, const WordMap& map) {
+    genome::Description words;
+    for (const Aspect aspect : kAspects) {
+        const auto distance_of = [&](const genome::Description& said) {
+            genome::ParameterValues values;
+            map.realise(aspect, said, values);
+            return visitor.distance(place_of(values, visitor.genome(), aspect), aspect);
+        };
+        double least = distance_of(words);
+        genome::Description nearest = words;
+        for (const DescribedScene& scene : map.scenes()) {
+            if (scene.aspect != aspect) continue;
+            const genome::Description said = map.completed(scene.words);
+            const double distance = distance_of(said);
+            if (distance >= least) continue;
+            least = distance;
+            nearest = said;
+        }
+        for (float step = 0.4F; step > 0.04F;) {
+            bool is_better = false;
+            for (const genome::Word& word : genome::vocabulary(aspect)) {
+                for (const float turn : {-step, step}) {
+                    genome::Description tried = nearest;
+                    tried.set(word.id, nearest[word.id] + turn);
+                    const double distance = distance_of(tried);
+                    if (distance >= least) continue;
+                    least = distance;
+                    nearest = tried;
+                    is_better = true;
+                }
+            }
+            if (!is_better) step *= 0.5F;
+        }
+        for (const genome::Word& word : genome::vocabulary(aspect)) words.set(word.id, nearest[word.id]);
+    }
+    return map(words);
+}
+
 }  // namespace
 
 std::vector<Method> all_methods() {
     std::vector<Method> methods;
-    for (int m = 0; m <= static_cast<int>(Method::BestArchetype); ++m) methods.push_back(static_cast<Method>(m));
+    for (int m = 0; m <= static_cast<int>(Method::Projection); ++m) methods.push_back(static_cast<Method>(m));
     return methods;
 }
 
 std::string_view name_of(Method method) {
-    constexpr std::array<std::string_view, 12> kNames{"no pick",
+    constexpr std::array<std::string_view, 13> kNames{"no pick",
                                                       "random",
                                                       "biased random",
                                                       "exhaustive",
@@ -243,7 +283,8 @@ std::string_view name_of(Method method) {
                                                       "sliders, skilled, 3 moves",
                                                       "sliders, novice, 3 moves",
                                                       "sliders, novice, 10 moves",
-                                                      "best archetype"};
+                                                      "best archetype",
+                                                      "projected on the words"};
     return kNames[static_cast<std::size_t>(method)];
 }
 
@@ -270,6 +311,8 @@ std::unique_ptr<Player> player(Method method, const SimulatedVisitor& visitor, c
             return std::make_unique<Sliders>(genome, 3, false, seed);
         case Method::SlidersNovice10:
             return std::make_unique<Sliders>(genome, 10, false, seed);
+        case Method::Projection:
+            return std::make_unique<Still>(projected(visitor, map));
         case Method::BestArchetype:
             break;
     }

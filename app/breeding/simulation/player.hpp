@@ -38,6 +38,7 @@ enum class Method {
     SlidersNovice3,  // sliders in any order
     SlidersNovice10,
     BestArchetype,  // the nearest of those known in each aspect: no one can see that well
+    Projection,     // the wish said in words by someone who knows it: as far as words can reach
 };
 std::vector<Method> all_methods();
 std::string_view name_of(Method method);

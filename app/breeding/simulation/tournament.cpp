@@ -138,7 +138,7 @@ std::string plot_of(const Tournament& t, const std::vector<Standing>& standings)
             const double at = x(static_cast<double>(i) + 1);
             points += fmt::format("{:.1f},{:.1f} ", at, y(standing.closeness[i]));
             band += fmt::format("{:.1f},{:.1f} ", at, y(standing.closeness[i] + standing.standard_error[i]));
-            back = fmt::format("{:.1f},{:.1f} ", at, y(standing.closeness[i] - standing.standard_error[i])) + back;
+            back.insert(0, fmt::format("{:.1f},{:.1f} ", at, y(standing.closeness[i] - standing.standard_error[i])));
         }
         const std::string colour = colour_of(m);
         svg += fmt::format("<polygon points=\"{}{}\" fill=\"{}\" opacity=\"0.15\"/>\n", band, back, colour);

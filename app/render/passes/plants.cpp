@@ -34,6 +34,8 @@ struct LeafPlace {
 struct LeafSurface {
     PackedNormal normal;
     std::uint8_t root_red, root_green, root_blue, shade;
+    std::uint8_t across, along;
+    std::uint16_t unused;
 };
 
 constexpr std::size_t kPieceBytes = 128U << 10U;
@@ -105,7 +107,14 @@ void add_wood(gl::Slices& slices, WoodOnGpu& wood, const std::shared_ptr<const s
 
 LeafSurface surface_of(const scene::Leaves::Vertex& v) {
     const auto root = [](float linear) { return unsigned_byte(std::sqrt(std::max(linear, 0.0F))); };
-    return {packed_normal(v.normal), root(v.colour.r), root(v.colour.g), root(v.colour.b), unsigned_byte(v.shade)};
+    return {packed_normal(v.normal),
+            root(v.colour.r),
+            root(v.colour.g),
+            root(v.colour.b),
+            unsigned_byte(v.shade),
+            unsigned_byte(v.on_blade.x),
+            unsigned_byte(v.on_blade.y),
+            0};
 }
 
 // A blade's vertices follow one another, so the place in the order is the blade's own.
@@ -187,21 +196,24 @@ float largest_blade(const scene::Species& species) {
     return std::max(0.55F * species.crown_radius_m / blade_length(species), 1.0F);
 }
 
-// What every species without a picture of its bark has: neither relief nor spots.
-std::shared_ptr<const mesh::Image> plain_bark() {
-    auto plain = std::make_shared<mesh::Image>(1, 1, 4);
-    plain->bytes = {128, 128, 128, 255};
+// What every species without a picture of its own has: neither relief nor spots.
+std::shared_ptr<const mesh::Image> plain_picture(int channels) {
+    auto plain = std::make_shared<mesh::Image>(1, 1, channels);
+    plain->bytes.assign(static_cast<std::size_t>(channels), 128);
     return plain;
 }
 
-void add_bark(gl::Slices& slices, SpeciesOnGpu& species, const std::shared_ptr<const scene::Flora>& source,
-              const scene::Species& from) {
+void add_pictures(gl::Slices& slices, SpeciesOnGpu& species, const std::shared_ptr<const scene::Flora>& source,
+                  const scene::Species& from) {
+    const auto picture = [&source](const mesh::Image& own, int channels) {
+        return own.bytes.empty() ? plain_picture(channels) : std::shared_ptr<const mesh::Image>{source, &own};
+    };
     gl::TextureShape shape;
+    shape.sampling = gl::Sampling::Sharp;
+    gl::add_picture(slices, species.leaf, picture(from.leaf, 1), shape);
     shape.wrap_s = gl::Wrap::Repeat;
     shape.wrap_t = gl::Wrap::Repeat;
-    shape.sampling = gl::Sampling::Sharp;
-    const std::shared_ptr<const mesh::Image> picture{source, &from.bark};
-    gl::add_picture(slices, species.bark, from.bark.bytes.empty() ? plain_bark() : picture, shape);
+    gl::add_picture(slices, species.bark, picture(from.bark, 4), shape);
 }
 
 void add_species(gl::Slices& slices, FloraOnGpu& flora, std::size_t index,
@@ -222,7 +234,7 @@ void add_species(gl::Slices& slices, FloraOnGpu& flora, std::size_t index,
     species.wood.resize(levels.size());
     for (std::size_t level = 0; level < levels.size(); ++level)
         add_wood(slices, species.wood[level], levels[level], 1 / std::max(from.bark_tile_m, 0.01F));
-    add_bark(slices, species, source, from);
+    add_pictures(slices, species, source, from);
     add_leaves(slices, species, {source, &from.leaves});
 }
 
@@ -248,7 +260,8 @@ void add_flora(gl::Slices& slices, FloraOnGpu& flora, const std::shared_ptr<cons
 
 PlantsPass::PlantsPass()
     : wood_("wood.vert", "wood.frag"),
-      leaves_("leaves.vert", "lit.frag"),
+      leaves_("leaves.vert", "leaves.frag"),
+      plain_leaves_("leaves.vert", "lit.frag"),
       wood_vertices_{{0,
                       sizeof(WoodPlace),
                       gl::Advance::PerVertex,
@@ -272,7 +285,8 @@ PlantsPass::PlantsPass()
                       sizeof(LeafSurface),
                       gl::Advance::PerVertex,
                       {{4, 4, GL_BYTE, gl::Numbers::Normalised, offsetof(LeafSurface, normal)},
-                       {5, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(LeafSurface, root_red)}}},
+                       {5, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(LeafSurface, root_red)},
+                       {6, 2, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(LeafSurface, across)}}},
                      {2, sizeof(Instance), gl::Advance::PerInstance, kInstanceAttributes}} {}
 
 void PlantsPass::draw_wood(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
@@ -288,6 +302,7 @@ void PlantsPass::draw_wood(const SpeciesOnGpu& species, const Batch& batch, GLui
 
 void PlantsPass::draw_leaves(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
     glUniform1f(0, species.largest_blade);
+    if (!batch.is_plain) species.leaf.bind(0);
     leaf_vertices_.feed(0, species.leaf_places.name());
     leaf_vertices_.feed(1, species.leaf_surfaces.name());
     leaf_vertices_.feed(2, instances, batch.first * sizeof(Instance));
@@ -300,10 +315,13 @@ std::size_t PlantsPass::draw(const FloraOnGpu& flora, const std::vector<Batch>& 
                              const gl::StreamBuffer& instances) const {
     // Leaves first: they hide most of the wood, and what is hidden need not be shaded.
     glDisable(GL_CULL_FACE);
-    leaves_.use();
     leaf_vertices_.bind();
-    for (const Batch& batch : batches)
-        if (batch.part == Batch::Part::Leaves) draw_leaves(flora.species[batch.species], batch, instances.name());
+    for (const bool is_plain : {false, true}) {
+        (is_plain ? plain_leaves_ : leaves_).use();
+        for (const Batch& batch : batches)
+            if (batch.part == Batch::Part::Leaves && batch.is_plain == is_plain)
+                draw_leaves(flora.species[batch.species], batch, instances.name());
+    }
     glEnable(GL_CULL_FACE);
     wood_.use();
     wood_vertices_.bind();

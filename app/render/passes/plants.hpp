@@ -29,6 +29,7 @@ struct SpeciesOnGpu {
     std::size_t indices_per_blade = 0;
     std::size_t indices_per_plain_blade = 0;
     gl::Texture2D bark;
+    gl::Texture2D leaf;
     float largest_blade = 1;  // times its size
     glm::vec3 bark_colour{0.2F};
     float height_m = 1;
@@ -56,6 +57,7 @@ class PlantsPass {
 
     gl::Program wood_;
     gl::Program leaves_;
+    gl::Program plain_leaves_;  // too small on the screen to show their veins
     gl::VertexArray wood_vertices_;
     gl::VertexArray leaf_vertices_;
 };

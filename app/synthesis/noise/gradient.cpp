@@ -110,8 +110,8 @@ float fbm(Key key, float x, float y, const Octaves& octaves) {
         const float n = gradient_at(octave_key, x, y);
         sum = sum + amplitude * (n + s.ridged * (1.0F - 2.0F * std::abs(n) - n));
         amplitude *= s.gain;
-        const float turned = s.lacunarity * (kernel::kCos * x - kernel::kSin * y);
-        y = s.lacunarity * (kernel::kSin * x + kernel::kCos * y);
+        const float turned = s.lacunarity * kernel::kCos * x - s.lacunarity * kernel::kSin * y;
+        y = s.lacunarity * kernel::kSin * x + s.lacunarity * kernel::kCos * y;
         x = turned;
     }
     return s.scale * sum;

@@ -18,9 +18,9 @@ inline constexpr float kScale = 1.5F;  // brings the deviation to about 0.3
 inline constexpr float kCos = 0.8F;
 inline constexpr float kSin = 0.6F;
 
-// The order of Basis and Mix in gradient.hpp.
+// The order of Basis and Mix in gradient.hpp; Folded is a Sum with a share of ridges.
 enum class Base : int { Gradient, Simplex, Value, Cells, Cracks };
-enum class Law : int { Sum, Ridged, Hybrid, Hetero };
+enum class Law : int { Sum, Ridged, Hybrid, Hetero, Folded };
 
 struct Sum {
     Base base;
@@ -202,7 +202,8 @@ struct Kernel {
         for (int i = 0; i < s.count; ++i) {
             key += kOctaveStep;
             const F n = basis<B>(key, x, y);
-            if constexpr (L == Law::Sum)
+            if constexpr (L == Law::Sum) sum = sum + F(amplitude) * n;
+            if constexpr (L == Law::Folded)
                 sum = sum + F(amplitude) * (n + F(s.ridged) * (F(1.0F) - F(2.0F) * xsimd::abs(n) - n));
             if constexpr (L == Law::Ridged) {
                 const F ridge = F(1.0F) - xsimd::abs(n);
@@ -221,8 +222,8 @@ struct Kernel {
                 sum = i == 0 ? raised : sum + raised * sum;
             }
             amplitude *= s.gain;
-            const F turned = F(s.lacunarity) * (F(kCos) * x - F(kSin) * y);
-            y = F(s.lacunarity) * (F(kSin) * x + F(kCos) * y);
+            const F turned = F(s.lacunarity * kCos) * x - F(s.lacunarity * kSin) * y;
+            y = F(s.lacunarity * kSin) * x + F(s.lacunarity * kCos) * y;
             x = turned;
         }
         return F(s.scale) * (sum - F(s.middle));
@@ -269,7 +270,10 @@ struct Kernel {
     static void run_on(const Sum& s, const float* xs, const float* ys, float* out, std::size_t count) {
         switch (s.law) {
             case Law::Sum:
-                return run_as<B, Law::Sum>(s, xs, ys, out, count);
+                if (s.ridged == 0) return run_as<B, Law::Sum>(s, xs, ys, out, count);
+                [[fallthrough]];
+            case Law::Folded:
+                return run_as<B, Law::Folded>(s, xs, ys, out, count);
             case Law::Ridged:
                 return run_as<B, Law::Ridged>(s, xs, ys, out, count);
             case Law::Hybrid:

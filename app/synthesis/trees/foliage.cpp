@@ -8,6 +8,7 @@
 #include <span>
 
 #include "scene/colour.hpp"
+#include "synthesis/trees/phyllotaxis.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -201,6 +202,33 @@ BladeShape blade_at(const Place& place, const FoliageOptions& o, const glm::vec3
     return blade;
 }
 
+constexpr int kConeScales = 9;
+constexpr std::uint64_t kPlacesACone = 4;  // one of so many places of fruit bears a cone: a cone is many blades
+
+// A conifer's fruit: scales by the golden angle around an axis that hangs from the twig.
+void add_cone(scene::Leaves& leaves, const Place& place, const FoliageOptions& o, const glm::vec3& out_unit,
+              scene::Leaves::Vertex common, base::RandomStream& random) {
+    const glm::vec3 axis = unit_or(0.4F * out_unit + 0.25F * any_direction(random) - glm::vec3{0, 1, 0}, {0, -1, 0});
+    const glm::vec3 side = across({1, 0, 0}, axis);
+    const glm::vec3 third = glm::cross(axis, side);
+    const float size_m = o.fruit_m * random.between(0.85F, 1.2F);
+    const glm::vec3 colour = common.colour;
+    for (int n = 0; n < kConeScales; ++n) {
+        glm::vec3 outward;
+        const glm::vec3 at = scale_on_cone(n, kConeScales, outward);
+        BladeShape scale;
+        scale.site_m = place.at_m + 1.7F * size_m * at.y * axis + 0.36F * size_m * (at.x * side + at.z * third);
+        scale.face = unit_or(outward.x * side + outward.y * axis + outward.z * third, side);
+        scale.along = across(axis, scale.face);
+        scale.is_disc = true;
+        scale.half_width_m = 0.34F * size_m;
+        scale.fold_m = 0.3F * scale.half_width_m;
+        common.normal = unit_or(0.7F * scale.face + out_unit, {0, 1, 0});
+        common.colour = colour * (0.8F + 0.4F * at.y);
+        add_blade(leaves, o.kind, scale, common);
+    }
+}
+
 }  // namespace
 
 void add_blade(scene::Leaves& leaves, LeafKind kind, const BladeShape& b, const scene::Leaves::Vertex& common) {
@@ -214,6 +242,7 @@ void add_blade(scene::Leaves& leaves, LeafKind kind, const BladeShape& b, const 
         if (b.is_disc) {
             const float turn = 6.2831853F * static_cast<float>(k) / static_cast<float>(count);
             const float up = k == 0 || k == shape.tip ? 1.0F : 0.2F;
+            vertex.on_blade = {0.8F, static_cast<float>(k) / static_cast<float>(count)};
             vertex.corner_m =
                 b.half_width_m * (std::cos(turn) * b.along + std::sin(turn) * side) + up * b.fold_m * b.face;
         } else {
@@ -222,6 +251,7 @@ void add_blade(scene::Leaves& leaves, LeafKind kind, const BladeShape& b, const 
             vertex.corner_m =
                 b.length_m * p.x * b.along + 2 * b.half_width_m * p.y * side + (fold + b.bow_m * p.x * p.x) * b.face;
             vertex.colour *= shape.lightness[k];
+            vertex.on_blade = {2 * std::abs(p.y), p.x};
         }
         leaves.vertices.push_back(vertex);
     }
@@ -255,7 +285,7 @@ scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& o
     leaves.vertices.reserve(shape.outline.size() * places.size());
     leaves.indices.reserve(shape.triangles.size() * places.size());
     leaves.plain_indices.reserve(shape.plain.size() * places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t i = 0; i < places.size() && leaves.blades < options.blades; ++i) {
         base::RandomStream random{base::Seed{base::hash_of(seed, 2, static_cast<std::int64_t>(i))}};
         const Place& place = places[i];
         const glm::vec3 outward = (place.at_m - crown.middle_m) / crown.half_m;
@@ -269,6 +299,12 @@ scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& o
         const float share = std::min(place.site->path_m / std::max(skeleton.longest_path_m, 1.0e-3F), 1.0F);
         vertex.age = std::min(0.12F + 0.83F * share, 1.0F);
         vertex.sway = std::clamp(place.sway, 0.0F, 1.0F);
+        if (place.site->organ == Organ::Fruit && options.kind == LeafKind::Needles) {
+            if (base::hash_of(seed, 3, static_cast<std::int64_t>(i)) % kPlacesACone == 0 &&
+                leaves.blades + kConeScales <= options.blades)
+                add_cone(leaves, place, options, out_unit, vertex, random);
+            continue;
+        }
         add_blade(leaves, options.kind, blade, vertex);
     }
     return leaves;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "synthesis/trees/bark.hpp"
+#include "synthesis/trees/leaf_picture.hpp"
 #include "synthesis/trees/limb_mesh.hpp"
 
 namespace quadrat::synthesis::trees {
@@ -122,6 +123,7 @@ scene::Species make_species(const Form& f, base::Seed seed) {
                       : f.habit == Habit::Cactus ? Bark::Furrowed
                                                  : static_cast<Bark>(f.bark_kind);
     species.bark = bark_picture(bark_relief(kind, seed.child("bark"), kBarkSide), f.bark_depth);
+    if (species.leaves.blades > 0) species.leaf = leaf_picture(f.leaf, seed.child("leaf"));
     species.bark_tile_m = f.bark_tile_m * std::clamp(species.trunk_radius_m / 0.28F, 0.5F, 1.6F);
     species.lowest_m = t.lowest_m;
     species.moisture = t.moisture;

@@ -9,6 +9,7 @@
 
 #include "scene/colour.hpp"
 #include "synthesis/trees/foliage.hpp"
+#include "synthesis/trees/leaf_picture.hpp"
 #include "synthesis/trees/limb_mesh.hpp"
 #include "synthesis/trees/phyllotaxis.hpp"
 
@@ -270,6 +271,7 @@ scene::Species shrub(const ShrubOptions& o, base::Seed seed) {
     foliage.colours.second = o.second;
     foliage.colours.blossom = o.blossom;
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
+    species.leaf = leaf_picture(foliage.kind, seed.child("leaf"));
     species.bark_colour = o.bark;
     species.height_m = o.height_m;
     species.crown_radius_m = 0.55F * o.height_m * (0.4F + 0.6F * o.width);

@@ -13,6 +13,7 @@
 
 #include "base/error.hpp"
 #include "kiosk/clamped_scene.hpp"
+#include "support/effort.hpp"
 #include "support/manifold.hpp"
 #include "support/process.hpp"
 
@@ -47,7 +48,7 @@ std::string read_by_assimp(const std::string& obj, std::size_t triangles) {
 TEST(TreeExport, OfTwoHundredScenesIsClosedOrientedAndWithoutSlivers) {
     std::mutex mutex;
     std::string faults;
-    tbb::parallel_for(0, 200, [&](int seed) {
+    tbb::parallel_for(0, tests::of(200), [&](int seed) {
         const genome::Recipe recipe = genome::random_recipe(base::Seed{static_cast<std::uint64_t>(seed)});
         const mesh::Model model = tree_model(recipe, Limbs::AsDrawn);
         const mesh::Mesh& wood = model.parts.front().mesh;

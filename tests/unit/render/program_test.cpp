@@ -59,7 +59,7 @@ TEST_F(Programs, LayTheViewBlockOutAsTheStructThatFillsIt) {
 }
 
 TEST_F(Programs, ReadAnInstanceAsTheStructThatFillsIt) {
-    const Program leaves("leaves.vert", "lit.frag");
+    const Program leaves("leaves.vert", "leaves.frag");
     EXPECT_EQ(glGetAttribLocation(leaves.name(), "root_scale"), 8);
     EXPECT_EQ(glGetAttribLocation(leaves.name(), "turn_grown_share"), 9);
     EXPECT_EQ(glGetAttribLocation(leaves.name(), "wind_sun_through"), 10);

@@ -8,6 +8,8 @@
 #include "support/effort.hpp"
 #include "synthesis/trees/bark.hpp"
 #include "synthesis/trees/colonisation.hpp"
+#include "synthesis/trees/foliage.hpp"
+#include "synthesis/trees/leaf_picture.hpp"
 #include "synthesis/trees/phyllotaxis.hpp"
 #include "synthesis/trees/turtle.hpp"
 #include "synthesis/trees/weber_penn.hpp"
@@ -214,6 +216,51 @@ TEST(Phyllotaxis, CoversAConeFromFootToTip) {
     for (int n = 0; n < 50; ++n) {
         scale_on_cone(n, 50, outward);
         EXPECT_NEAR(glm::length(outward), 1, 1e-5);
+    }
+}
+
+TEST(Foliage, OfAConiferBearsConesOfScales) {
+    TreeSkeleton skeleton;
+    skeleton.limbs.push_back({.nodes = {{{0, 0, 0}, 0.2F, 0, 0}, {{0, 8, 0}, 0.1F, 1, 0}}});
+    for (int i = 0; i < 200; ++i) {
+        Site site;
+        site.at_m = {std::cos(0.3F * static_cast<float>(i)), 0.04F * static_cast<float>(i),
+                     std::sin(0.3F * static_cast<float>(i))};
+        site.along = {0, 1, 0};
+        site.out = {1, 0, 0};
+        site.organ = i % 2 == 0 ? Organ::Fruit : Organ::Leaf;
+        skeleton.sites.push_back(site);
+    }
+    FoliageOptions options;
+    options.kind = LeafKind::Needles;
+    options.blades = 600;
+    options.colours.leaf = options.colours.second = {0, 1, 0};
+    options.colours.fruit = {1, 0, 0};
+    const scene::Leaves leaves = make_foliage(skeleton, options, base::Seed{5});
+    EXPECT_LE(leaves.blades, options.blades);
+    std::size_t scales = 0;
+    const std::size_t per_blade = leaves.vertices.size() / leaves.blades;
+    for (std::size_t i = 0; i < leaves.vertices.size(); i += per_blade) scales += leaves.vertices[i].colour.r > 0.5F;
+    EXPECT_GT(scales, 90U);  // ten cones
+    EXPECT_EQ(scales % 9, 0U);
+}
+
+TEST(LeafPicture, HasVeinsAndTheBladesOwnColourOnTheWhole) {
+    for (int k = 0; k < kLeafKinds; ++k) {
+        const mesh::Image picture = leaf_picture(static_cast<LeafKind>(k), base::Seed{3});
+        double mean = 0;
+        double square = 0;
+        for (const std::uint8_t byte : picture.bytes) {
+            mean += byte;
+            square += byte * byte;
+        }
+        mean /= static_cast<double>(picture.bytes.size());
+        EXPECT_NEAR(mean, 128, 1) << k;
+        EXPECT_GT(std::sqrt(square / static_cast<double>(picture.bytes.size()) - mean * mean), 8) << k;
+        // The midrib is lighter than the blade beside it.
+        EXPECT_GT(*picture.pixel(0, 24), *picture.pixel(9, 24)) << k;
+        EXPECT_EQ(picture, leaf_picture(static_cast<LeafKind>(k), base::Seed{3}));
+        EXPECT_NE(picture, leaf_picture(static_cast<LeafKind>(k), base::Seed{4}));
     }
 }
 
