@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -30,6 +31,19 @@ struct Grid {
 using Field = Grid<float>;
 
 // Bilinear, in sample coordinates; outside: the nearest edge. An empty field gives 0.
-float sample(const Field& field, float column, float row);
+inline float sample(const Field& field, float column, float row) {
+    if (field.samples.empty()) return 0.0F;
+    const float x = std::clamp(column, 0.0F, static_cast<float>(field.columns - 1));
+    const float y = std::clamp(row, 0.0F, static_cast<float>(field.rows - 1));
+    const int x0 = static_cast<int>(x);
+    const int y0 = static_cast<int>(y);
+    const int x1 = std::min(x0 + 1, field.columns - 1);
+    const int y1 = std::min(y0 + 1, field.rows - 1);
+    const float tx = x - static_cast<float>(x0);
+    const float ty = y - static_cast<float>(y0);
+    const float above = field.at(x0, y0) + tx * (field.at(x1, y0) - field.at(x0, y0));
+    const float below = field.at(x0, y1) + tx * (field.at(x1, y1) - field.at(x0, y1));
+    return above + ty * (below - above);
+}
 
 }  // namespace quadrat::mesh

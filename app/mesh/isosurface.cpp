@@ -147,6 +147,7 @@ class Polygoniser {
           table_(sheet_table()),
           signs_(field.count()),
           has_inside_(field.count()),
+          is_crossed_(field.count()),
           cells_(std::make_unique_for_overwrite<Cells[]>(std::max<std::size_t>(field.count(), 1))) {
         for (std::size_t b = 0; b < field.count(); ++b) read_signs(b);
     }
@@ -155,14 +156,15 @@ class Polygoniser {
         surface_.positions.reserve(24 * field_.count());
         surface_.blocks.reserve(24 * field_.count());
         for (std::size_t b = 0; b < field_.count(); ++b) place_vertices(b);
-        surface_.indices.reserve(6 * surface_.positions.size() + 16);
+        surface_.indices.reserve(6 * surface_.positions.size() + surface_.positions.size() / 4 + 64);
         for (std::size_t b = 0; b < field_.count(); ++b) join_vertices(b);
         return std::move(surface_);
     }
 
   private:
     struct Cells {
-        std::array<std::uint32_t, SparseField::kSamples> first;  // vertex of the first sheet
+        std::uint32_t base;                                      // the block's first vertex
+        std::array<std::uint16_t, SparseField::kSamples> first;  // and from it, that of the cell's first sheet
         std::array<std::uint8_t, SparseField::kSamples> inside;
     };
     struct Ref {
@@ -195,14 +197,19 @@ class Polygoniser {
     }
 
     void place_vertices(std::size_t b) {
-        cells_[b].inside.fill(0);
         Neighbourhood n;
         if (!look_around(b, n)) return;
+        const auto before = static_cast<std::uint32_t>(surface_.positions.size());
         constexpr int kWide = kSide + 1;
         std::array<std::uint32_t, kWide * kWide> rows{};
         for (int z = 0; z <= kSide; ++z)
             for (int y = 0; y <= kSide; ++y) rows[z * kWide + y] = n.row(y, z);
+        const bool is_whole = std::ranges::all_of(rows, [](std::uint32_t row) { return row == 0x1FF; });
+        if (is_whole || std::ranges::all_of(rows, [](std::uint32_t row) { return row == 0; })) return;
         Cells& cells = cells_[b];
+        cells.base = before;
+        cells.inside.fill(0);
+        is_crossed_[b] = 1;
         const glm::vec3 origin = glm::vec3(field_.place(b) * kSide);
         for (int z = 0; z < kSide; ++z) {
             for (int y = 0; y < kSide; ++y) {
@@ -217,7 +224,7 @@ class Polygoniser {
                     if (inside == 0 || inside == 255) continue;
                     const int cell = (z * kSide + y) * kSide + x;
                     cells.inside[cell] = static_cast<std::uint8_t>(inside);
-                    cells.first[cell] = static_cast<std::uint32_t>(surface_.positions.size());
+                    cells.first[cell] = static_cast<std::uint16_t>(surface_.positions.size() - before);
                     add_sheets(n, {x, y, z}, inside, origin, static_cast<std::uint32_t>(b));
                 }
             }
@@ -237,11 +244,7 @@ class Polygoniser {
             else
                 corner[c] = n.at(cell.x + (c & 1), cell.y + ((c >> 1) & 1), cell.z + (c >> 2));
         }
-        std::array<glm::vec3, 4> sums{};
-        std::array<float, 4> counts{};
-        for (int i = 0; i < sheets.crossings; ++i) {
-            const int e = sheets.crossed[i];
-            const int sheet{sheets.of_edge[e]};
+        const auto crossing = [&](int e) {
             const int axis = e >> 2;
             const int low = kLow[e];
             const float a = corner[low];
@@ -249,7 +252,21 @@ class Polygoniser {
             glm::vec3 at{low & 1, (low >> 1) & 1, low >> 2};
             // Away from the corners, so that no two vertices fall together.
             at[axis] = std::clamp(a / (a - c), 0.05F, 0.95F);
-            sums[sheet] += at;
+            return at;
+        };
+        if (sheets.count == 1) {  // as nearly always
+            glm::vec3 sum{0};
+            for (int i = 0; i < sheets.crossings; ++i) sum += crossing(sheets.crossed[i]);
+            surface_.positions.push_back(origin + glm::vec3(cell) + sum / static_cast<float>(sheets.crossings));
+            surface_.blocks.push_back(b);
+            return;
+        }
+        std::array<glm::vec3, 4> sums{};
+        std::array<float, 4> counts{};
+        for (int i = 0; i < sheets.crossings; ++i) {
+            const int e = sheets.crossed[i];
+            const int sheet{sheets.of_edge[e]};
+            sums[sheet] += crossing(e);
             counts[sheet] += 1;
         }
         for (int s = 0; s < sheets.count; ++s) {
@@ -261,9 +278,9 @@ class Polygoniser {
     Ref cell_at(glm::ivec3 cell, std::size_t home) const {
         const glm::ivec3 place{cell.x >> 3, cell.y >> 3, cell.z >> 3};
         const int b = place == field_.place(home) ? static_cast<int>(home) : field_.find(place);
-        if (b < 0) return {kNone, 0};
+        if (b < 0 || is_crossed_[b] == 0) return {kNone, 0};
         const int i = ((cell.z & 7) * kSide + (cell.y & 7)) * kSide + (cell.x & 7);
-        return {cells_[b].first[i], cells_[b].inside[i]};
+        return {cells_[b].base + cells_[b].first[i], cells_[b].inside[i]};
     }
 
     // Whether none of a row's eight cells is crossed.
@@ -275,7 +292,7 @@ class Polygoniser {
 
     // The lattice edges that begin at this block's samples.
     void join_vertices(std::size_t b) {
-        const SparseField::Block& values = field_.block(b);
+        if (is_crossed_[b] == 0) return;
         const Cells& cells = cells_[b];
         const glm::ivec3 origin = field_.place(b) * kSide;
         for (int i = 0; i < SparseField::kSamples; ++i) {
@@ -285,13 +302,35 @@ class Polygoniser {
             }
             const std::uint8_t inside = cells.inside[i];
             if (inside == 0) continue;  // no edge of this cell crosses
-            const glm::ivec3 at = origin + glm::ivec3{i % kSide, i / kSide % kSide, i / (kSide * kSide)};
-            const bool is_in = values[i] > 0;
+            const glm::ivec3 in_block{i % kSide, i / kSide % kSide, i / (kSide * kSide)};
+            const bool is_in = (inside & 1) != 0;
             for (int axis = 0; axis < 3; ++axis) {
                 const bool is_next_in = ((inside >> (1 << axis)) & 1) != 0;
-                if (is_in != is_next_in) add_face(at, axis, is_in, b);
+                if (is_in == is_next_in) continue;
+                const bool is_within = in_block[(axis + 1) % 3] > 0 && in_block[(axis + 2) % 3] > 0;
+                if (!is_within || !add_face_within(cells, i, axis, is_in)) add_face(origin + in_block, axis, is_in, b);
             }
         }
+    }
+
+    // Where all four cells about the edge lie in one block and nothing is pinched, as nearly always; false: not here.
+    bool add_face_within(const Cells& cells, int i, int axis, bool is_outward) {
+        constexpr std::array<int, 3> kStride{1, kSide, kSide * kSide};
+        const int b = kStride[(axis + 1) % 3];
+        const int c = kStride[(axis + 2) % 3];
+        const std::array<int, 4> cell{i, i - b, i - b - c, i - c};
+        constexpr std::array<int, 4> kPlace{0, 1, 3, 2};
+        std::array<std::uint32_t, 4> ring;
+        int pinched = 0;
+        for (int j = 0; j < 4; ++j) {
+            const Sheets& sheets = table_[cells.inside[cell[j]]];
+            pinched |= sheets.pinched;
+            const int sheet{sheets.of_edge[4 * axis + kPlace[j]]};
+            ring[j] = cells.base + cells.first[cell[j]] + static_cast<std::uint32_t>(sheet);
+        }
+        if (pinched != 0) return false;
+        emit_pair(ring, is_outward);
+        return true;
     }
 
     void add_face(glm::ivec3 at, int axis, bool is_outward, std::size_t block) {
@@ -313,8 +352,8 @@ class Polygoniser {
         }
         const int pinched = table_[ref[0].inside].pinched | table_[ref[1].inside].pinched |
                             table_[ref[2].inside].pinched | table_[ref[3].inside].pinched;
-        std::array<std::uint32_t, 8> ring{vertex[0], vertex[1], vertex[2], vertex[3]};
-        if (pinched == 0) return emit(ring, 4, 8, is_outward);  // as nearly always
+        if (pinched == 0) return emit_pair(vertex, is_outward);
+        std::array<std::uint32_t, 8> ring{};
         std::size_t count = 0;
         std::size_t hub = 8;
         for (int j = 0; j < 4; ++j) {
@@ -328,7 +367,8 @@ class Polygoniser {
             hub = count;
             ring[count++] = middle;
         }
-        emit(ring, count, hub, is_outward);
+        if (hub < count) return emit_fan(ring, count, hub, is_outward);
+        emit_pair(vertex, is_outward);
     }
 
     // The vertex between two sheets that meet twice over one face; none when they meet once.
@@ -354,37 +394,37 @@ class Polygoniser {
         return found->second;
     }
 
-    void emit(const std::array<std::uint32_t, 8>& ring, std::size_t count, std::size_t hub, bool is_outward) {
-        const auto add = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
-            if (!is_outward) std::swap(q, r);
-            const std::size_t at = surface_.indices.size();
-            surface_.indices.resize(at + 3);
-            surface_.indices[at] = p;
-            surface_.indices[at + 1] = q;
-            surface_.indices[at + 2] = r;
-        };
-        if (hub < count) {  // only the added vertex may have diagonals
-            for (std::size_t k = 1; k + 1 < count; ++k)
-                add(ring[hub], ring[(hub + k) % count], ring[(hub + k + 1) % count]);
-            return;
-        }
-        // The shorter diagonal makes the better pair.
+    void add_triangle(std::uint32_t p, std::uint32_t q, std::uint32_t r, bool is_outward) {
+        if (!is_outward) std::swap(q, r);
+        surface_.indices.insert(surface_.indices.end(), {p, q, r});
+    }
+
+    // Only the added vertex may have diagonals.
+    void emit_fan(const std::array<std::uint32_t, 8>& ring, std::size_t count, std::size_t hub, bool is_outward) {
+        for (std::size_t k = 1; k + 1 < count; ++k)
+            add_triangle(ring[hub], ring[(hub + k) % count], ring[(hub + k + 1) % count], is_outward);
+    }
+
+    // The shorter diagonal makes the better pair.
+    void emit_pair(const std::array<std::uint32_t, 4>& ring, bool is_outward) {
         const auto& p = surface_.positions;
         const glm::vec3 d02 = p[ring[2]] - p[ring[0]];
         const glm::vec3 d13 = p[ring[3]] - p[ring[1]];
-        if (d02.x * d02.x + d02.y * d02.y + d02.z * d02.z <= d13.x * d13.x + d13.y * d13.y + d13.z * d13.z) {
-            add(ring[0], ring[1], ring[2]);
-            add(ring[0], ring[2], ring[3]);
-        } else {
-            add(ring[0], ring[1], ring[3]);
-            add(ring[1], ring[2], ring[3]);
-        }
+        const std::size_t turn =
+            d02.x * d02.x + d02.y * d02.y + d02.z * d02.z <= d13.x * d13.x + d13.y * d13.y + d13.z * d13.z ? 0 : 1;
+        const std::uint32_t a = ring[turn];
+        std::uint32_t b = ring[turn + 1];
+        const std::uint32_t c = ring[turn + 2];
+        std::uint32_t d = ring[(turn + 3) % 4];
+        if (!is_outward) std::swap(b, d);
+        surface_.indices.insert(surface_.indices.end(), {a, b, c, a, c, d});
     }
 
     const SparseField& field_;
     const std::array<Sheets, 256>& table_;
     std::vector<std::array<std::uint8_t, 64>> signs_;
     std::vector<char> has_inside_;
+    std::vector<char> is_crossed_;  // a block: its cells are filled in
     std::unique_ptr<Cells[]> cells_;
     std::map<std::array<int, 7>, std::uint32_t> meetings_;
     Surface surface_;

@@ -76,6 +76,9 @@ struct Species {
     float share = 1;              // of the plants of its storey, against the other species
 };
 
+// What a species takes of memory: its meshes at every level, its leaves and its pictures.
+std::size_t bytes_of(const Species& species);
+
 // How the trees of a flora stand together.
 struct Stand {
     float grove_m = 95;

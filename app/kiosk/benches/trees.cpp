@@ -90,16 +90,6 @@ void smooth(Results& results) {
     results.push_back({"trees.smooth_triangles", static_cast<double>(wood.mesh.triangle_count()), "triangles", 1});
 }
 
-std::size_t bytes_of(const scene::Species& species) {
-    std::size_t bytes = species.bark.bytes.size();
-    for (const scene::Wood& wood : species.wood)
-        bytes += wood.mesh.positions_m.size() *
-                     (2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(glm::vec4) + 2 * sizeof(float)) +
-                 wood.mesh.indices.size() * sizeof(std::uint32_t);
-    return bytes + species.leaves.vertices.size() * sizeof(scene::Leaves::Vertex) +
-           (species.leaves.indices.size() + species.leaves.plain_indices.size()) * sizeof(std::uint32_t);
-}
-
 void species(Results& results) {
     constexpr std::uint64_t kScenes = 24;
     std::size_t most_bytes = 0;
@@ -108,7 +98,7 @@ void species(Results& results) {
         const genome::Recipe r = genome::random_recipe(base::Seed{i});
         const Form form = form_of(scene::realise(r.values).trees, Rank::First);
         samples.push_back(own_ms(1, [&] {
-            most_bytes = std::max(most_bytes, bytes_of(make_species(form, r.seeds[genome::Aspect::Trees])));
+            most_bytes = std::max(most_bytes, scene::bytes_of(make_species(form, r.seeds[genome::Aspect::Trees])));
         }));
     }
     results.push_back({"trees.species_ms", percentile(samples, 0.5), "ms", 1});

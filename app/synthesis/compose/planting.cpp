@@ -21,6 +21,8 @@
 namespace quadrat::synthesis {
 namespace {
 
+constexpr float kWidestAside = 1.15F;  // of the view, that undergrowth is planted for
+
 struct Storeyed {
     std::vector<std::uint32_t> trees, shrubs, herbs;
 };
@@ -98,6 +100,31 @@ class NoiseMap {
     mesh::Field map_;
 };
 
+// The trees about a place, without asking all of them.
+class Near {
+  public:
+    Near(std::span<const Candidate> trees, float half_m)
+        : half_m_(half_m), side_(static_cast<int>(2 * half_m / kCell_m) + 1) {
+        cells_.resize(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_));
+        for (const Candidate& tree : trees)
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx) cells_[index(tree.at_m + kCell_m * glm::vec2{dx, dy})].push_back(tree);
+    }
+    std::span<const Candidate> around(glm::vec2 at) const { return cells_[index(at)]; }
+
+  private:
+    static constexpr float kCell_m = 8;
+    std::size_t index(glm::vec2 at) const {
+        const auto cell = [this](float m) {
+            return std::clamp(static_cast<int>((m + half_m_) / kCell_m), 0, side_ - 1);
+        };
+        return static_cast<std::size_t>(cell(at.y) * side_ + cell(at.x));
+    }
+    float half_m_;
+    int side_;
+    std::vector<std::vector<Candidate>> cells_;
+};
+
 class Planter {
   public:
     Planter(const scene::Land& land, const scene::Flora& flora, const FlightPlan& flight, const PlantingBudget& budget,
@@ -119,14 +146,18 @@ class Planter {
             frame_view(trees);
         }
         const Shade shade(flora_, trees, half_m_);
-        std::vector<Candidate> shrubs = grow_shrubs(trees, shade);
+        const Near near(trees, half_m_);
+        std::vector<Candidate> shrubs = grow_shrubs(near, shade);
         keep_most_seen(shrubs, budget_.undergrowth / 5);
-        std::vector<Candidate> herbs = grow_herbs(trees, shade);
+        std::vector<Candidate> herbs = grow_herbs(near, shade);
         keep_most_seen(herbs, budget_.undergrowth - shrubs.size());
-        std::vector<scene::Plant> plants;
-        plants.reserve(trees.size() + shrubs.size() + herbs.size());
-        for (const auto* storey : {&trees, &shrubs, &herbs})
-            for (const Candidate& c : *storey) plants.push_back(plant_of(c));
+        std::vector<scene::Plant> plants(trees.size() + shrubs.size() + herbs.size());
+        std::size_t first = 0;
+        for (const auto* storey : {&trees, &shrubs, &herbs}) {
+            oneapi::tbb::parallel_for(std::size_t{0}, storey->size(),
+                                      [&](std::size_t i) { plants[first + i] = plant_of((*storey)[i]); });
+            first += storey->size();
+        }
         std::stable_sort(plants.begin(), plants.end(),
                          [](const scene::Plant& a, const scene::Plant& b) { return a.species < b.species; });
         return plants;
@@ -163,18 +194,16 @@ class Planter {
         const float openness = std::clamp((flora_.spacing_m - 4.0F) / 18.0F, 0.0F, 1.0F);
         const float bare_below = stand.clearings < 0.01F ? -9.0F : quantile(stand.clearings);
         const auto draw = [&](Candidate& c, base::RandomStream& random) {
+            if (!ground_.is_on_land(c.at_m) || clearings.at(c.at_m) < bare_below) return;
             const float mark = random.unit_f();
             const float kind = random.unit_f();
             const float stay = random.unit_f();
             const float size = random.between(-1, 1);
             c.is_young = random.unit_f() < stand.young_share;
-            if (!ground_.is_on_land(c.at_m)) return;
-            if (!ground_.is_free(c.at_m, 1.0F)) return;
-            if (clearings.at(c.at_m) < bare_below) return;
             const float grove = groves.at(c.at_m);
             const float density =
                 std::clamp(0.62F - 0.25F * openness + 5.2F * stand.grove_contrast * grove, 0.03F, 1.0F);
-            if (stay > density) return;
+            if (stay > density || !ground_.is_free(c.at_m, 1.0F)) return;
             const Soil soil = ground_.soil(c.at_m);
             float well = 0;
             // Kinds keep company: each has its own ground within a grove.
@@ -190,8 +219,10 @@ class Planter {
             c.mark = mark + (c.is_young ? 1.0F : 0.0F);
         };
         const float reach_m = std::max(0.55F * flora_.spacing_m, 2.0F) + 4.0F;
-        return compete(draw_candidates({-half_m_, -half_m_}, {half_m_, half_m_}, cell_m, seed_.child("trees"), draw),
-                       reach_m, half_m_, [&](const Candidate& a, const Candidate& b) { return apart_m(a, b); });
+        return compete(draw_candidates(
+                           {-half_m_, -half_m_}, {half_m_, half_m_}, cell_m, seed_.child("trees"),
+                           [](glm::vec2) { return true; }, draw),
+                       reach_m, [&](const Candidate& a, const Candidate& b) { return apart_m(a, b); });
     }
 
     // The room that two trees leave each other. The more they thin themselves, the more room the old keep among each
@@ -279,21 +310,24 @@ class Planter {
     }
 
     // Shrubs gather: along the edges of groves, in thickets, rarely alone.
-    std::vector<Candidate> grow_shrubs(std::span<const Candidate> trees, const Shade& shade) {
+    std::vector<Candidate> grow_shrubs(const Near& near, const Shade& shade) {
         if (kinds_.shrubs.empty()) return {};
         glm::vec2 low;
         glm::vec2 high;
         const float reach_m = budget_.reach_m * 3.75F;
         window(reach_m, low, high);
+        const Sight::Region region = sight_.region(kWidestAside, reach_m);
+        const auto may = [&region](glm::vec2 at) { return region.may_hold(at); };
         const NoiseMap thickets(seed_.child("thickets"), low, high, 17, 3);
         const auto draw = [&](Candidate& c, base::RandomStream& random) {
+            if (!ground_.is_on_land(c.at_m)) return;
+            const View view = sight_.view_of(c.at_m);
+            if (view.along_m < 1.0F || view.aside > kWidestAside || view.to_way_m > reach_m || view.to_way_m < 3.0F)
+                return;
             const float mark = random.unit_f();
             const float kind = random.unit_f();
             const float stay = random.unit_f();
             const float size = random.unit_f();
-            if (!ground_.is_on_land(c.at_m)) return;
-            const View view = sight_.view_of(c.at_m);
-            if (view.along_m < 1.0F || view.aside > 1.15F || view.to_way_m > reach_m || view.to_way_m < 3.0F) return;
             const float thicket = thickets.at(c.at_m);
             const float cover = shade.at(c.at_m);
             const float edge = 4.0F * cover * (1 - cover);  // the rim of a crown
@@ -312,31 +346,34 @@ class Planter {
             c.mark = mark + 1.0F - std::min(c.scale, 1.0F);
         };
         std::vector<Candidate> shrubs =
-            compete(draw_candidates(low, high, 1.9F, seed_.child("shrubs"), draw), 3.0F, half_m_,
+            compete(draw_candidates(low, high, 1.9F, seed_.child("shrubs"), may, draw), 3.0F,
                     [&](const Candidate& a, const Candidate& b) { return 0.55F * (crown_m(a) + crown_m(b)); });
-        std::erase_if(shrubs, [&](const Candidate& c) { return !is_clear_of_trunks(trees, c); });
+        std::erase_if(shrubs, [&](const Candidate& c) { return !is_clear_of_trunks(near.around(c.at_m), c); });
         return shrubs;
     }
 
-    std::vector<Candidate> grow_herbs(std::span<const Candidate> trees, const Shade& shade) {
+    std::vector<Candidate> grow_herbs(const Near& near, const Shade& shade) {
         if (kinds_.herbs.empty()) return {};
         glm::vec2 low;
         glm::vec2 high;
         window(budget_.reach_m, low, high);
+        const Sight::Region region = sight_.region(kWidestAside, budget_.reach_m);
+        const auto may = [&region](glm::vec2 at) { return region.may_hold(at); };
         std::vector<NoiseMap> patches;
         for (const std::uint32_t kind : kinds_.herbs)
             patches.emplace_back(seed_.child("patches").child(kind), low, high, flora_.stand.herb_patch_m, 2);
         const auto draw = [&](Candidate& c, base::RandomStream& random) {
+            if (!ground_.is_on_land(c.at_m)) return;
+            const View view = sight_.view_of(c.at_m);
+            if (view.along_m < 1.0F || view.aside > kWidestAside || view.to_way_m > budget_.reach_m ||
+                view.to_way_m < 2.2F)
+                return;
             const float mark = random.unit_f();
             const float kind = random.unit_f();
             const float stay = random.unit_f();
-            c.scale = random.between(0.65F, 1.3F);
-            if (!ground_.is_on_land(c.at_m)) return;
-            const View view = sight_.view_of(c.at_m);
-            if (view.along_m < 1.0F || view.aside > 1.15F || view.to_way_m > budget_.reach_m || view.to_way_m < 2.2F)
-                return;
             const float wish = 1.3F * std::clamp(1.0F - view.to_way_m / budget_.reach_m, 0.0F, 1.0F);
             if (stay > wish) return;
+            c.scale = random.between(0.65F, 1.3F);
             if (!ground_.is_free(c.at_m, 0.1F)) return;
             const Soil soil = ground_.soil(c.at_m);
             const float cover = shade.at(c.at_m);
@@ -354,38 +391,11 @@ class Planter {
             c.mark = mark;
         };
         std::vector<Candidate> herbs =
-            compete(draw_candidates(low, high, budget_.herb_m, seed_.child("herbs"), draw), 0.6F * budget_.herb_m,
-                    half_m_, [this](const Candidate&, const Candidate&) { return 0.5F * budget_.herb_m; });
-        Near near(trees, half_m_);
+            compete(draw_candidates(low, high, budget_.herb_m, seed_.child("herbs"), may, draw), 0.6F * budget_.herb_m,
+                    [this](const Candidate&, const Candidate&) { return 0.5F * budget_.herb_m; });
         std::erase_if(herbs, [&](const Candidate& c) { return !is_clear_of_trunks(near.around(c.at_m), c); });
         return herbs;
     }
-
-    // The trees about a place, without asking all of them.
-    class Near {
-      public:
-        Near(std::span<const Candidate> trees, float half_m)
-            : half_m_(half_m), side_(static_cast<int>(2 * half_m / kCell_m) + 1) {
-            cells_.resize(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_));
-            for (const Candidate& tree : trees)
-                for (int dy = -1; dy <= 1; ++dy)
-                    for (int dx = -1; dx <= 1; ++dx)
-                        cells_[index(tree.at_m + kCell_m * glm::vec2{dx, dy})].push_back(tree);
-        }
-        std::span<const Candidate> around(glm::vec2 at) const { return cells_[index(at)]; }
-
-      private:
-        static constexpr float kCell_m = 8;
-        std::size_t index(glm::vec2 at) const {
-            const auto cell = [this](float m) {
-                return std::clamp(static_cast<int>((m + half_m_) / kCell_m), 0, side_ - 1);
-            };
-            return static_cast<std::size_t>(cell(at.y) * side_ + cell(at.x));
-        }
-        float half_m_;
-        int side_;
-        std::vector<std::vector<Candidate>> cells_;
-    };
 
     const scene::Land& land_;
     const scene::Flora& flora_;

@@ -74,6 +74,41 @@ class Sight {
 
     const FlightPlan& flight() const { return flight_; }
 
+    // Where a place a metre or more before its station, at most so wide off its view and so far from the way may lie:
+    // true for all of them, and for some around. Cheaper than asking place by place.
+    class Region {
+      public:
+        bool may_hold(glm::vec2 at) const { return is_near_.at(cell(at.x), cell(at.y)) != 0; }
+
+      private:
+        friend class Sight;
+        Region(float half_m, int side) : half_m_(half_m), is_near_(side, side, 0) {}
+        int cell(float m) const {
+            return std::clamp(static_cast<int>((m + half_m_) / kCell_m), 0, is_near_.columns - 1);
+        }
+        float half_m_;
+        mesh::Grid<std::uint8_t> is_near_;
+    };
+    Region region(float widest_aside, float reach_m) const {
+        constexpr float kHalfDiagonal_m = 0.7072F * kCell_m;
+        Region region(half_m_, side_);
+        for (int row = 0; row < side_; ++row) {
+            for (int column = 0; column < side_; ++column) {
+                const FlightPlan::Station& station = flight_.stations[nearest_[index(column, row)]];
+                const glm::vec2 d = (glm::vec2{column, row} + 0.5F) * kCell_m - half_m_ - station.at_m;
+                const float along_m = glm::dot(d, station.ahead) + kHalfDiagonal_m;
+                const float aside_m = std::abs(d.x * station.ahead.y - d.y * station.ahead.x) - kHalfDiagonal_m;
+                if (along_m < 1 || aside_m > widest_aside * along_m || glm::length(d) - kHalfDiagonal_m > reach_m)
+                    continue;
+                // And the cells about it: who asks for the middle of a small square means all of it.
+                for (int y = std::max(row - 1, 0); y <= std::min(row + 1, side_ - 1); ++y)
+                    for (int x = std::max(column - 1, 0); x <= std::min(column + 1, side_ - 1); ++x)
+                        region.is_near_.at(x, y) = 1;
+            }
+        }
+        return region;
+    }
+
   private:
     static constexpr float kCell_m = 8;
     std::size_t index(int column, int row) const {

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "mesh/isosurface.hpp"
 #include "synthesis/trees/limb_mesh.hpp"
 #include "synthesis/trees/meta_field_kernel.hpp"
+#include "synthesis/trees/meta_surface_kernel.hpp"
 #include "synthesis/trees/tube_frames.hpp"
 
 namespace quadrat::synthesis::trees {
@@ -25,18 +27,7 @@ constexpr float kThinnest = 0.9F;  // cells: thinner tubes would fall apart betw
 constexpr float kCut = 0.5F;       // cells: where a tapering limb leaves the field
 constexpr int kSide = SparseField::kSide;
 
-// A tapering piece of a limb, in samples.
-struct Piece {
-    glm::vec3 from;
-    glm::vec3 along;  // to its end
-    float per_length2;
-    float reach;       // at from
-    float reach_more;  // at its end, more than at from
-    float path_m, path_more_m;
-    float sway, sway_more;
-    TubeFrame frame;
-    std::uint32_t limb;
-};
+using kernel::Piece;
 
 // Which pieces may be felt in a block, by limb.
 struct Lists {
@@ -44,30 +35,8 @@ struct Lists {
     std::vector<std::uint32_t> pieces;
 };
 
-struct Felt {
-    float share;  // s^2
-    float t;
-    glm::vec3 off;  // from the axis
-    float reach;
-};
-
-Felt feel(const Piece& piece, const glm::vec3& at) {
-    const glm::vec3 d = at - piece.from;
-    const float t = std::clamp(glm::dot(d, piece.along) * piece.per_length2, 0.0F, 1.0F);
-    const glm::vec3 off = d - t * piece.along;
-    const float reach = piece.reach + t * piece.reach_more;
-    return {glm::dot(off, off) / (reach * reach), t, off, reach};
-}
-
-// The angle of (x, y), y not less than 0, to a thousandth: 0 to pi.
-float turn_of(float x, float y) {
-    const float ax = std::abs(x);
-    const float t = std::min(ax, y) / std::max(std::max(ax, y), 1.0e-12F);
-    const float t2 = t * t;
-    float angle = t * (0.99978784F + t2 * (-0.32580840F + t2 * (0.15557865F - 0.04432655F * t2)));
-    if (y > ax) angle = 1.57079633F - angle;
-    return x < 0 ? 3.14159265F - angle : angle;
-}
+glm::vec3 from_of(const Piece& p) { return {p.is[Piece::FromX], p.is[Piece::FromY], p.is[Piece::FromZ]}; }
+glm::vec3 along_of(const Piece& p) { return {p.is[Piece::AlongX], p.is[Piece::AlongY], p.is[Piece::AlongZ]}; }
 
 class MetaTubes {
   public:
@@ -96,9 +65,10 @@ class MetaTubes {
     scene::Wood mesh() {
         list_pieces();
         for (std::size_t b = 0; b < field_->count(); ++b) fill(b);
-        const mesh::Surface surface = mesh::polygonise(*field_);
+        mesh::Surface surface = mesh::polygonise(*field_);
         scene::Wood wood;
         finish(surface, wood);
+        wood.mesh.indices = std::move(surface.indices);
         if (!twigs_.limbs.empty()) append_twigs(wood);
         return wood;
     }
@@ -147,18 +117,33 @@ class MetaTubes {
         const float least_m = kThinnest * detail_.cell_m;
         const float ra = std::max(a.radius_m, least_m);
         const float rb = std::max(b.radius_m, least_m);
-        Piece piece;
-        piece.from = (a.at_m - origin_m_) / detail_.cell_m;
-        piece.along = (b.at_m - a.at_m) / detail_.cell_m;
-        piece.per_length2 = 1 / std::max(glm::dot(piece.along, piece.along), 1.0e-9F);
-        piece.reach = kReach * ra / detail_.cell_m;
-        piece.reach_more = kReach * (rb - ra) / detail_.cell_m;
-        piece.path_m = a.path_m;
-        piece.path_more_m = b.path_m - a.path_m;
-        piece.sway = a.sway;
-        piece.sway_more = b.sway - a.sway;
-        piece.frame = frame;
-        piece.limb = limb_;
+        const glm::vec3 from = (a.at_m - origin_m_) / detail_.cell_m;
+        const glm::vec3 along = (b.at_m - a.at_m) / detail_.cell_m;
+        const float per_reach = detail_.cell_m / (kReach * ra);
+        const Piece piece{{from.x,
+                           from.y,
+                           from.z,
+                           along.x,
+                           along.y,
+                           along.z,
+                           1 / std::max(glm::dot(along, along), 1.0e-9F),
+                           per_reach,
+                           detail_.cell_m / (kReach * rb) - per_reach,
+                           a.path_m,
+                           b.path_m - a.path_m,
+                           a.sway,
+                           b.sway - a.sway,
+                           frame.side.x,
+                           frame.side.y,
+                           frame.side.z,
+                           frame.up.x,
+                           frame.up.y,
+                           frame.up.z,
+                           frame.along.x,
+                           frame.along.y,
+                           frame.along.z},
+                          kReach * std::max(ra, rb) / detail_.cell_m,
+                          limb_};
         pieces_.push_back(piece);
     }
 
@@ -168,22 +153,24 @@ class MetaTubes {
         felt.reserve(16 * pieces_.size());
         for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
             const Piece& p = pieces_[i];
-            const glm::vec3 to = p.from + p.along;
-            const float r = std::max(p.reach, p.reach + p.reach_more);
+            const glm::vec3 from = from_of(p);
+            const glm::vec3 along = along_of(p);
+            const glm::vec3 to = from + along;
+            const float r = p.reach;
             const auto block_of = [](const glm::vec3& v) {
                 return glm::ivec3(glm::floor(v / static_cast<float>(kSide)));
             };
-            const glm::ivec3 low = block_of(glm::min(p.from, to) - r - 1.0F);
-            const glm::ivec3 high = block_of(glm::max(p.from, to) + r + 1.0F);
+            const glm::ivec3 low = block_of(glm::min(from, to) - r - 1.0F);
+            const glm::ivec3 high = block_of(glm::max(from, to) + r + 1.0F);
             // Half the diagonal of a block and a sample around it.
             const float near = r + 0.8661F * (kSide + 2);
             for (int z = low.z; z <= high.z; ++z) {
                 for (int y = low.y; y <= high.y; ++y) {
                     for (int x = low.x; x <= high.x; ++x) {
                         const glm::vec3 middle = (glm::vec3{x, y, z} + 0.5F) * static_cast<float>(kSide) - 0.5F;
-                        const glm::vec3 d = middle - p.from;
-                        const float t = std::clamp(glm::dot(d, p.along) * p.per_length2, 0.0F, 1.0F);
-                        const glm::vec3 off = d - t * p.along;
+                        const glm::vec3 d = middle - from;
+                        const float t = std::clamp(glm::dot(d, along) * p.is[Piece::PerLength2], 0.0F, 1.0F);
+                        const glm::vec3 off = d - t * along;
                         if (glm::dot(off, off) > near * near) continue;
                         const int block = field_->make({x, y, z});
                         if (block >= 0) felt.emplace_back(static_cast<std::uint32_t>(block), i);
@@ -229,13 +216,14 @@ class MetaTubes {
 #if defined(__x86_64__)
         if (has_avx2()) return kernel::add_avx2(best, sum);
 #endif
-        kernel::FieldKernel<0>::add(best, sum);
+        kernel::FieldKernel<xsimd::default_arch>::add(best, sum);
     }
 
     static void feel_in_block(const Piece& piece, const glm::vec3& origin, float* best) {
-        const glm::vec3 a = piece.from - origin;
-        const glm::vec3 to = a + piece.along;
-        const float r = std::max(piece.reach, piece.reach + piece.reach_more);
+        const glm::vec3 a = from_of(piece) - origin;
+        const glm::vec3 along = along_of(piece);
+        const glm::vec3 to = a + along;
+        const float r = piece.reach;
         const auto first = [r](float p, float q) {
             return std::max(static_cast<int>(std::ceil(std::min(p, q) - r)), 0);
         };
@@ -245,12 +233,12 @@ class MetaTubes {
         const kernel::Tube tube{a.x,
                                 a.y,
                                 a.z,
-                                piece.along.x,
-                                piece.along.y,
-                                piece.along.z,
-                                piece.per_length2,
-                                piece.reach,
-                                piece.reach_more,
+                                along.x,
+                                along.y,
+                                along.z,
+                                piece.is[Piece::PerLength2],
+                                piece.is[Piece::PerReach],
+                                piece.is[Piece::PerReachMore],
                                 first(a.y, to.y),
                                 last(a.y, to.y),
                                 first(a.z, to.z),
@@ -258,95 +246,56 @@ class MetaTubes {
 #if defined(__x86_64__)
         if (has_avx2()) return kernel::feel_avx2(tube, best);
 #endif
-        kernel::FieldKernel<0>::feel(tube, best);
+        kernel::FieldKernel<xsimd::default_arch>::feel(tube, best);
     }
 
     // Onto the surface, and what each limb says there, weighted by how much it is felt.
     void finish(const mesh::Surface& surface, scene::Wood& wood) const {
         const std::size_t count = surface.positions.size();
-        wood.mesh.indices = surface.indices;
         wood.mesh.positions_m.resize(count);
         wood.mesh.normals.resize(count);
         wood.mesh.texcoords.resize(count);
         wood.grains.resize(count);
         wood.ages.resize(count);
         wood.sways.resize(count);
-        for (std::size_t i = 0; i < count; ++i) finish(surface.positions[i], surface.blocks[i], i, wood);
-    }
-
-    struct Told {
-        glm::vec3 gradient{0};
-        float weight = 0;  // the field
-        float path_m = 0;
-        float sway = 0;
-        float says = 0;
-        glm::vec2 texcoord{0};  // u in samples
-        glm::vec4 grain{0};
-    };
-
-    template <typename Each>
-    void for_each_limb(const glm::vec3& at, std::uint32_t block, const Each& each) const {
-        Felt best{1, 0, {}, 1};
-        const Piece* piece = nullptr;
-        for (std::uint32_t k = lists_.first[block]; k < lists_.first[block + 1]; ++k) {
-            const Piece& p = pieces_[lists_.pieces[k]];
-            if (piece != nullptr && p.limb != piece->limb) {
-                each(*piece, best);
-                piece = nullptr;
-                best.share = 1;
-            }
-            const Felt felt = feel(p, at);
-            if (felt.share >= best.share) continue;
-            best = felt;
-            piece = &p;
+        for (std::size_t first = 0; first < count;) {
+            std::size_t last = first + 1;
+            while (last < count && last < first + 8 && surface.blocks[last] == surface.blocks[first]) ++last;
+            finish(surface, first, last, wood);
+            first = last;
         }
-        if (piece != nullptr) each(*piece, best);
     }
 
-    void finish(const glm::vec3& placed, std::uint32_t block, std::size_t i, scene::Wood& wood) const {
-        Told told;
-        for_each_limb(placed, block, [&](const Piece& piece, const Felt& felt) { hear(piece, felt, told); });
-        // One step of Newton's, within the cell.
-        glm::vec3 at = placed;
-        const float steep2 = glm::dot(told.gradient, told.gradient);
-        if (steep2 > 1.0e-8F) {
-            glm::vec3 step = told.gradient * ((kSurface - told.weight) / steep2);
-            const float length = glm::length(step);
-            if (length > 0.25F) step *= 0.25F / length;
-            at += step;
+    // Up to eight vertices of one block.
+    void finish(const mesh::Surface& surface, std::size_t first, std::size_t last, scene::Wood& wood) const {
+        float points[3][8];
+        for (std::size_t lane = 0; lane < 8; ++lane) {
+            const glm::vec3& at = surface.positions[std::min(first + lane, last - 1)];
+            for (int axis = 0; axis < 3; ++axis) points[axis][lane] = at[axis];
         }
-        write(told, at, i, wood);
+        const std::uint32_t block = surface.blocks[first];
+        const std::uint32_t* list = &lists_.pieces[lists_.first[block]];
+        const std::size_t count = lists_.first[block + 1] - lists_.first[block];
+        kernel::Told told;
+        tell(pieces_.data(), list, count, points, told);
+        for (std::size_t i = first; i < last; ++i) {
+            const std::size_t k = i - first;
+            wood.mesh.positions_m[i] =
+                origin_m_ + detail_.cell_m * glm::vec3{told.position[0][k], told.position[1][k], told.position[2][k]};
+            wood.mesh.normals[i] = {told.normal[0][k], told.normal[1][k], told.normal[2][k]};
+            wood.mesh.texcoords[i] = {detail_.cell_m * told.texcoord[0][k], told.texcoord[1][k]};
+            wood.grains[i] = {told.grain[0][k], told.grain[1][k], told.grain[2][k], told.grain[3][k]};
+            wood.ages[i] = age_at(skeleton_, told.path_m[k]);
+            wood.sways[i] = told.sway[k];
+        }
     }
 
-    static void hear(const Piece& piece, const Felt& felt, Told& told) {
-        const float rest = 1 - felt.share;
-        const float weight = rest * rest * rest;
-        told.gradient -= (6 * rest * rest / (felt.reach * felt.reach)) * felt.off;
-        told.weight += weight;
-        told.path_m += weight * (piece.path_m + felt.t * piece.path_more_m);
-        told.sway += weight * (piece.sway + felt.t * piece.sway_more);
-        const float x = glm::dot(felt.off, piece.frame.side);
-        const float y = glm::dot(felt.off, piece.frame.up);
-        const float around = std::sqrt(x * x + y * y);
-        // Behind a limb's end there is no way around it: it has nothing to say about its bark there.
-        const float says = weight * (around * around / std::max(glm::dot(felt.off, felt.off), 1.0e-9F) + 1.0e-4F);
-        told.says += says;
-        told.texcoord += says * glm::vec2{turn_of(x, std::abs(y)) * around, piece.path_m + felt.t * piece.path_more_m};
-        told.grain += weight * glm::vec4{piece.frame.along, y / std::max(around, 1.0e-6F)};
-    }
-
-    void write(const Told& told, const glm::vec3& at, std::size_t i, scene::Wood& wood) const {
-        const float per_weight = 1 / std::max(told.weight, 1.0e-6F);
-        const float steep = glm::length(told.gradient);
-        wood.mesh.positions_m[i] = origin_m_ + detail_.cell_m * at;
-        wood.mesh.normals[i] = steep > 1.0e-9F ? -told.gradient / steep : glm::vec3{0, 1, 0};
-        wood.mesh.texcoords[i] = told.texcoord / std::max(told.says, 1.0e-9F) * glm::vec2{detail_.cell_m, 1};
-        const glm::vec3 along{told.grain};
-        const float length = glm::length(along);
-        wood.grains[i] = {length > 1.0e-6F ? along / length : glm::vec3{0, 1, 0},
-                          std::clamp(per_weight * told.grain.w, -1.0F, 1.0F)};
-        wood.ages[i] = age_at(skeleton_, per_weight * told.path_m);
-        wood.sways[i] = std::clamp(per_weight * told.sway, 0.0F, 1.0F);
+    static void tell(const Piece* pieces, const std::uint32_t* list, std::size_t count, const float (&points)[3][8],
+                     kernel::Told& told) {
+#if defined(__x86_64__)
+        if (has_avx2()) return kernel::tell_avx2(pieces, list, count, points, kSurface, told);
+#endif
+        kernel::SurfaceKernel<xsimd::default_arch>::tell(pieces, list, count, points, kSurface, told);
     }
 
     void append_twigs(scene::Wood& wood) const {

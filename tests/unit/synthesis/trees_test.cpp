@@ -116,6 +116,8 @@ TEST(Trees, OfEveryTypeOfTheClassicGenomeAreDifferentPlants) {
 }
 
 // What the table promises: every combination of its parameters is a plant within its budget.
+constexpr std::size_t kMostBytes = 4'000'000;
+
 TEST(Trees, OfTenThousandRandomGenomesHoldTheirBudgets) {
     constexpr int kTrees = tests::of(10'000);
     std::mutex mutex;
@@ -153,6 +155,7 @@ TEST(Trees, OfTenThousandRandomGenomesHoldTheirBudgets) {
         }
         if (const std::string fault = leaves_fault(species.leaves); !fault.empty()) blame(i, fault);
         if (species.leaves.indices.size() / 3 > kMostLeafTriangles) blame(i, "too many leaves");
+        if (scene::bytes_of(species) > kMostBytes) blame(i, "too much memory");
         if (species.leaves.blades == 0 && form.bareness < 0.9F) blame(i, "no leaves");
     });
     EXPECT_EQ(faults, "");

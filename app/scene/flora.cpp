@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/flora.hpp"
+
+namespace quadrat::scene {
+namespace {
+
+template <typename Element>
+std::size_t bytes_in(const std::vector<Element>& elements) {
+    return elements.size() * sizeof(Element);
+}
+
+}  // namespace
+
+std::size_t bytes_of(const Species& species) {
+    std::size_t bytes = species.bark.bytes.size() + species.leaf.bytes.size() + bytes_in(species.leaves.vertices) +
+                        bytes_in(species.leaves.indices) + bytes_in(species.leaves.plain_indices);
+    for (const Wood& wood : species.wood)
+        bytes += bytes_in(wood.mesh.positions_m) + bytes_in(wood.mesh.normals) + bytes_in(wood.mesh.texcoords) +
+                 bytes_in(wood.mesh.indices) + bytes_in(wood.grains) + bytes_in(wood.ages) + bytes_in(wood.sways);
+    return bytes;
+}
+
+}  // namespace quadrat::scene
