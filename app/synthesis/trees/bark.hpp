@@ -19,7 +19,7 @@ mesh::Image bark_picture(const mesh::Field& relief, float depth);
 struct Reaction {
     float feed = 0.050F;
     float kill = 0.0620F;
-    float stretch = 3;
+    float stretch = 6;  // at 3 it closes into rings, at 10 it is all lines
     int steps = 700;
 };
 mesh::Field react(const Reaction& reaction, base::Seed seed, int side);
