@@ -112,6 +112,7 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
                   {.steps = static_cast<int>(std::lround(p.erosion_age)),
                    .strength = p.erosion_strength,
                    .deposit = p.erosion_sediment,
+                   .fans = p.erosion_fans,
                    .spring_m2 = p.erosion_spring_m2,
                    .hillslope = p.erosion_creep});
     slide_to_repose(land.height_m, land.cell_m, std::tan(glm::radians(p.erosion_repose_deg)),
