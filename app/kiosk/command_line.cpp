@@ -48,6 +48,7 @@ int run_command_line(int argc, const char* const* argv) {
     commands::add_lsystem(app, chosen);
     commands::add_field(app, chosen);
     commands::add_simulate(app, chosen);
+    commands::add_words(app, chosen);
     commands::add_bench(app, chosen);
     commands::add_doctor(app, chosen);
     // CLI11 would call a misspelt subcommand a missing one.

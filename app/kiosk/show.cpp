@@ -171,14 +171,29 @@ void Show::carry_out(const exhibit::KeepAnswers& wish, Instant /*now*/) {
         if (wish.answers[aspect]) grower_.begin(aspect, preview);
 }
 
+// Where the answers moved the wish, aspect by aspect.
+std::string Show::heredity(const genome::Description& before, const genome::Description& now,
+                           const genome::Pick& answers) const {
+    std::string text;
+    for (const genome::Aspect aspect : genome::kAspects) {
+        if (!answers[aspect]) continue;
+        const std::string moved = genome::language(language_).heredity(before, now, aspect);
+        if (!moved.empty()) text += (text.empty() ? "→ " : " · ") + moved;
+    }
+    return text;
+}
+
 void Show::carry_out(const exhibit::GrowNext& wish, Instant /*now*/) {
     keep_answers(wish.answers);
+    const auto before = session_->favourite().words;
     session_->next(wish.answers);
+    caption_ = before ? heredity(*before, *session_->favourite().words, wish.answers) : "";
     grow_offer(wish.generation, keep_generation({}));
 }
 
 void Show::carry_out(const exhibit::UndoRound& wish, Instant /*now*/) {
     session_->undo();
+    caption_.clear();
     grow_offer(wish.generation, keep_generation(wish.answers));
 }
 
@@ -191,8 +206,8 @@ void Show::carry_out(const exhibit::GrowFinale& wish, Instant /*now*/) {
         session_->next(wish.answers);
     }
     const genome::Candidate favourite = session_->favourite();
-    sentence_ = favourite.words ? genome::language(language_).describe(*favourite.words) : "";
-    if (!sentence_.empty()) base::log::info("the landscape they bred: {}", sentence_);
+    caption_ = favourite.words ? genome::language(language_).describe(*favourite.words) : "";
+    if (!caption_.empty()) base::log::info("the landscape they bred: {}", caption_);
     waiting_.emplace();
     waiting_->generation = wish.generation;
     waiting_->is_finale = true;

@@ -67,7 +67,8 @@ class Show {
     std::optional<exhibit::Choice> last_press() const { return last_press_; }
     Instant last_press_at() const { return last_press_at_; }
     int visits_ended() const { return visits_ended_; }
-    const std::string& sentence() const { return sentence_; }  // the finale's landscape in words; "" without words
+    // In words, "" where the genome has none: after a round what the next four lean toward, at the end what was bred.
+    const std::string& caption() const { return caption_; }
     bool can_go_back() const;
 
   private:
@@ -81,6 +82,8 @@ class Show {
     void carry_out(const exhibit::GrowFinale& wish, Instant now);
     void carry_out(const exhibit::EndVisit& wish, Instant now);
 
+    std::string heredity(const genome::Description& before, const genome::Description& now,
+                         const genome::Pick& answers) const;
     bool resume(const exhibit::Generation& kept, Instant now);
     breeding::Session fresh_session();
     void grow_offer(int generation, Keeper::Ticket kept);
@@ -108,7 +111,7 @@ class Show {
     Keeper keeper_;
     Grower grower_;
     std::string language_;
-    std::string sentence_;
+    std::string caption_;
 };
 
 }  // namespace quadrat::kiosk

@@ -50,6 +50,10 @@ glm::vec3 flash_colour(exhibit::Choice button) {
     return button == exhibit::Choice::Back ? glm::vec3{1} : glm::vec3(quarter(static_cast<std::size_t>(button)).colour);
 }
 
+bool has_caption(const StageView& view) {
+    return !view.caption.empty() && (view.state.screen == Screen::Breed || view.state.screen == Screen::Finale);
+}
+
 std::size_t attract_index(const StageView& view) {
     const auto turn = static_cast<std::size_t>(seconds_of(view.now - view.cast.arrived) / kAttractSceneSeconds);
     return turn % view.cast.scenes.size();
@@ -76,8 +80,7 @@ std::string words(const StageView& view, const Configuration& configuration) {
         case exhibit::Prompt::YourLandscape:
             break;
     }
-    if (view.sentence.empty()) return text(configuration, "finale");
-    return fmt::format("{}\n{}", text(configuration, "finale"), view.sentence);
+    return text(configuration, "finale");
 }
 
 render::Frame Stage::frame(const StageView& view, const display::Canvas& canvas) {
@@ -133,10 +136,14 @@ void Stage::add_plate(render::Frame& frame, const StageView& view) {
     const bool is_four = shows_four(view);
     const float em = static_cast<float>(frame.size.y) / (is_four ? 22.0F : 17.0F);
     const auto written = writer_.text(words(view, configuration_), em, true, frame.size.x * 8 / 10);
+    std::optional<SignWriter::Written> caption;
+    if (has_caption(view)) caption = writer_.text(std::string(view.caption), 0.62F * em, false, frame.size.x * 7 / 10);
     const int pad = static_cast<int>(em * 0.6F);
+    const int below = caption ? caption->height + pad / 4 : 0;
     const bool has_steps = is_four && view.state.screen != Screen::StillThere;
     const int steps = has_steps ? static_cast<int>(em * 0.55F) : 0;
-    render::Rect plate{0, 0, written.width + 2 * pad, written.height + pad + steps};
+    const int widest = std::max(written.width, caption ? caption->width : 0);
+    render::Rect plate{0, 0, widest + 2 * pad, written.height + below + pad + steps};
     plate.x = (frame.size.x - plate.width) / 2;
     plate.y = is_four ? (frame.size.y - plate.height) / 2 : frame.size.y / 16;
     render::Sign back;
@@ -153,8 +160,15 @@ void Stage::add_plate(render::Frame& frame, const StageView& view) {
     }
     render::Sign words_sign;
     words_sign.texture = written.texture;
-    words_sign.place = {plate.x + pad, plate.y + pad / 2 + steps, written.width, written.height};
+    words_sign.place = {plate.x + (plate.width - written.width) / 2, plate.y + pad / 2 + steps + below, written.width,
+                        written.height};
     frame.signs.push_back(words_sign);
+    if (caption) {
+        words_sign.texture = caption->texture;
+        words_sign.place = {plate.x + (plate.width - caption->width) / 2, plate.y + pad / 2 + steps, caption->width,
+                            caption->height};
+        frame.signs.push_back(words_sign);
+    }
     if (has_steps) add_progress(frame, view, plate);
 }
 

@@ -40,7 +40,7 @@ struct StageView {
     const std::optional<Flash>& flash;
     float growing_progress = 0;  // of what Breed waits for, 0 to 1
     Instant now{0};
-    std::string_view sentence = {};  // of the finale's landscape
+    std::string_view caption = {};  // below the prompt of Breed and of the finale; may be empty
 };
 
 // From the visit's state to a frame: which views, how dim, which words. Holds rasterised words, nothing else.

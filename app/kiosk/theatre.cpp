@@ -61,7 +61,7 @@ render::Drawn Theatre::draw(const Show& show, float growing_progress, Instant no
     std::optional<Flash> flash;
     if (show.last_press()) flash = Flash{*show.last_press(), show.last_press_at()};
     return renderer_->draw(
-        stage_->frame({show.state(), show.timings(), cast, flash, growing_progress, now, show.sentence()}, canvas));
+        stage_->frame({show.state(), show.timings(), cast, flash, growing_progress, now, show.caption()}, canvas));
 }
 
 mesh::Image Theatre::photograph(const Act& act, const Picture& picture, const display::Canvas& canvas) {

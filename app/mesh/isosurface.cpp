@@ -1,125 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // A dual method: a vertex for each sheet of the surface within a cell, a quadrilateral for each lattice edge that
-// crosses it (Gibson's surface nets, 1998; a vertex a sheet as in Nielson, "Dual marching cubes", 2004). The sheets of
-// all 256 cells are derived below from one rule: where a face has two inside corners across from each other, they are
-// apart on it. Both cells at a face follow the same rule, so there is no crack. Two sheets can meet twice over one such
-// face; a vertex more on each of the two meetings keeps the surface a 2-manifold (cf. Wenger, "Isosurfaces", 2013,
-// chapter 4).
+// crosses it (Gibson's surface nets, 1998; a vertex a sheet as in Nielson, "Dual marching cubes", 2004). Two sheets can
+// meet twice over one face; a vertex more on each of the two meetings keeps the surface a 2-manifold (cf. Wenger,
+// "Isosurfaces", 2013, chapter 4).
 #include "mesh/isosurface.hpp"
 
 #include <algorithm>
 #include <cstring>
 #include <map>
 
+#include "mesh/cell_sheets.hpp"
+
 namespace quadrat::mesh {
 namespace {
 
 constexpr int kSide = SparseField::kSide;
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-
-// Corner c lies at (c & 1, c >> 1 & 1, c >> 2). Edge 4 a + k runs along axis a; k's bits are its place on the two other
-// axes, in the order a + 1, a + 2.
-constexpr int corner_of(int axis, int along, int k) {
-    const int b = (axis + 1) % 3;
-    const int c = (axis + 2) % 3;
-    return (along << axis) | ((k & 1) << b) | ((k >> 1) << c);
-}
-
-struct Sheets {
-    std::array<std::int8_t, 12> of_edge;  // which sheet crosses the edge; -1: none
-    std::int8_t count = 0;
-    std::uint8_t pinched = 0;  // bit 2 axis + side: that face has four crossings, all of one sheet
-    std::int8_t crossings = 0;
-    std::array<std::uint8_t, 12> crossed;  // the edges that are
-};
-
-constexpr int edge_between(int p, int q) {
-    for (int axis = 0; axis < 3; ++axis)
-        for (int k = 0; k < 4; ++k) {
-            const int low = corner_of(axis, 0, k);
-            const int high = corner_of(axis, 1, k);
-            if ((low == p && high == q) || (low == q && high == p)) return 4 * axis + k;
-        }
-    return -1;
-}
-
-// Whether a face has four crossings that all belong to one sheet.
-bool is_pinched(const Sheets& sheets, int normal, int side) {
-    int sheet = -1;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (axis == normal) continue;
-        for (int k = 0; k < 4; ++k) {
-            if (((corner_of(axis, 0, k) >> normal) & 1) != side) continue;
-            const int s{sheets.of_edge[4 * axis + k]};
-            if (s < 0 || (sheet >= 0 && s != sheet)) return false;
-            sheet = s;
-        }
-    }
-    return true;
-}
-
-Sheets sheets_of(int inside) {
-    // Which edges' crossings are joined over a face: union by relabelling.
-    std::array<int, 12> label{};
-    for (int e = 0; e < 12; ++e) label[e] = e;
-    const auto join = [&](int a, int b) {
-        const int from = label[a];
-        const int to = label[b];
-        for (int& l : label)
-            if (l == from) l = to;
-    };
-    const auto is_in = [&](int corner) { return ((inside >> corner) & 1) != 0; };
-    for (int axis = 0; axis < 3; ++axis) {
-        for (int side = 0; side < 2; ++side) {
-            std::array<int, 4> ring{};  // the face's corners in order
-            constexpr std::array<int, 4> kAround{0, 1, 3, 2};
-            for (int i = 0; i < 4; ++i) ring[i] = corner_of(axis, side, kAround[i]);
-            std::array<int, 4> crossed{};
-            int crossings = 0;
-            for (int i = 0; i < 4; ++i)
-                if (is_in(ring[i]) != is_in(ring[(i + 1) % 4]))
-                    crossed[crossings++] = edge_between(ring[i], ring[(i + 1) % 4]);
-            if (crossings == 2) join(crossed[0], crossed[1]);
-            if (crossings != 4) continue;
-            for (int i = 0; i < 4; ++i)  // the two edges at an inside corner belong together
-                if (is_in(ring[i]))
-                    join(edge_between(ring[(i + 3) % 4], ring[i]), edge_between(ring[i], ring[(i + 1) % 4]));
-        }
-    }
-    Sheets sheets;
-    sheets.of_edge.fill(-1);
-    std::array<std::int8_t, 12> number{};
-    number.fill(-1);
-    for (int e = 0; e < 12; ++e) {
-        const int low = corner_of(e / 4, 0, e % 4);
-        const int high = corner_of(e / 4, 1, e % 4);
-        if (is_in(low) == is_in(high)) continue;
-        if (number[label[e]] < 0) number[label[e]] = sheets.count++;
-        sheets.of_edge[e] = number[label[e]];
-        sheets.crossed[sheets.crossings++] = static_cast<std::uint8_t>(e);
-    }
-    for (int normal = 0; normal < 3; ++normal)
-        for (int side = 0; side < 2; ++side)
-            if (is_pinched(sheets, normal, side))
-                sheets.pinched = static_cast<std::uint8_t>(sheets.pinched | (1 << (2 * normal + side)));
-    return sheets;
-}
-
-// The corner at which each edge begins.
-constexpr std::array<int, 12> kLow = [] {
-    std::array<int, 12> low{};
-    for (int e = 0; e < 12; ++e) low[e] = corner_of(e / 4, 0, e % 4);
-    return low;
-}();
-
-const std::array<Sheets, 256>& sheet_table() {
-    static const std::array<Sheets, 256> kTable = [] {
-        std::array<Sheets, 256> table{};
-        for (int i = 0; i < 256; ++i) table[i] = sheets_of(i);
-        return table;
-    }();
-    return kTable;
-}
 
 // A block and the seven after it: samples and signs across its far faces.
 struct Neighbourhood {
@@ -431,36 +327,6 @@ class Polygoniser {
 };
 
 }  // namespace
-
-SparseField::SparseField(glm::ivec3 blocks)
-    : size_(glm::max(blocks, glm::ivec3{1})),
-      index_(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(size_.z),
-             -1) {}
-
-int SparseField::find(glm::ivec3 p) const {
-    if (p.x < 0 || p.y < 0 || p.z < 0 || p.x >= size_.x || p.y >= size_.y || p.z >= size_.z) return -1;
-    return index_[(static_cast<std::size_t>(p.z) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(p.y)) *
-                      static_cast<std::size_t>(size_.x) +
-                  static_cast<std::size_t>(p.x)];
-}
-
-int SparseField::make(glm::ivec3 p) {
-    const int found = find(p);
-    const bool is_in = p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x < size_.x && p.y < size_.y && p.z < size_.z;
-    if (found >= 0 || !is_in) return found;
-    const auto number = static_cast<std::int32_t>(places_.size());
-    index_[(static_cast<std::size_t>(p.z) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(p.y)) *
-               static_cast<std::size_t>(size_.x) +
-           static_cast<std::size_t>(p.x)] = number;
-    if (places_.size() % kPage == 0) pages_.push_back(std::make_unique_for_overwrite<Block[]>(kPage));
-    places_.push_back(p);
-    return number;
-}
-
-float SparseField::at(glm::ivec3 s) const {
-    const int b = find({s.x >> 3, s.y >> 3, s.z >> 3});
-    return b < 0 ? -1.0F : block(b)[((s.z & 7) * kSide + (s.y & 7)) * kSide + (s.x & 7)];
-}
 
 Surface polygonise(const SparseField& field) { return Polygoniser(field).run(); }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -141,6 +142,26 @@ TEST(Breed, SpeaksInWordsUnlessToldOtherwise) {
     EXPECT_GT(lines[4]["state"]["trees"]["tall"]["deviation"], 0);
     EXPECT_EQ(lines[6]["type"], "error");
     EXPECT_EQ(run(command, folder, lines_in).out, ended.out);
+}
+
+TEST(Words, AreShownWithTheirEndsInAnyLanguage) {
+    const TemporaryFolder folder;
+    const Ended english = run(program({"words", "show"}), folder);
+    ASSERT_EQ(english.status, 0) << english.err;
+    EXPECT_THAT(english.out, testing::HasSubstr("wet"));
+    EXPECT_THAT(english.out, testing::HasSubstr("described scenes"));
+    const Ended german = run(program({"words", "--language", "de", "show"}), folder);
+    ASSERT_EQ(german.status, 0) << german.err;
+    EXPECT_NE(german.out, english.out);
+    EXPECT_EQ(lines_of(german.out).size(), lines_of(english.out).size());
+}
+
+TEST(Words, AreDrawnARowEach) {
+    const TemporaryFolder folder;
+    const Ended sheet = run(program({"words", "sheet", "-o", "words.png", "--size", "32x18", "--steps", "2"}), folder);
+    ASSERT_EQ(sheet.status, 0) << sheet.err;
+    EXPECT_GT(std::filesystem::file_size(folder / "words.png"), 5000U);
+    EXPECT_EQ(run(program({"words", "sheet", "-o", "no/such/folder/words.png"}), folder).status, 2);
 }
 
 TEST(Bench, PrintsItsResultsAsJson) {

@@ -28,66 +28,75 @@ struct RidgeRegression::System {
     double examples = 0;
     std::vector<double> ridges;
 
-    double gcv(const Eigen::MatrixXd& gram) const {
-        const Eigen::VectorXd w = inverse * moments;
-        const double residual = std::max(0.0, squares - 2 * w.dot(moments) + w.dot(gram * w));
-        const double trace = examples - inverse.cwiseProduct(gram).sum();
-        return examples * residual / (trace * trace);
+    // Kept up to date by rank-one changes: w = A⁻¹H'Wy, H'WHw, and the trace of A⁻¹H'WH.
+    Eigen::VectorXd weights;
+    Eigen::VectorXd gram_weights;
+    double trace = 0;
+
+    void refresh(const Eigen::MatrixXd& gram) {
+        weights = inverse * moments;
+        gram_weights = gram * weights;
+        trace = inverse.cwiseProduct(gram).sum();
     }
 
-    // A⁻¹ without function j: what it tends to as the ridge grows.
-    void drop(Eigen::Index j) {
-        if (std::isinf(ridges[static_cast<std::size_t>(j)])) return;
-        const Eigen::VectorXd column = inverse.col(j);
-        inverse.noalias() -= column * (column.transpose() / column[j]);
-        inverse.row(j).setZero();
-        inverse.col(j).setZero();
-        ridges[static_cast<std::size_t>(j)] = kInfinity;
-    }
-
-    // Function j, dropped until now, with a ridge; schur = h'P_j h without it, others = A_j⁻¹H'Wh.
-    void take(Eigen::Index j, double ridge, double schur, const Eigen::VectorXd& others) {
-        if (std::isinf(ridge)) return;
-        Eigen::VectorXd direction = -others;
-        direction[j] = 1;
-        inverse.noalias() += direction * (direction.transpose() / (ridge + schur));
-        ridges[static_cast<std::size_t>(j)] = ridge;
+    double gcv() const {
+        const double residual = std::max(0.0, squares - 2 * weights.dot(moments) + weights.dot(gram_weights));
+        return examples * residual / ((examples - trace) * (examples - trace));
     }
 
     void choose(Eigen::Index j, const Eigen::MatrixXd& gram);
 };
 
 // With Δ = λ + h'P_j h:  GCV(λ) = p (aΔ² - 2bΔ + c) / (αΔ - β)², least at its one stationary point, at the smallest
-// ridge allowed, or at infinity.
+// ridge allowed, or at infinity. A⁻¹ = A_j⁻¹ + dd'/Δ with d_j = 1 and the others -A_j⁻¹H'Wh: the column of A⁻¹ over its
+// own element where j is in.
 void RidgeRegression::System::choose(Eigen::Index j, const Eigen::MatrixXd& gram) {
-    drop(j);
-    const Eigen::VectorXd g = gram.col(j);
-    const Eigen::VectorXd u = inverse * g;
-    const double schur = g[j] - u.dot(g);
-    if (!(schur > 1e-12 * g[j])) return;  // the others span it
-    const Eigen::VectorXd v = inverse * moments;
-    const Eigen::VectorXd gram_u = gram * u;
-    const double beta = std::max(0.0, g[j] - 2 * u.dot(g) + u.dot(gram_u));
-    const double yph = moments[j] - u.dot(moments);
-    const double ypph = moments[j] - u.dot(moments) - v.dot(g) + v.dot(gram_u);
-    const double a = std::max(0.0, squares - 2 * v.dot(moments) + v.dot(gram * v));
-    const double b = ypph * yph;
+    double& ridge = ridges[static_cast<std::size_t>(j)];
+    const bool is_in = !std::isinf(ridge);
+    const double share = is_in ? inverse(j, j) : 0;  // 1 / Δ as it is
+    Eigen::VectorXd d;
+    if (is_in) {
+        d = inverse.col(j) / share;
+    } else {
+        d = -(inverse * gram.col(j));
+        d[j] = 1;
+    }
+    const Eigen::VectorXd gram_d = gram * d;
+    const double schur = d.dot(gram.col(j));
+    const double beta = std::max(0.0, d.dot(gram_d));
+    const double yph = d.dot(moments);
+    const Eigen::VectorXd v = weights - (yph * share) * d;
+    const Eigen::VectorXd gram_v = gram_weights - (yph * share) * gram_d;
+    const double a = std::max(0.0, squares - 2 * v.dot(moments) + v.dot(gram_v));
+    const double b = (yph - v.dot(gram_d)) * yph;
     const double c = beta * yph * yph;
-    const double alpha = examples - inverse.cwiseProduct(gram).sum();
+    const double alpha = examples - (trace - beta * share);
     const auto score = [&](double delta) {
-        const double trace = alpha * delta - beta;
-        return (a * delta * delta - 2 * b * delta + c) / (trace * trace);
+        const double rest = alpha * delta - beta;
+        return (a * delta * delta - 2 * b * delta + c) / (rest * rest);
     };
     double best = kInfinity;
     double least = a / (alpha * alpha);
-    const double smallest = kSmallestRidge * g[j] + schur;
+    const double smallest = kSmallestRidge * gram(j, j) + schur;
     const double stationary = (alpha * c - b * beta) / (b * alpha - a * beta);
-    for (const double delta : {stationary, smallest}) {
-        if (!(delta >= smallest) || !(alpha * delta > beta) || !(score(delta) < least)) continue;
-        least = score(delta);
-        best = delta - schur;
+    if (schur > 1e-12 * gram(j, j)) {  // or the others span it
+        for (const double delta : {stationary, smallest}) {
+            if (!(delta >= smallest) || !(alpha * delta > beta) || !(score(delta) < least)) continue;
+            least = score(delta);
+            best = delta;
+        }
     }
-    take(j, best, schur, u);
+    const double next = std::isinf(best) ? 0 : 1 / best;
+    if (next == share) return;
+    inverse.noalias() += ((next - share) * d) * d.transpose();
+    if (std::isinf(best)) {  // exactly out, whatever was rounded
+        inverse.row(j).setZero();
+        inverse.col(j).setZero();
+    }
+    ridge = std::isinf(best) ? kInfinity : best - schur;
+    weights = v + (yph * next) * d;
+    gram_weights = gram_v + (yph * next) * gram_d;
+    trace += beta * (next - share);
 }
 
 RidgeRegression::RidgeRegression(const Eigen::MatrixXd& design, std::span<const double> weights, std::size_t constant)
@@ -116,13 +125,16 @@ RidgeRegression::System RidgeRegression::begun(std::span<const double> targets) 
 RidgeFit RidgeRegression::fit(std::span<const double> targets) const {
     System system = begun(targets);
     const Eigen::Index m = gram_.rows();
-    system.take(constant_, kConstantRidge, gram_(constant_, constant_), Eigen::VectorXd::Zero(m));
-    double before = system.gcv(gram_);
+    system.ridges[static_cast<std::size_t>(constant_)] = kConstantRidge;
+    system.inverse(constant_, constant_) = 1 / (gram_(constant_, constant_) + kConstantRidge);
+    system.refresh(gram_);
+    double before = system.gcv();
     for (int cycle = 0; cycle < kMostCycles; ++cycle) {
         // The linear part first, from the last function down: what it explains no Gaussian needs to.
         for (Eigen::Index j = m - 1; j >= 0; --j)
             if (j != constant_ && gram_(j, j) > 0) system.choose(j, gram_);
-        const double now = system.gcv(gram_);
+        system.refresh(gram_);
+        const double now = system.gcv();
         if (before - now <= kSettled * before) break;
         before = now;
     }
@@ -131,16 +143,22 @@ RidgeFit RidgeRegression::fit(std::span<const double> targets) const {
 
 RidgeFit RidgeRegression::with_ridges(std::span<const double> targets, std::span<const double> ridges) const {
     System system = begun(targets);
-    for (Eigen::Index j = 0; j < gram_.rows(); ++j) {
-        const Eigen::VectorXd u = system.inverse * gram_.col(j);
-        system.take(j, ridges[static_cast<std::size_t>(j)], gram_(j, j) - u.dot(gram_.col(j)), u);
+    const Eigen::Index m = gram_.rows();
+    for (Eigen::Index j = 0; j < m; ++j) {
+        const double ridge = ridges[static_cast<std::size_t>(j)];
+        if (std::isinf(ridge)) continue;
+        Eigen::VectorXd d = -(system.inverse * gram_.col(j));
+        d[j] = 1;
+        system.inverse.noalias() += (d / (ridge + d.dot(gram_.col(j)))) * d.transpose();
+        system.ridges[static_cast<std::size_t>(j)] = ridge;
     }
+    system.refresh(gram_);
     return finished(system);
 }
 
 RidgeFit RidgeRegression::finished(const System& system) const {
-    const Eigen::VectorXd w = system.inverse * system.moments;
-    RidgeFit fit{{w.begin(), w.end()}, system.ridges, system.gcv(gram_), 0};
+    const Eigen::VectorXd& w = system.weights;
+    RidgeFit fit{{w.begin(), w.end()}, system.ridges, system.gcv(), 0};
     const Eigen::VectorXd residual = system.targets - design_ * w;
     const Eigen::MatrixXd smoother = design_ * system.inverse;
     double errors = 0;

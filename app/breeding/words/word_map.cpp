@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -21,7 +20,7 @@ using genome::ParameterId;
 struct AspectMap {
     std::vector<ParameterId> ids;
     Basis basis;
-    std::vector<std::vector<double>> weights;  // a parameter, then a basis function; of its share of the range
+    std::vector<std::vector<double>> weights;  // a basis function, then a parameter; of its share of the range
     std::vector<double> spread;                // a parameter
     std::vector<Point> points;                 // the scenes' words, completed
     std::vector<genome::ParameterValues> values;
@@ -32,16 +31,26 @@ struct AspectMap {
 // Between two kinds lies neither of them: scenes vote for theirs, the louder the nearer they are described.
 constexpr double kHearing = 0.6;  // radius, in words
 
-float voted(const AspectMap& map, ParameterId id, const Point& at) {
-    std::map<float, double> votes;
+// How loud each scene is.
+std::vector<double> voices(const AspectMap& map, const Point& at) {
+    std::vector<double> loud;
+    loud.reserve(map.points.size());
     for (std::size_t i = 0; i < map.points.size(); ++i) {
         double squares = 0;
         for (std::size_t d = 0; d < at.size(); ++d) squares += (at[d] - map.points[i][d]) * (at[d] - map.points[i][d]);
         // The far tail is a polynomial's: there is always a nearest scene, however far it is.
         const double nearness = 1 / (1 + squares / (kHearing * kHearing));
-        votes[map.values[i][id]] += map.trust[i] * nearness * nearness * nearness * nearness;
+        loud.push_back(map.trust[i] * nearness * nearness * nearness * nearness);
     }
-    return std::ranges::max_element(votes, {}, [](const auto& vote) { return vote.second; })->first;
+    return loud;
+}
+
+// Kinds are whole numbers of the parameter's range, in which ties go to the lowest.
+float voted(const AspectMap& map, const genome::Parameter& row, const std::vector<double>& loud) {
+    std::vector<double> votes(static_cast<std::size_t>(row.max - row.min) + 1, 0.0);
+    for (std::size_t i = 0; i < loud.size(); ++i)
+        votes[static_cast<std::size_t>(std::lround(map.values[i][row.id] - row.min))] += loud[i];
+    return row.min + static_cast<float>(std::ranges::max_element(votes) - votes.begin());
 }
 
 double share_of_range(const genome::Parameter& p, float value) {
@@ -103,12 +112,13 @@ AspectMap trained(const std::vector<const DescribedScene*>& scenes, Aspect aspec
     }
     const RidgeRegression regression(design, map.trust, map.basis.gaussians());
     std::vector<double> targets(scenes.size());
+    map.weights.assign(map.basis.size(), std::vector<double>(map.ids.size()));
     for (std::size_t p = 0; p < map.ids.size(); ++p) {
         for (std::size_t i = 0; i < scenes.size(); ++i)
             targets[i] = share_of_range(parameter(map.ids[p]), scenes[i]->values[map.ids[p]]);
-        RidgeFit fit = regression.fit(targets);
+        const RidgeFit fit = regression.fit(targets);
         map.spread[p] = fit.leave_one_out;
-        map.weights.push_back(std::move(fit.weights));
+        for (std::size_t j = 0; j < fit.weights.size(); ++j) map.weights[j][p] = fit.weights[j];
     }
     return map;
 }
@@ -143,15 +153,17 @@ void WordMap::realise(Aspect aspect, const genome::Description& words, genome::P
     for (const genome::Word& word : genome::vocabulary(aspect)) at.push_back(words[word.id]);
     std::vector<double> basis(map.basis.size());
     map.basis.evaluate(at, basis);
+    std::vector<double> shares(map.ids.size(), 0.0);
+    for (std::size_t j = 0; j < basis.size(); ++j)
+        for (std::size_t p = 0; p < shares.size(); ++p) shares[p] += map.weights[j][p] * basis[j];
+    const std::vector<double> loud = voices(map, at);
     for (std::size_t p = 0; p < map.ids.size(); ++p) {
         const genome::Parameter& row = parameter(map.ids[p]);
         if (row.unit == genome::kChoice) {
-            values.set(row.id, voted(map, row.id, at));
+            values.set(row.id, voted(map, row, loud));
             continue;
         }
-        double share = 0;
-        for (std::size_t j = 0; j < basis.size(); ++j) share += map.weights[p][j] * basis[j];
-        values.set(row.id, static_cast<float>(row.min + share * (static_cast<double>(row.max) - row.min)));
+        values.set(row.id, static_cast<float>(row.min + shares[p] * (static_cast<double>(row.max) - row.min)));
     }
     genome::make_consistent(aspect, values);
 }

@@ -26,6 +26,7 @@ void generation(Results& results);
 void trees(Results& results);
 void land(Results& results);
 void sky(Results& results);
+void breeding(Results& results);
 
 // Shared by the groups.
 double milliseconds_of(const std::function<void()>& work);

@@ -16,6 +16,7 @@ void add_export(CLI::App& app, Action& chosen);
 void add_lsystem(CLI::App& app, Action& chosen);
 void add_field(CLI::App& app, Action& chosen);
 void add_simulate(CLI::App& app, Action& chosen);
+void add_words(CLI::App& app, Action& chosen);
 void add_bench(CLI::App& app, Action& chosen);
 void add_doctor(CLI::App& app, Action& chosen);
 

@@ -155,37 +155,15 @@ TEST(Scene, FliesTheSameWayInPlanOverEveryLand) {
     }
 }
 
-// A little of every landform, on high land with rivers, so that each of their numbers has something to act on.
-genome::ParameterValues everything() {
-    genome::ParameterValues values;
-    using P = genome::ParameterId;
-    for (const P id : {P::hill_hybrid, P::hill_hetero, P::hill_cells, P::terrace_share, P::mesa_share, P::dune_share,
-                       P::cone_share, P::canyon_share, P::karst_share, P::island_share, P::marsh_share, P::cliff_share,
-                       P::hill_warp, P::road_share, P::site_share, P::arch_share})
-        values.set(id, 0.3F);
-    values.set(P::land_relief_m, 230);
-    values.set(P::hill_stretch, 1.5F);
-    values.set(P::erosion_slides, 8);
-    values.set(P::erosion_age, 3);
-    values.set(P::lake_depth_m, 0.6F);
-    values.set(P::lake_area_m2, 210);
-    values.set(P::ground_lightness, 0.95F);
-    values.set(P::ground_snow_line, 0.5F);
-    for (const P id : {P::tree_autumn, P::second_autumn, P::third_autumn, P::tree_blossom, P::second_blossom,
-                       P::third_blossom, P::tree_fruit, P::shrub_blossom})
-        values.set(id, 0.8F);
-    return values;
-}
-
 TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
     const base::Seed seed{13};
     const scene::Fineness fineness{.land_samples = tests::kIsSanitized ? 129 : 257, .light_px = 64, .albedo_px = 64};
-    const scene::SceneParameters plain = scene::realise(everything());
+    const scene::SceneParameters plain = scene::realise(test_scenes::everything());
     const scene::Flora flora = grow_trees(plain.trees, seed);
     const scene::Land land = grow_land(plain.land, seed, fineness);
     const scene::Sky sky = grow_sky(plain.sky, seed);
     for (const genome::Parameter& parameter : genome::parameter_table()) {
-        genome::ParameterValues values = everything();
+        genome::ParameterValues values = test_scenes::everything();
         const bool is_high = values[parameter.id] > 0.5F * (parameter.min + parameter.max);
         values.set(parameter.id, is_high ? parameter.min : parameter.max);
         const scene::SceneParameters p = scene::realise(values);

@@ -17,4 +17,26 @@ inline scene::Scene grow(const genome::Recipe& recipe, const scene::Fineness& fi
                    recipe.seeds[Aspect::Trees], recipe.flight, fineness);
 }
 
+// A little of every landform, on high land with rivers, so that each of their numbers has something to act on.
+inline genome::ParameterValues everything() {
+    genome::ParameterValues values;
+    using P = genome::ParameterId;
+    for (const P id : {P::hill_hybrid, P::hill_hetero, P::hill_cells, P::terrace_share, P::mesa_share, P::dune_share,
+                       P::cone_share, P::canyon_share, P::karst_share, P::island_share, P::marsh_share, P::cliff_share,
+                       P::hill_warp, P::road_share, P::site_share, P::arch_share})
+        values.set(id, 0.3F);
+    values.set(P::land_relief_m, 230);
+    values.set(P::hill_stretch, 1.5F);
+    values.set(P::erosion_slides, 8);
+    values.set(P::erosion_age, 3);
+    values.set(P::lake_depth_m, 0.6F);
+    values.set(P::lake_area_m2, 210);
+    values.set(P::ground_lightness, 0.95F);
+    values.set(P::ground_snow_line, 0.5F);
+    for (const P id : {P::tree_autumn, P::second_autumn, P::third_autumn, P::tree_blossom, P::second_blossom,
+                       P::third_blossom, P::tree_fruit, P::shrub_blossom})
+        values.set(id, 0.8F);
+    return values;
+}
+
 }  // namespace quadrat::synthesis::test_scenes
