@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -28,6 +30,12 @@ inline std::size_t count_of(const std::string& text, const std::string& what) {
     std::size_t count = 0;
     for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
     return count;
+}
+
+// With what it said, where it did not.
+inline testing::AssertionResult succeeds(const Ended& ended) {
+    if (ended.status == 0) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "ended with " << ended.status << ": " << ended.err;
 }
 
 }  // namespace quadrat::tests

@@ -62,7 +62,7 @@ TEST(Roads, AreAsLevelAsTheySay) {
             }
         }
     }
-    EXPECT_GT(measured, 500);
+    EXPECT_GT(measured, tests::of(500));
     EXPECT_LT(steep, measured / 50);
 }
 
