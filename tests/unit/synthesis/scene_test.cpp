@@ -157,7 +157,7 @@ TEST(Scene, FliesTheSameWayInPlanOverEveryLand) {
 
 TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
     const base::Seed seed{13};
-    const scene::Fineness fineness{.land_samples = tests::kIsSanitized ? 129 : 257, .light_px = 64, .albedo_px = 64};
+    const scene::Fineness fineness{.land_samples = 257, .light_px = 64, .albedo_px = 64};
     const scene::SceneParameters plain = scene::realise(test_scenes::everything());
     const scene::Flora flora = grow_trees(plain.trees, seed);
     const scene::Land land = grow_land(plain.land, seed, fineness);
