@@ -64,12 +64,26 @@ std::vector<double> shares_from(const json& value, std::size_t count, std::strin
     return vector_from(value, count, source, place, 0, 1, "it should be a number from 0 to 1");
 }
 
-std::string vectors_json(const genome::PerAspect<std::vector<double>>& vectors) {
+// {"trees":…,"land":…,"sky":…}, each as `written` writes it.
+template <typename Written>
+std::string aspects_json(const Written& written) {
     std::string text = "{";
     for (const Aspect aspect : kAspects)
-        text +=
-            fmt::format(R"({}"{}":[{}])", text.size() > 1 ? "," : "", name_of(aspect), fmt::join(vectors[aspect], ","));
+        text += fmt::format(R"({}"{}":{})", text.size() > 1 ? "," : "", name_of(aspect), written(aspect));
     return text + "}";
+}
+
+// read(aspect, value, place) for each aspect of an object that root holds under key.
+template <typename Read>
+void read_aspects(const json& root, std::string_view key, std::string_view source, const Read& read) {
+    const json& object = member(root, key, source);
+    genome::require_object(object, {"trees", "land", "sky"}, source, key);
+    for (const Aspect aspect : kAspects)
+        read(aspect, member(object, name_of(aspect), source), fmt::format("{}.{}", key, name_of(aspect)));
+}
+
+std::string vectors_json(const genome::PerAspect<std::vector<double>>& vectors) {
+    return aspects_json([&](Aspect aspect) { return fmt::format("[{}]", fmt::join(vectors[aspect], ",")); });
 }
 
 std::string wish_json(const Wish& wish) {
@@ -136,8 +150,8 @@ void read_winner(const json& value, std::size_t n, std::string_view source, cons
     inherited = genome::seed_from(member(value, "inherited", source), source, place + ".inherited");
 }
 
-void read_aspect(const json& value, std::string_view source, Aspect aspect, BeliefState& state) {
-    const auto place = fmt::format("aspects.{}", name_of(aspect));
+void read_aspect(const json& value, std::string_view source, const std::string& place, Aspect aspect,
+                 BeliefState& state) {
     genome::require_object(value, {"isotropic", "archetypes", "winner", "shown", "inherited"}, source, place);
     AspectBelief& belief = state.aspects[aspect];
     const std::size_t n = belief.isotropic.mean.size();
@@ -145,6 +159,41 @@ void read_aspect(const json& value, std::string_view source, Aspect aspect, Beli
     if (belief.near_archetypes)
         belief.near_archetypes = wish_from(member(value, "archetypes", source), n, source, place + ".archetypes");
     read_winner(value, n, source, place, belief, state.inherited[aspect]);
+}
+
+// {"tall":…,…}, each axis of an aspect as `written` writes it.
+template <typename Written>
+std::string axes_json(genome::Genome genome, Aspect aspect, const Written& written) {
+    std::string text = "{";
+    for (std::size_t i = 0; i < dimensions_of(genome, aspect); ++i) {
+        const Axis axis = axis_of(genome, aspect, i);
+        text += fmt::format(R"({}"{}":{})", i > 0 ? "," : "", axis.name, written(i, axis));
+    }
+    return text + "}";
+}
+
+std::string by_hand_json(const SliderState& state) {
+    std::string text = "{";
+    for (const auto& [id, value] : state.by_hand)
+        text += fmt::format(R"({}"{}":{})", text.size() > 1 ? "," : "", parameter(id).name, genome::shortest(value));
+    return text + "}";
+}
+
+std::size_t index_from(const json& value, std::size_t count, std::string_view source, const std::string& place) {
+    if (value.is_number_unsigned() && value < count) return value.get<std::size_t>();
+    throw base::InputError(
+        fmt::format("{}: {} is {}; there are {} sliders, counted from 0", source, place, brief(value), count));
+}
+
+// Only those that are named, not the defaults of all others.
+std::map<genome::ParameterId, float> by_hand_from(const json& value, std::string_view source) {
+    const genome::ParameterValues values = genome::values_from(value, source, "by_hand");
+    std::map<genome::ParameterId, float> by_hand;
+    for (const auto& [name, number] : value.items()) {
+        const genome::ParameterId id = genome::parameter_named(name).value();
+        by_hand[id] = values[id];
+    }
+    return by_hand;
 }
 
 }  // namespace
@@ -159,15 +208,21 @@ std::string to_json(const RandomState& state) {
 }
 
 std::string to_json(const PbilGaussianState& state) {
-    return fmt::format(R"({{"round":{},"locked":{},"mean":{},"deviation":{{"trees":{},"land":{},"sky":{}}}}})",
-                       state.round, locked_json(state.locked), vectors_json(state.mean), state.deviation[Aspect::Trees],
-                       state.deviation[Aspect::Land], state.deviation[Aspect::Sky]);
+    return fmt::format(R"({{"round":{},"locked":{},"mean":{},"deviation":{}}})", state.round, locked_json(state.locked),
+                       vectors_json(state.mean),
+                       aspects_json([&](Aspect aspect) { return fmt::to_string(state.deviation[aspect]); }));
 }
 
 std::string to_json(const BeliefState& state) {
-    return fmt::format(R"({{"round":{},"locked":{},"aspects":{{"trees":{},"land":{},"sky":{}}}}})", state.round,
-                       locked_json(state.locked), aspect_json(state, Aspect::Trees), aspect_json(state, Aspect::Land),
-                       aspect_json(state, Aspect::Sky));
+    return fmt::format(R"({{"round":{},"locked":{},"aspects":{}}})", state.round, locked_json(state.locked),
+                       aspects_json([&](Aspect aspect) { return aspect_json(state, aspect); }));
+}
+
+std::string to_json(const SliderState& state) {
+    return fmt::format(R"({{"round":{},"locked":{},"places":{},"chosen":{},"by_hand":{}}})", state.round,
+                       locked_json(state.locked), vectors_json(state.places),
+                       aspects_json([&](Aspect aspect) { return fmt::to_string(state.chosen[aspect]); }),
+                       by_hand_json(state));
 }
 
 std::string state_json(const PbilState& state) { return vectors_json(state.probability); }
@@ -175,19 +230,27 @@ std::string state_json(const PbilGaussianState& state) { return vectors_json(sta
 std::string state_json(const RandomState& state) { return vectors_json(initial_pbil(state.genome).probability); }
 
 std::string state_json(const BeliefState& state) {
-    std::string text = "{";
-    for (const Aspect aspect : kAspects) {
+    return aspects_json([&](Aspect aspect) {
         const Place mean = state.aspects[aspect].mean();
         const Place deviation = state.aspects[aspect].deviation();
-        text += fmt::format(R"({}"{}":{{)", text.size() > 1 ? "," : "", name_of(aspect));
-        for (std::size_t i = 0; i < mean.size(); ++i) {
-            const Axis axis = axis_of(state.genome, aspect, i);
-            text += fmt::format(R"({}"{}":{{"mean":{},"deviation":{}}})", i > 0 ? "," : "", axis.name,
-                                axis.low + mean[i] * (axis.high - axis.low), deviation[i] * (axis.high - axis.low));
-        }
-        text += "}";
-    }
-    return text + "}";
+        return axes_json(state.genome, aspect, [&](std::size_t i, const Axis& axis) {
+            return fmt::format(R"({{"mean":{},"deviation":{}}})", axis.low + mean[i] * (axis.high - axis.low),
+                               deviation[i] * (axis.high - axis.low));
+        });
+    });
+}
+
+std::string state_json(const SliderState& state) {
+    const std::string places = aspects_json([&](Aspect aspect) {
+        return axes_json(state.genome, aspect, [&](std::size_t i, const Axis& axis) {
+            return fmt::to_string(axis.low + state.places[aspect][i] * (axis.high - axis.low));
+        });
+    });
+    const std::string chosen = aspects_json([&](Aspect aspect) {
+        return fmt::format(R"("{}")", axis_of(state.genome, aspect, state.chosen[aspect]).name);
+    });
+    return fmt::format(R"({},"chosen":{},"by_hand":{}}})", places.substr(0, places.size() - 1), chosen,
+                       by_hand_json(state));
 }
 
 void read_belief(std::string_view text, std::string_view source, PbilState& state) {
@@ -196,12 +259,10 @@ void read_belief(std::string_view text, std::string_view source, PbilState& stat
     PbilState read = state;
     read.round = round_from(member(root, "round", source), source);
     read.locked = locked_from(member(root, "locked", source), source);
-    const json& probability = member(root, "probability", source);
-    genome::require_object(probability, {"trees", "land", "sky"}, source, "probability");
-    for (const Aspect aspect : kAspects)
-        read.probability[aspect] =
-            vector_from(member(probability, name_of(aspect), source), bit_count(aspect, state.genome), source,
-                        fmt::format("probability.{}", name_of(aspect)), 0, 1, "a probability is a number from 0 to 1");
+    read_aspects(root, "probability", source, [&](Aspect aspect, const json& value, const std::string& place) {
+        read.probability[aspect] = vector_from(value, bit_count(aspect, state.genome), source, place, 0, 1,
+                                               "a probability is a number from 0 to 1");
+    });
     state = read;
 }
 
@@ -220,17 +281,12 @@ void read_belief(std::string_view text, std::string_view source, PbilGaussianSta
     PbilGaussianState read = state;
     read.round = round_from(member(root, "round", source), source);
     read.locked = locked_from(member(root, "locked", source), source);
-    const json& mean = member(root, "mean", source);
-    const json& deviation = member(root, "deviation", source);
-    genome::require_object(mean, {"trees", "land", "sky"}, source, "mean");
-    genome::require_object(deviation, {"trees", "land", "sky"}, source, "deviation");
-    for (const Aspect aspect : kAspects) {
-        read.mean[aspect] = shares_from(member(mean, name_of(aspect), source), state.mean[aspect].size(), source,
-                                        fmt::format("mean.{}", name_of(aspect)));
-        read.deviation[aspect] = shares_from(json::array({member(deviation, name_of(aspect), source)}), 1, source,
-                                             fmt::format("deviation.{}", name_of(aspect)))
-                                     .front();
-    }
+    read_aspects(root, "mean", source, [&](Aspect aspect, const json& value, const std::string& place) {
+        read.mean[aspect] = shares_from(value, state.mean[aspect].size(), source, place);
+    });
+    read_aspects(root, "deviation", source, [&](Aspect aspect, const json& value, const std::string& place) {
+        read.deviation[aspect] = shares_from(json::array({value}), 1, source, place).front();
+    });
     state = read;
 }
 
@@ -240,9 +296,25 @@ void read_belief(std::string_view text, std::string_view source, BeliefState& st
     BeliefState read = state;
     read.round = round_from(member(root, "round", source), source);
     read.locked = locked_from(member(root, "locked", source), source);
-    const json& aspects = member(root, "aspects", source);
-    genome::require_object(aspects, {"trees", "land", "sky"}, source, "aspects");
-    for (const Aspect aspect : kAspects) read_aspect(member(aspects, name_of(aspect), source), source, aspect, read);
+    read_aspects(root, "aspects", source, [&](Aspect aspect, const json& value, const std::string& place) {
+        read_aspect(value, source, place, aspect, read);
+    });
+    state = read;
+}
+
+void read_belief(std::string_view text, std::string_view source, SliderState& state) {
+    const json root = genome::parse_json(text, source);
+    genome::require_object(root, {"round", "locked", "places", "chosen", "by_hand"}, source, "the belief");
+    SliderState read = state;
+    read.round = round_from(member(root, "round", source), source);
+    read.locked = locked_from(member(root, "locked", source), source);
+    read_aspects(root, "places", source, [&](Aspect aspect, const json& value, const std::string& place) {
+        read.places[aspect] = shares_from(value, state.places[aspect].size(), source, place);
+    });
+    read_aspects(root, "chosen", source, [&](Aspect aspect, const json& value, const std::string& place) {
+        read.chosen[aspect] = index_from(value, state.places[aspect].size(), source, place);
+    });
+    read.by_hand = by_hand_from(member(root, "by_hand", source), source);
     state = read;
 }
 

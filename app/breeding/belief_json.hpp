@@ -8,6 +8,7 @@
 #include "breeding/pbil.hpp"
 #include "breeding/pbil_gaussian.hpp"
 #include "breeding/random_search.hpp"
+#include "breeding/sliders.hpp"
 
 namespace quadrat::breeding {
 
@@ -18,10 +19,12 @@ namespace quadrat::breeding {
 //   belief    {"round":3,"locked":[],"aspects":{"trees":{"isotropic":{"mean":[…],"covariance":[…],"evidence":-2.1},
 //             "archetypes":{…},"winner":2,"shown":[[…],[…],[…],[…]],"inherited":"0123456789abcdef"},…}}
 //             the last three once something was picked
+//   sliders   {"round":3,"locked":[],"places":{"trees":[0.5,…],…},"chosen":{"trees":0,…},"by_hand":{"land.gain":0.5}}
 std::string to_json(const PbilState& state);
 std::string to_json(const PbilGaussianState& state);
 std::string to_json(const RandomState& state);
 std::string to_json(const BeliefState& state);
+std::string to_json(const SliderState& state);
 
 // Read for the genome, word map and ranges that the state already has. Throw InputError naming source, the key, what is
 // wrong and what would be right; the state is then as before.
@@ -29,6 +32,7 @@ void read_belief(std::string_view json, std::string_view source, PbilState& stat
 void read_belief(std::string_view json, std::string_view source, PbilGaussianState& state);
 void read_belief(std::string_view json, std::string_view source, RandomState& state);
 void read_belief(std::string_view json, std::string_view source, BeliefState& state);
+void read_belief(std::string_view json, std::string_view source, SliderState& state);
 
 // What of a belief people and programs may read, an aspect: the probability of a 1, a bit; the mean, a parameter; for
 // the belief breeder mean and standard deviation, a word (from -1 to 1) or a classic parameter (in its unit).
@@ -36,5 +40,6 @@ std::string state_json(const PbilState& state);
 std::string state_json(const PbilGaussianState& state);
 std::string state_json(const RandomState& state);
 std::string state_json(const BeliefState& state);
+std::string state_json(const SliderState& state);  // where they stand, which are chosen, what is fixed by hand
 
 }  // namespace quadrat::breeding

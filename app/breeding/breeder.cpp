@@ -12,10 +12,11 @@
 namespace quadrat::breeding {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, BreederKind>, 4> kNames{{{"belief", BreederKind::Belief},
+constexpr std::array<std::pair<std::string_view, BreederKind>, 5> kNames{{{"belief", BreederKind::Belief},
                                                                           {"pbil", BreederKind::Pbil},
                                                                           {"pbil-gaussian", BreederKind::PbilGaussian},
-                                                                          {"random", BreederKind::Random}}};
+                                                                          {"random", BreederKind::Random},
+                                                                          {"sliders", BreederKind::Sliders}}};
 
 PbilState learnt(const PbilState& state, const genome::Offer& offer, const genome::Pick& pick,
                  const BreederOptions& options, base::Seed seed) {
@@ -41,6 +42,9 @@ genome::Candidate wish_of(const State&, const genome::Candidate& named_best) {
 genome::Candidate wish_of(const BeliefState& state, const genome::Candidate& named_best) {
     return wished(state, named_best);
 }
+genome::Candidate wish_of(const SliderState& state, const genome::Candidate& named_best) {
+    return wished(state, named_best);
+}
 genome::Candidate wish_of(const PbilGaussianState& state, const genome::Candidate& named_best) {
     return wished(state, named_best);
 }
@@ -63,6 +67,9 @@ Breeder::Breeder(const BreederOptions& options) : options_(options) {
             break;
         case BreederKind::Random:
             belief_ = RandomState{options.genome, {}, 1};
+            break;
+        case BreederKind::Sliders:
+            belief_ = initial_sliders(options.genome, word_map(), options.ranges);
             break;
     }
 }
@@ -99,6 +106,36 @@ genome::Candidate Breeder::wished(const genome::Candidate& named_best) const {
 
 void Breeder::set_range(genome::WordId word, WordRange range) {
     if (auto* belief = std::get_if<BeliefState>(&belief_)) belief->ranges[static_cast<std::size_t>(word)] = range;
+    if (auto* sliders = std::get_if<SliderState>(&belief_)) sliders->ranges[static_cast<std::size_t>(word)] = range;
+}
+
+SliderState& Breeder::require_sliders(std::string_view source) {
+    if (auto* sliders = std::get_if<SliderState>(&belief_)) return *sliders;
+    throw base::InputError(fmt::format("{}: the breeder is {}; only sliders can be turned", source, name()));
+}
+
+void Breeder::turn(std::string_view name, std::optional<double> value, std::string_view source) {
+    SliderState& sliders = require_sliders(source);
+    sliders = turned(sliders, name, value, source);
+}
+
+void Breeder::choose(std::string_view name, std::string_view source) {
+    SliderState& sliders = require_sliders(source);
+    sliders = chosen(sliders, name, source);
+}
+
+std::size_t Breeder::sliders() const {
+    return std::holds_alternative<SliderState>(belief_) ? slider_count(options_.genome) : 0;
+}
+
+std::optional<SliderPosition> Breeder::slider(std::size_t number) const {
+    const auto* state = std::get_if<SliderState>(&belief_);
+    if (state == nullptr) return std::nullopt;
+    return breeding::slider(*state, number);
+}
+
+void Breeder::slide(std::size_t number, int direction) {
+    if (auto* state = std::get_if<SliderState>(&belief_)) *state = slid(*state, number, direction);
 }
 
 std::string Breeder::state_json() const {

@@ -11,11 +11,12 @@
 #include "breeding/pbil.hpp"
 #include "breeding/pbil_gaussian.hpp"
 #include "breeding/random_search.hpp"
+#include "breeding/sliders.hpp"
 #include "genome/offer.hpp"
 
 namespace quadrat::breeding {
 
-enum class BreederKind { Belief, Pbil, PbilGaussian, Random };
+enum class BreederKind { Belief, Pbil, PbilGaussian, Random, Sliders };
 enum class Lock { Open, Locked };
 
 // How a breeder is chosen and tuned, before it has learnt anything.
@@ -24,7 +25,7 @@ struct BreederOptions {
     genome::Genome genome = genome::Genome::Classic;  // Full: in words, for the breeder that has them
     PbilOptions pbil;
     std::optional<WordMap> map;  // nothing: the default map, trained by the first breeder that asks it
-    WordRanges ranges;           // what a curator allows; the belief breeder keeps to them
+    WordRanges ranges;           // what a curator allows; the belief breeder and the sliders keep to them
     friend bool operator==(const BreederOptions&, const BreederOptions&) = default;
 };
 
@@ -34,7 +35,7 @@ class Breeder {
   public:
     explicit Breeder(const BreederOptions& options);
 
-    std::string_view name() const;  // "belief", "pbil", "pbil-gaussian", "random"
+    std::string_view name() const;  // "belief", "pbil", "pbil-gaussian", "random", "sliders"
     genome::Genome genome() const { return options_.genome; }
     const WordMap& word_map() const { return options_.map ? *options_.map : default_word_map(); }
     int round() const;  // 1, 2, …: that of the offer propose gives
@@ -56,8 +57,17 @@ class Breeder {
     // What a word may be from now on; the four on offer stay. Breeders without words take no notice.
     void set_range(genome::WordId word, WordRange range);
 
+    // As the functions of SliderState; each goes on to the next round. Throw InputError for breeders without sliders.
+    void turn(std::string_view name, std::optional<double> value, std::string_view source);
+    void choose(std::string_view name, std::string_view source);
+
+    // The numbered slider, and what a step of it does. Nothing, and no effect, for breeders without sliders.
+    std::size_t sliders() const;
+    std::optional<SliderPosition> slider(std::size_t number) const;
+    void slide(std::size_t number, int direction);
+
     // What is believed, for people and programs to read: {"trees":[0.5,…],…}, the probability of a 1, a bit; of the
-    // belief breeder {"trees":{"tall":{"mean":0.1,"deviation":0.4},…},…}.
+    // belief breeder {"trees":{"tall":{"mean":0.1,"deviation":0.4},…},…}; of sliders where they stand.
     std::string state_json() const;
 
     // The belief as it is kept on disk, exact: b.believe(b.belief_json()) changes nothing.
@@ -69,13 +79,15 @@ class Breeder {
     friend bool operator==(const Breeder&, const Breeder&) = default;
 
   private:
-    using Belief = std::variant<PbilState, PbilGaussianState, RandomState, BeliefState>;
+    using Belief = std::variant<PbilState, PbilGaussianState, RandomState, BeliefState, SliderState>;
+
+    SliderState& require_sliders(std::string_view source);
 
     BreederOptions options_;
     Belief belief_;
 };
 
-// "belief", "pbil", "pbil-gaussian", "random". Throws InputError naming the known ones.
+// "belief", "pbil", "pbil-gaussian", "random", "sliders". Throws InputError naming the known ones.
 BreederKind breeder_named(std::string_view name);
 
 }  // namespace quadrat::breeding

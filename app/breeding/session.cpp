@@ -28,15 +28,42 @@ Session::Session(Breeder breeder, base::Seed seed) : seed_(seed), now_{std::move
     now_.favourite = now_.offer.candidates.front();
 }
 
-base::Seed Session::flight() const { return seed_.child("flight").child(now_.offer.round); }
+base::Seed Session::flight() const {
+    const int round = now_.breeder.sliders() > 0 ? 1 : now_.offer.round;
+    return seed_.child("flight").child(static_cast<std::uint64_t>(round));
+}
 
-void Session::next(const genome::Pick& pick) {
+void Session::go_on_with(Breeder breeder, const genome::Pick& pick) {
     Moment coming = now_;
-    coming.breeder.learn(now_.offer, pick, seed_);
+    coming.breeder = std::move(breeder);
     coming.offer = coming.breeder.propose(seed_);
     coming.favourite = chosen(now_.offer, pick, now_.favourite);
     past_.push_back(std::exchange(now_, std::move(coming)));
     if (past_.size() > kUndoDepth) past_.pop_front();
+}
+
+void Session::next(const genome::Pick& pick) {
+    Breeder breeder = now_.breeder;
+    breeder.learn(now_.offer, pick, seed_);
+    go_on_with(std::move(breeder), pick);
+}
+
+void Session::turn(std::string_view name, std::optional<double> value, std::string_view source) {
+    Breeder breeder = now_.breeder;
+    breeder.turn(name, value, source);
+    go_on_with(std::move(breeder), {});
+}
+
+void Session::choose(std::string_view name, std::string_view source) {
+    Breeder breeder = now_.breeder;
+    breeder.choose(name, source);
+    go_on_with(std::move(breeder), {});
+}
+
+void Session::slide(std::size_t slider, int direction) {
+    Breeder breeder = now_.breeder;
+    breeder.slide(slider, direction);
+    go_on_with(std::move(breeder), {});
 }
 
 genome::Offer Session::preview(const genome::Pick& pick) const {

@@ -2,6 +2,8 @@
 #pragma once
 #include <cstddef>
 #include <deque>
+#include <optional>
+#include <string_view>
 
 #include "base/seed.hpp"
 #include "breeding/breeder.hpp"
@@ -22,11 +24,17 @@ class Session {
     const Breeder& breeder() const { return now_.breeder; }
     base::Seed seed() const { return seed_; }
 
-    // Names the camera's path of this round's four.
+    // Names the camera's path of this round's four; where sliders are turned, of the whole visit.
     base::Seed flight() const;
 
     // Learns and offers the next four.
     void next(const genome::Pick& pick);
+
+    // A slider turned, chosen or moved by a step, instead of a pick; each can be taken back like one. Throw InputError
+    // as the breeder does; nothing has changed then.
+    void turn(std::string_view name, std::optional<double> value, std::string_view source);
+    void choose(std::string_view name, std::string_view source);
+    void slide(std::size_t slider, int direction);
 
     // What next(pick) would offer. Aspects are independent, so as soon as an aspect is judged, that aspect of the four
     // is final and can begin to grow.
@@ -52,6 +60,7 @@ class Session {
         genome::Offer offer;
         genome::Candidate favourite;
     };
+    void go_on_with(Breeder breeder, const genome::Pick& pick);
 
     base::Seed seed_;
     Moment now_;

@@ -24,7 +24,7 @@ using nlohmann::json;
 constexpr std::string_view kSource = "line";
 constexpr std::string_view kKnown =
     R"({"pick":{…}}, {"undo":true}, {"lock":ASPECT}, {"unlock":ASPECT}, {"describe":{…}}, {"range":{…}}, )"
-    R"({"state":true} or {"quit":true})";
+    R"({"turn":{…}}, {"choose":NAME}, {"state":true} or {"quit":true})";
 
 std::string in_quotes(std::string_view text) { return json(text).dump(-1, ' ', false, json::error_handler_t::replace); }
 
@@ -68,6 +68,27 @@ std::vector<std::pair<genome::WordId, WordRange>> ranges_from(const json& value)
     return ranges;
 }
 
+struct Turn {
+    std::string name;
+    std::optional<double> value;  // nothing for null
+};
+
+// {"wet":0.5}
+Turn turn_from(const json& value) {
+    if (!value.is_object() || value.size() != 1)
+        throw InputError(fmt::format("{}: turn should be an object of one slider", kSource));
+    const json& to = value.front();
+    if (!to.is_number() && !to.is_null())
+        throw InputError(fmt::format("{}: turn.{} is {}; it should be a number, or null", kSource,
+                                     genome::brief(json(value.begin().key())), genome::brief(to)));
+    return {value.begin().key(), to.is_null() ? std::nullopt : std::optional(to.get<double>())};
+}
+
+std::string text_from(const json& value, std::string_view key) {
+    if (value.is_string()) return value.get<std::string>();
+    throw InputError(fmt::format("{}: {} is {}; it should be a text", kSource, key, genome::brief(value)));
+}
+
 void require_true(const json& value, std::string_view key) {
     if (value != true)
         throw InputError(fmt::format(R"({}: {} is {}; write {{"{}":true}})", kSource, key, genome::brief(value), key));
@@ -108,7 +129,8 @@ std::string_view without_source(std::string_view message) {
 
 }  // namespace
 
-StdioProtocol::StdioProtocol(Session session) : session_(std::move(session)) {}
+StdioProtocol::StdioProtocol(Session session, std::vector<OwnWord> own_words)
+    : session_(std::move(session)), own_words_(std::move(own_words)) {}
 
 std::string StdioProtocol::hello() const {
     const genome::Genome genome = session_.breeder().genome();
@@ -142,7 +164,7 @@ std::optional<std::string> StdioProtocol::answer(std::string_view line) {
             case Next::State:
                 return fmt::format(R"({{"type":"state","state":{}}})", session_.breeder().state_json());
             case Next::Scene:
-                return scene(genome::partial_words_from(request_from(line).front(), kSource, "describe"));
+                return scene(request_from(line).front());
             case Next::Quit:
                 break;
         }
@@ -164,6 +186,11 @@ StdioProtocol::Next StdioProtocol::obey(std::string_view line) {
         undo();
     } else if (key == "lock" || key == "unlock") {
         session_.set_lock(aspect_from(value, key), key == "lock" ? Lock::Locked : Lock::Open);
+    } else if (key == "turn") {
+        const Turn turn = turn_from(value);
+        session_.turn(turn.name, turn.value, kSource);
+    } else if (key == "choose") {
+        session_.choose(text_from(value, key), kSource);
     } else if (key == "describe") {
         return Next::Scene;
     } else if (key == "range") {
@@ -181,9 +208,20 @@ StdioProtocol::Next StdioProtocol::obey(std::string_view line) {
     return Next::Offer;
 }
 
-std::string StdioProtocol::scene(const genome::PartialDescription& words) const {
+std::string StdioProtocol::scene(json words) const {
     const WordMap& map = session_.breeder().word_map();
-    const genome::Description description = map.completed(words);
+    std::vector<Direction> along;
+    for (const OwnWord& own : own_words_) {
+        if (!words.is_object() || !words.contains(own.name)) continue;
+        const json& value = words[own.name];
+        if (!value.is_number() || value.get<double>() < -1 || value.get<double>() > 1)
+            throw InputError(fmt::format("{}: describe.{} is {}; a word is a number from -1 to 1", kSource, own.name,
+                                         genome::brief(value)));
+        along.push_back(own.at(value.get<double>()));
+        words.erase(own.name);
+    }
+    const genome::Description description =
+        map.completed(genome::partial_words_from(words, kSource, "describe"), along);
     return fmt::format(R"({{"type":"scene","words":{},"sentence":{},"parameters":{}}})",
                        genome::words_json(description), in_quotes(genome::language("en").describe(description)),
                        values_json(map(description), genome::Genome::Full));

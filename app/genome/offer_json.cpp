@@ -31,16 +31,9 @@ BitGenome bits_from(const json& value, std::string_view source, std::string_view
 }
 
 // Every word, or no description at all.
-std::optional<Description> words_from(const json& candidate, std::string_view source, const std::string& place) {
+std::optional<Description> description_from(const json& candidate, std::string_view source, const std::string& place) {
     if (!candidate.contains("words")) return std::nullopt;
-    const PartialDescription read = partial_words_from(candidate["words"], source, place);
-    Description words;
-    for (const Word& word : vocabulary()) {
-        const auto value = read[static_cast<std::size_t>(word.id)];
-        if (!value) throw base::InputError(fmt::format("{}: {} lacks the word {}", source, place, word.name));
-        words.set(word.id, *value);
-    }
-    return words;
+    return words_from(candidate["words"], source, place);
 }
 
 Candidate candidate_from(const json& value, std::string_view source, const std::string& place) {
@@ -48,7 +41,7 @@ Candidate candidate_from(const json& value, std::string_view source, const std::
     return {bits_from(member(value, "bits", source), source, place + ".bits"),
             values_from(member(value, "parameters", source), source, place + ".parameters"),
             seeds_from(member(value, "seeds", source), source, place + ".seeds"),
-            words_from(value, source, place + ".words")};
+            description_from(value, source, place + ".words")};
 }
 
 }  // namespace

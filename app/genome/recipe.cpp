@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "genome/json_text.hpp"
+#include "genome/parameter_rules.hpp"
 #include "genome/values_json.hpp"
 
 namespace quadrat::genome {
@@ -36,7 +37,10 @@ Recipe random_recipe(base::Seed seed) {
         recipe.values.set(p.id,
                           is_whole ? p.min + static_cast<float>(chance.below(steps)) : chance.between(p.min, p.max));
     }
-    for (const Aspect aspect : kAspects) recipe.seeds[aspect] = seed.child(name_of(aspect));
+    for (const Aspect aspect : kAspects) {
+        make_consistent(aspect, recipe.values);
+        recipe.seeds[aspect] = seed.child(name_of(aspect));
+    }
     recipe.flight = seed.child("flight");
     return recipe;
 }

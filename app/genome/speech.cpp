@@ -47,6 +47,19 @@ std::array<std::string, 2> ends_from(const json& words, const Word& word, std::s
     return {(*found)[0].get<std::string>(), (*found)[1].get<std::string>()};
 }
 
+std::map<std::string, std::string, std::less<>> prompts_from(const json& root, std::string_view source) {
+    std::map<std::string, std::string, std::less<>> prompts;
+    if (!root.contains("prompts")) return prompts;
+    const json& texts = root["prompts"];
+    if (!texts.is_object()) throw base::InputError(fmt::format("{}: prompts should be an object of texts", source));
+    for (const auto& [key, text] : texts.items()) {
+        if (std::ranges::find(kPrompts, key) == kPrompts.end())
+            throw base::InputError(fmt::format("{}: there is no prompt {}", source, brief(json(key))));
+        prompts[key] = text_from(texts, key, source, {});
+    }
+    return prompts;
+}
+
 // The aspect's words whose measure is large enough to notice, largest first, two at most.
 template <typename Measure>
 std::vector<WordId> strongest(Aspect aspect, const Measure& measure) {
@@ -62,13 +75,14 @@ std::vector<WordId> strongest(Aspect aspect, const Measure& measure) {
 
 Language Language::from_json(std::string_view text, std::string_view source) {
     const json root = parse_json(text, source);
-    require_object(root, {"language", "sentence", "and", "very", "trees", "land", "sky", "words"}, source,
-                   "the language");
+    require_object(root, {"language", "sentence", "and", "very", "rather", "trees", "land", "sky", "words", "prompts"},
+                   source, "the language");
     Language read;
     read.name_ = text_from(root, "language", source, {});
     read.sentence_ = text_from(root, "sentence", source, {"{trees}", "{land}", "{sky}"});
     read.and_ = text_from(root, "and", source, {"{}"});
     read.very_ = text_from(root, "very", source, {"{}"});
+    read.rather_ = text_from(root, "rather", source, {"{}"});
     for (const Aspect aspect : kAspects) {
         const json& phrase = member(root, name_of(aspect), source);
         require_object(phrase, {"with", "plain"}, source, name_of(aspect));
@@ -80,6 +94,7 @@ Language Language::from_json(std::string_view text, std::string_view source) {
         if (!word_named(name)) throw base::InputError(fmt::format("{}: there is no word \"{}\"", source, name));
     for (const Word& word : vocabulary())
         read.ends_[static_cast<std::size_t>(word.id)] = ends_from(words, word, source);
+    read.prompts_ = prompts_from(root, source);
     return read;
 }
 
@@ -111,6 +126,19 @@ std::string Language::heredity(const Description& from, const Description& to, A
     return text;
 }
 
+std::array<std::string, 4> Language::answers(WordId id) const {
+    const auto said = [&](bool is_high, bool is_rather) {
+        std::string plain(end(id, is_high));
+        return filled(phrases_[word(id).aspect].with, "{}", is_rather ? filled(rather_, "{}", plain) : plain);
+    };
+    return {said(false, false), said(false, true), said(true, true), said(true, false)};
+}
+
+std::string_view Language::prompt(std::string_view key) const {
+    const auto found = prompts_.find(key);
+    return found == prompts_.end() ? std::string_view{} : std::string_view{found->second};
+}
+
 const Language& language(std::string_view code) {
     static const std::map<std::string, Language, std::less<>> kSpoken = [] {
         std::map<std::string, Language, std::less<>> spoken;
@@ -120,6 +148,11 @@ const Language& language(std::string_view code) {
     }();
     const auto found = kSpoken.find(code.substr(0, code.find_first_of("-_.@")));
     return found == kSpoken.end() ? kSpoken.at("en") : found->second;
+}
+
+std::string_view prompt(std::string_view code, std::string_view key) {
+    const std::string_view own = language(code).prompt(key);
+    return own.empty() ? language("en").prompt(key) : own;
 }
 
 std::vector<std::string_view> language_codes() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <array>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,11 +10,16 @@
 
 namespace quadrat::genome {
 
+// What the screen asks and says, by key.
+inline constexpr std::array<std::string_view, 13> kPrompts{
+    "attract", "ask.trees",      "ask.land",      "ask.sky",      "breed", "still-there", "finale",
+    "first",   "describe.trees", "describe.land", "describe.sky", "slide", "closed"};
+
 // How one language speaks of a Description: an adjective for each end of each word, agreeing with its aspect's noun,
 // and the templates that join them. Data: genome/languages/*.json, inside the binary.
 class Language {
   public:
-    // Throws InputError naming source and the key. A word left out is spoken in English.
+    // Throws InputError naming source and the key. A word left out is spoken in English; so is a prompt.
     static Language from_json(std::string_view json, std::string_view source);
 
     const std::string& name() const { return name_; }  // in itself: "Deutsch"
@@ -26,6 +32,12 @@ class Language {
     // What changed most for an aspect from one to the other, as its two adjectives at most: "tall, sparse"; "" if
     // nothing did that one would notice.
     std::string heredity(const Description& from, const Description& to, Aspect aspect) const;
+
+    // The four answers to which words suit an aspect, from the word's low end: "dry land", "rather dry land", …
+    std::array<std::string, 4> answers(WordId id) const;
+
+    // "" where this language has none for the key, one of kPrompts.
+    std::string_view prompt(std::string_view key) const;
 
     std::string_view end(WordId id, bool is_high) const { return ends_[static_cast<std::size_t>(id)][is_high ? 1 : 0]; }
 
@@ -40,12 +52,17 @@ class Language {
     std::string sentence_;
     std::string and_;
     std::string very_;
+    std::string rather_;
     PerAspect<Phrase> phrases_;
     std::array<std::array<std::string, 2>, kWordCount> ends_;
+    std::map<std::string, std::string, std::less<>> prompts_;
 };
 
 // By code ("en", "de", "ar", …, "de-AT", "fr_CA.UTF-8"); English for one that is not spoken.
 const Language& language(std::string_view code);
 std::vector<std::string_view> language_codes();  // sorted
+
+// What the screen says for a key of kPrompts, in the language of the code or, where that has none, in English.
+std::string_view prompt(std::string_view code, std::string_view key);
 
 }  // namespace quadrat::genome

@@ -38,4 +38,15 @@ PartialDescription partial_words_from(const nlohmann::json& value, std::string_v
     return words;
 }
 
+Description words_from(const nlohmann::json& value, std::string_view source, std::string_view place) {
+    const PartialDescription read = partial_words_from(value, source, place);
+    Description words;
+    for (const Word& word : vocabulary()) {
+        const auto given = read[static_cast<std::size_t>(word.id)];
+        if (!given) throw base::InputError(fmt::format("{}: {} lacks the word {}", source, place, word.name));
+        words.set(word.id, *given);
+    }
+    return words;
+}
+
 }  // namespace quadrat::genome

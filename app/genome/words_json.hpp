@@ -14,4 +14,7 @@ std::string words_json(const Description& words);  // {"tropical":0.5,…}, ever
 // value that is not a number from -1 to 1.
 PartialDescription partial_words_from(const nlohmann::json& value, std::string_view source, std::string_view place);
 
+// Every word. Throws InputError as above, and for one that is left out.
+Description words_from(const nlohmann::json& value, std::string_view source, std::string_view place);
+
 }  // namespace quadrat::genome

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kIsotropicPrior = 0.3;  // before any pick: how likely that archetypes tell nothing of the wish
 constexpr double kOutward = 1.15;
-constexpr std::size_t kSamples = 96;
+constexpr double kMorePlausible = 0.8;  // of a squared distance: what was shown stays for so much less
+constexpr std::size_t kSamples = 256;
 
 std::vector<Place> samples_of(const AspectBelief& belief, base::Seed seed) {
     const double share = belief.isotropic_share();
@@ -33,6 +34,21 @@ FourPlaces first_four(std::span<const Place> archetypes, base::Seed seed) {
     FourPlaces four;
     for (std::size_t k = 0; k < four.size(); ++k) four[k] = archetypes[order[k]];
     return four;
+}
+
+std::size_t nearest_but(std::size_t left_out, const FourPlaces& places, const Place& to) {
+    std::size_t best = left_out == 0 ? 1 : 0;
+    for (std::size_t k = 0; k < places.size(); ++k)
+        if (k != left_out && squared_distance(places[k], to) < squared_distance(places[best], to)) best = k;
+    return best;
+}
+
+// Visitors err, and some press anything: besides the winner, what the belief finds clearly nearer to the wish than what
+// would come in its stead stays too. The best of the four then seldom gets worse.
+void keep_runner_up(FourPlaces& four, const AspectBelief& belief, const Place& middle) {
+    const Place& runner_up = belief.shown[nearest_but(*belief.winner, belief.shown, middle)];
+    Place& instead = four[nearest_but(*belief.winner, four, runner_up)];
+    if (squared_distance(runner_up, middle) < kMorePlausible * squared_distance(instead, middle)) instead = runner_up;
 }
 
 }  // namespace
@@ -97,6 +113,7 @@ FourPlaces proposed(const AspectBelief& belief, std::span<const Place> archetype
         std::ranges::min_element(four, {}, [&](const Place& place) { return squared_distance(place, stays); });
     *near = stays;
     std::swap(*near, four[*belief.winner]);
+    keep_runner_up(four, belief, middle);
     return four;
 }
 

@@ -28,7 +28,8 @@ AspectBelief initial_belief(std::size_t dimensions, std::span<const Place> arche
 AspectBelief learnt(AspectBelief belief, const FourPlaces& shown, std::size_t picked);
 
 // The next four: the archetypes farthest from one another at first; then the centroids of what the wish may be, spread
-// a little outward, the last winner staying where it was in the place of the one nearest to it.
+// a little outward, the last winner staying where it was in the place of the one nearest to it; and a runner-up that is
+// more plausible than what would replace it.
 FourPlaces proposed(const AspectBelief& belief, std::span<const Place> archetypes, base::Seed seed);
 
 }  // namespace quadrat::breeding

@@ -50,11 +50,11 @@ std::array<bool, genome::kCandidates> inheriting(const AspectBelief& belief, con
 }  // namespace
 
 std::vector<Place> archetype_places(genome::Genome genome, Aspect aspect, const WordMap& map) {
+    if (genome == genome::Genome::Classic) return named_places(map.scenes(), genome, aspect);
     std::vector<Place> places;
     for (const DescribedScene& scene : map.scenes())
         if (!scene.name.empty() && scene.aspect == aspect)
-            places.push_back(genome == genome::Genome::Classic ? place_of(scene.values, genome, aspect)
-                                                               : place_of(map.completed(scene.words), aspect));
+            places.push_back(place_of(map.completed(scene.words), aspect));
     return places;
 }
 

@@ -33,6 +33,13 @@ Place place_of(const genome::Candidate& candidate, genome::Genome genome, genome
     return candidate.words ? place_of(*candidate.words, aspect) : place_of(candidate.values, genome, aspect);
 }
 
+std::vector<Place> named_places(std::span<const DescribedScene> scenes, genome::Genome genome, genome::Aspect aspect) {
+    std::vector<Place> places;
+    for (const DescribedScene& scene : scenes)
+        if (!scene.name.empty() && scene.aspect == aspect) places.push_back(place_of(scene.values, genome, aspect));
+    return places;
+}
+
 void set_words(genome::Description& words, genome::Aspect aspect, const Place& place) {
     const auto vocabulary = genome::vocabulary(aspect);
     for (std::size_t i = 0; i < vocabulary.size(); ++i)

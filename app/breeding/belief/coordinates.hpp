@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include "breeding/belief/wish.hpp"
+#include "breeding/words/described_scene.hpp"
 #include "genome/offer.hpp"
 #include "genome/words.hpp"
 
@@ -21,6 +22,9 @@ Axis axis_of(genome::Genome genome, genome::Aspect aspect, std::size_t index);
 Place place_of(const genome::Description& words, genome::Aspect aspect);
 Place place_of(const genome::ParameterValues& values, genome::Genome genome, genome::Aspect aspect);
 Place place_of(const genome::Candidate& candidate, genome::Genome genome, genome::Aspect aspect);
+
+// Where the scenes of an aspect that have a name lie, by their values.
+std::vector<Place> named_places(std::span<const DescribedScene> scenes, genome::Genome genome, genome::Aspect aspect);
 
 void set_words(genome::Description& words, genome::Aspect aspect, const Place& place);
 void set_values(genome::ParameterValues& values, genome::Genome genome, genome::Aspect aspect, const Place& place);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "breeding/belief/coordinates.hpp"
+#include "breeding/words/nearest_words.hpp"
 
 namespace quadrat::breeding {
 namespace {
@@ -69,7 +70,7 @@ class Search : public Player {
   public:
     Search(Method method, genome::Genome genome, const WordMap& map)
         : method_(method), genome_(genome), kept_(middle(genome)) {
-        for (const Aspect aspect : kAspects) archetypes_[aspect] = archetype_values(genome, aspect, map);
+        for (const Aspect aspect : kAspects) archetypes_[aspect] = named_places(map.scenes(), genome, aspect);
     }
 
     void play_round(const SimulatedVisitor& visitor, base::RandomStream& chance) override {
@@ -91,13 +92,6 @@ class Search : public Player {
     std::optional<double> best_shown() const override { return best_shown_; }
 
   private:
-    static std::vector<Place> archetype_values(genome::Genome genome, Aspect aspect, const WordMap& map) {
-        std::vector<Place> places;
-        for (const DescribedScene& scene : map.scenes())
-            if (!scene.name.empty() && scene.aspect == aspect) places.push_back(place_of(scene.values, genome, aspect));
-        return places;
-    }
-
     Place next_place(Aspect aspect, std::size_t k, base::RandomStream& chance) {
         Place place(parameters_of(aspect, genome_).size());
         if (method_ == Method::Exhaustive) return counted(genome_, aspect, round_ * genome::kCandidates + k);
@@ -211,55 +205,20 @@ class Still : public Player {
 genome::ParameterValues nearest_archetypes(const SimulatedVisitor& visitor, const WordMap& map) {
     Places nearest = middle(visitor.genome());
     for (const Aspect aspect : kAspects) {
-        double least = 1e9;
-        for (const DescribedScene& scene : map.scenes()) {
-            if (scene.name.empty() || scene.aspect != aspect) continue;
-            const Place place = place_of(scene.values, visitor.genome(), aspect);
-            if (visitor.distance(place, aspect) >= least) continue;
-            least = visitor.distance(place, aspect);
-            nearest[aspect] = place;
-        }
+        const auto places = named_places(map.scenes(), visitor.genome(), aspect);
+        const auto near =
+            std::ranges::min_element(places, {}, [&](const Place& place) { return visitor.distance(place, aspect); });
+        if (near != places.end()) nearest[aspect] = *near;
     }
     return values_of(nearest, visitor.genome());
 }
 
-// The words that the map brings nearest to the wish: pattern search (Hooke & Jeeves, 1961), aspect by aspect, from the
-// nearest of the scenes it was trained on.
 genome::ParameterValues projected(const SimulatedVisitor& visitor, const WordMap& map) {
     genome::Description words;
-    for (const Aspect aspect : kAspects) {
-        const auto distance_of = [&](const genome::Description& said) {
-            genome::ParameterValues values;
-            map.realise(aspect, said, values);
+    for (const Aspect aspect : kAspects)
+        words = nearest_words(map, aspect, words, [&](const genome::ParameterValues& values) {
             return visitor.distance(place_of(values, visitor.genome(), aspect), aspect);
-        };
-        double least = distance_of(words);
-        genome::Description nearest = words;
-        for (const DescribedScene& scene : map.scenes()) {
-            if (scene.aspect != aspect) continue;
-            const genome::Description said = map.completed(scene.words);
-            const double distance = distance_of(said);
-            if (distance >= least) continue;
-            least = distance;
-            nearest = said;
-        }
-        for (float step = 0.4F; step > 0.04F;) {
-            bool is_better = false;
-            for (const genome::Word& word : genome::vocabulary(aspect)) {
-                for (const float turn : {-step, step}) {
-                    genome::Description tried = nearest;
-                    tried.set(word.id, nearest[word.id] + turn);
-                    const double distance = distance_of(tried);
-                    if (distance >= least) continue;
-                    least = distance;
-                    nearest = tried;
-                    is_better = true;
-                }
-            }
-            if (!is_better) step *= 0.5F;
-        }
-        for (const genome::Word& word : genome::vocabulary(aspect)) words.set(word.id, nearest[word.id]);
-    }
+        });
     return map(words);
 }
 

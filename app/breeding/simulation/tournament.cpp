@@ -24,12 +24,21 @@ const WordMap& map_of_half() {
     return kMap;
 }
 
-genome::PerAspect<std::vector<Place>> all_archetypes(genome::Genome genome) {
-    genome::PerAspect<std::vector<Place>> places;
-    for (const genome::Aspect aspect : genome::kAspects)
-        for (const DescribedScene& scene : archetypes(aspect))
-            places[aspect].push_back(place_of(scene.values, genome, aspect));
-    return places;
+// Of both genomes, once.
+const genome::PerAspect<std::vector<Place>>& all_archetypes(genome::Genome genome) {
+    const auto places_of = [](genome::Genome of) {
+        genome::PerAspect<std::vector<Place>> places;
+        for (const genome::Aspect aspect : genome::kAspects)
+            places[aspect] = named_places(archetypes(aspect), of, aspect);
+        return places;
+    };
+    static const auto kClassic = places_of(genome::Genome::Classic);
+    static const auto kFull = places_of(genome::Genome::Full);
+    return genome == genome::Genome::Classic ? kClassic : kFull;
+}
+
+base::Seed seed_of(const Tournament& t, int visitor) {
+    return t.seed.child("visitor").child(static_cast<std::uint64_t>(visitor));
 }
 
 std::string colour_of(std::size_t i) {
@@ -39,16 +48,20 @@ std::string colour_of(std::size_t i) {
 }
 
 std::string title_of(const Tournament& t) {
-    return fmt::format("{} parameters, wishes {}, noise {}, {} visitors",
-                       t.genome == genome::Genome::Classic ? "21 classic" : "all", name_of(t.world), name_of(t.noise),
-                       t.visitors);
+    return fmt::format(
+        "{} parameters, wishes {}, noise {}, {} visitors",
+        t.genome == genome::Genome::Classic ? "21 classic" : fmt::format("all {}", genome::kParameterCount),
+        name_of(t.world), name_of(t.noise), t.visitors);
 }
 
 }  // namespace
 
-Played play(const Tournament& t, int visitor_number, Method method) {
-    const base::Seed seed = t.seed.child("visitor").child(static_cast<std::uint64_t>(visitor_number));
-    const SimulatedVisitor visitor(t.genome, t.world, t.noise, all_archetypes(t.genome), seed);
+SimulatedVisitor visitor_of(const Tournament& t, int visitor) {
+    return {t.genome, t.world, t.noise, all_archetypes(t.genome), seed_of(t, visitor)};
+}
+
+Played play(const Tournament& t, const SimulatedVisitor& visitor, int number, Method method) {
+    const base::Seed seed = seed_of(t, number);
     const auto playing = player(method, visitor, map_of_half(), seed.child("player"));
     base::RandomStream chance(seed.child("chance").child(name_of(method)));
     Played played;
@@ -67,7 +80,7 @@ Played play(const Tournament& t, int visitor_number, Method method) {
 }
 
 Standing standing_of(Method method, const std::vector<Played>& played) {
-    Standing standing{method, {}, {}, 0};
+    Standing standing{method, {}, {}, 0, 0};
     const auto n = static_cast<double>(played.size());
     int worse = 0;
     int compared = 0;
@@ -76,6 +89,7 @@ Standing standing_of(Method method, const std::vector<Played>& played) {
         compared += one.compared;
     }
     standing.worse_share = compared > 0 ? static_cast<double>(worse) / compared : 0;
+    standing.worse_error = compared > 0 ? std::sqrt(standing.worse_share * (1 - standing.worse_share) / compared) : 0;
     for (std::size_t round = 0; !played.empty() && round < played.front().closeness.size(); ++round) {
         double sum = 0;
         double squares = 0;

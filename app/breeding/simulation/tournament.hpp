@@ -28,15 +28,36 @@ struct Played {
 
 // The visitor's number decides wish, eye and chance: whoever plays the others, in whatever order. Even-numbered
 // archetypes are known to breeders; wishes come from all.
-Played play(const Tournament& tournament, int visitor, Method method);
+SimulatedVisitor visitor_of(const Tournament& tournament, int number);
+Played play(const Tournament& tournament, const SimulatedVisitor& visitor, int number, Method method);
 
 struct Standing {
     Method method = Method::NoPick;
     std::vector<double> closeness;       // the mean, after each round
     std::vector<double> standard_error;  // of it
     double worse_share = 0;
+    double worse_error = 0;
 };
 Standing standing_of(Method method, const std::vector<Played>& played);
+
+// A number and its standard error.
+struct Estimate {
+    double value = 0;
+    double error = 0;
+};
+
+// How the belief breeder stands among the others. Rounds beyond those played count as the last one.
+struct Figures {
+    Estimate after_5;            // closeness
+    Estimate of_projection;      // of what words said by one who knows the wish would reach; after 5 rounds
+    Estimate times_pbil;         // after 5 rounds
+    int rounds_to_pbil_15 = 0;   // until it is as close as PBIL after 15; 0: never
+    Estimate worse;              // share of rounds in which the best of the four got visibly worse
+    Estimate ahead_of_novice_5;  // of a novice who moves as many sliders as a round has answers; after 5 rounds
+    Estimate ahead_of_novice_8;
+};
+Figures figures_of(const std::vector<Standing>& standings);  // of all methods
+std::string text_of(const Figures& figures);                 // for people, a line each
 
 // A table for people, and closeness against rounds as a drawing (SVG).
 std::string table_of(const Tournament& tournament, const std::vector<Standing>& standings);

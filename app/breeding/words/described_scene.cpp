@@ -115,7 +115,10 @@ std::string parameters_json(const DescribedScene& scene) {
 }  // namespace
 
 std::vector<DescribedScene> described_scenes_from(std::string_view text, std::string_view source) {
-    const json root = genome::parse_json(text, source);
+    return described_scenes_from(genome::parse_json(text, source), source);
+}
+
+std::vector<DescribedScene> described_scenes_from(const json& root, std::string_view source) {
     genome::require_object(root, {"quadrat", "version", "aspect", "scenes", "ends"}, source, "the file");
     if (member(root, "quadrat", source) != "described" || member(root, "version", source) != 1)
         throw InputError(fmt::format(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,8 @@ struct DescribedScene {
 // Throws InputError naming source, the place, what is wrong and what would be right: an unknown word or parameter, one
 // of another aspect, a value outside its range, another version.
 std::vector<DescribedScene> described_scenes_from(std::string_view json, std::string_view source);
+
+std::vector<DescribedScene> described_scenes_from(const nlohmann::json& file, std::string_view source);
 
 // As described_scenes_from reads them, one file an aspect; exact.
 std::string to_json(const std::vector<DescribedScene>& scenes, genome::Aspect aspect);

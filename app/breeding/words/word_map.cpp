@@ -57,12 +57,35 @@ double share_of_range(const genome::Parameter& p, float value) {
     return (static_cast<double>(value) - p.min) / (static_cast<double>(p.max) - p.min);
 }
 
+// What is expected of all words. One that would have to lie beyond its end is held there, and the others make up for
+// it.
+WordGaussian gone_along(const WordGaussian& rest, const Point& weights, double value) {
+    // Nearly exactly: a direction is asked for, not overheard.
+    constexpr double kAsked = 0.01;
+    WordGaussian held = rest;
+    WordGaussian gone = held.given(weights, value, kAsked);
+    for (std::size_t round = 0; round < weights.size(); ++round) {
+        bool is_beyond = false;
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            if (std::abs(gone.mean()[i]) <= 1.001) continue;
+            held = held.given(i, std::copysign(1.0, gone.mean()[i]));
+            is_beyond = true;
+        }
+        if (!is_beyond) break;
+        gone = held.given(weights, value, kAsked);
+    }
+    return gone;
+}
+
 // The words of one aspect of a description, in vocabulary order; what is missing is told by the Gaussian.
-Point completed_words(const genome::PartialDescription& words, Aspect aspect, const WordGaussian& gaussian) {
+Point completed_words(const genome::PartialDescription& words, Aspect aspect, const WordGaussian& gaussian,
+                      std::span<const Direction> along = {}) {
     WordGaussian rest = gaussian;
     const auto vocabulary = genome::vocabulary(aspect);
     for (std::size_t i = 0; i < vocabulary.size(); ++i)
         if (const auto value = words[static_cast<std::size_t>(vocabulary[i].id)]) rest = rest.given(i, *value);
+    for (const Direction& direction : along)
+        if (direction.aspect == aspect) rest = gone_along(rest, direction.weights, direction.value);
     Point point = rest.mean();
     for (std::size_t i = 0; i < vocabulary.size(); ++i) {
         const auto value = words[static_cast<std::size_t>(vocabulary[i].id)];
@@ -156,10 +179,11 @@ void WordMap::realise(Aspect aspect, const genome::Description& words, genome::P
     std::vector<double> shares(map.ids.size(), 0.0);
     for (std::size_t j = 0; j < basis.size(); ++j)
         for (std::size_t p = 0; p < shares.size(); ++p) shares[p] += map.weights[j][p] * basis[j];
-    const std::vector<double> loud = voices(map, at);
+    std::vector<double> loud;  // only where something is a choice
     for (std::size_t p = 0; p < map.ids.size(); ++p) {
         const genome::Parameter& row = parameter(map.ids[p]);
         if (row.unit == genome::kChoice) {
+            if (loud.empty()) loud = voices(map, at);
             values.set(row.id, voted(map, row, loud));
             continue;
         }
@@ -174,10 +198,11 @@ genome::ParameterValues WordMap::operator()(const genome::Description& words) co
     return values;
 }
 
-genome::Description WordMap::completed(const genome::PartialDescription& words) const {
+genome::Description WordMap::completed(const genome::PartialDescription& words,
+                                       std::span<const Direction> along) const {
     genome::Description description;
     for (const Aspect aspect : genome::kAspects) {
-        const Point point = completed_words(words, aspect, *trained_->aspects[aspect].gaussian);
+        const Point point = completed_words(words, aspect, *trained_->aspects[aspect].gaussian, along);
         const auto vocabulary = genome::vocabulary(aspect);
         for (std::size_t i = 0; i < vocabulary.size(); ++i)
             description.set(vocabulary[i].id, static_cast<float>(point[i]));

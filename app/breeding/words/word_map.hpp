@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "breeding/words/basis.hpp"
 #include "breeding/words/described_scene.hpp"
 #include "genome/parameter_table.hpp"
 #include "genome/words.hpp"
 
 namespace quadrat::breeding {
+
+// Something that is said of an aspect and is no word of it: weights·words = value.
+struct Direction {
+    genome::Aspect aspect = genome::Aspect::Land;
+    Point weights;  // one a word of the aspect, in vocabulary order
+    double value = 0;
+};
 
 // From words to parameters: "Affective scene generation" (Hultquist, Gain & Cairns 2006), section 3, a radial-basis-
 // function network a parameter, over the words of the parameter's aspect; with a linear part, radii by density, weights
@@ -22,8 +31,9 @@ class WordMap {
     void realise(genome::Aspect aspect, const genome::Description& words, genome::ParameterValues& values) const;
     genome::ParameterValues operator()(const genome::Description& words) const;
 
-    // Words left out take what scenes described with the given ones are expected to be called too.
-    genome::Description completed(const genome::PartialDescription& words) const;
+    // Words left out take what scenes described with the given ones, and so far along the directions, are expected to
+    // be called too.
+    genome::Description completed(const genome::PartialDescription& words, std::span<const Direction> along = {}) const;
 
     // How far off a scene's parameter is when told from all other scenes: root mean square, in ranges. What the words
     // leave open, chance may fill.

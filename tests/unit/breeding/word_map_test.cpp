@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/error.hpp"
 #include "base/seed.hpp"
@@ -128,6 +130,62 @@ TEST(WordMap, TrainedTwiceIsTheSameMap) {
     words.set(WordId::tall, 0.3F);
     words.set(WordId::stormy, -0.7F);
     EXPECT_EQ(a(words), b(words));
+}
+
+TEST(Archetypes, AreAtLeastTwelveAnAspectWithNamesAndWordsOfTheirOwn) {
+    for (const Aspect aspect : genome::kAspects) {
+        EXPECT_GE(archetypes(aspect).size(), 12U) << name_of(aspect);
+        std::set<std::string> names;
+        for (const DescribedScene& scene : archetypes(aspect)) {
+            EXPECT_TRUE(names.insert(scene.name).second) << scene.name;
+            float strongest = 0;
+            for (const auto& word : scene.words) strongest = std::max(strongest, std::abs(word.value_or(0)));
+            EXPECT_GE(strongest, 0.25F) << scene.name << " embodies no word that anybody would use";
+        }
+    }
+}
+
+DescribedScene scene_of(float wet, float value, double weight = 1) {
+    DescribedScene scene;
+    scene.aspect = Aspect::Land;
+    for (const genome::Word& word : genome::vocabulary(Aspect::Land))
+        scene.words[static_cast<std::size_t>(word.id)] = word.id == WordId::wet ? wet : 0.0F;
+    scene.values.set(genome::ParameterId::land_sea_level, value);
+    scene.weight = weight;
+    return scene;
+}
+
+float sea_level(const WordMap& map, float wet) {
+    genome::Description words;
+    words.set(WordId::wet, wet);
+    return map(words)[genome::ParameterId::land_sea_level];
+}
+
+TEST(WordMap, BelievesThoseMoreWhoAreTrustedMore) {
+    std::vector<DescribedScene> scenes;
+    for (const float wet : {-0.8F, -0.4F, 0.0F, 0.4F, 0.8F}) {
+        scenes.push_back(scene_of(wet, 0.1F, 1));
+        scenes.push_back(scene_of(wet, 0.5F, 9));
+    }
+    EXPECT_NEAR(sea_level(WordMap(scenes), 0.2F), 0.46F, 0.02F) << "nine to one";
+}
+
+TEST(WordMap, GoesOnGentlyBeyondItsScenesInsteadOfFallingToZero) {
+    std::vector<DescribedScene> scenes;
+    for (int i = 0; i <= 8; ++i) {
+        const float wet = -0.8F + 0.1F * static_cast<float>(i);
+        scenes.push_back(scene_of(wet, 0.3F + 0.2F * wet));
+    }
+    const WordMap map(scenes);  // they end at the middle
+    float before = sea_level(map, 0);
+    for (const float wet : {0.25F, 0.5F, 0.75F, 1.0F}) {
+        const float now = sea_level(map, wet);
+        EXPECT_GE(now, before - 0.01F) << wet;
+        // The scenes rise by 0.2 a word; shrunk as every weight is, the map goes on in their direction.
+        EXPECT_GT(now, 0.3F + 0.1F * wet) << wet;
+        EXPECT_LT(now, 0.3F + 0.3F * wet) << wet;
+        before = now;
+    }
 }
 
 TEST(DescribedScenes, ComeBackFromTheirText) {
