@@ -71,6 +71,7 @@ struct Species {
     float steepest_slope = 0.8F;  // rise over run
     float moisture = 0.4F;        // of the ground where it does best: 0 dry to 1 wet
     float moisture_width = 0.8F;  // how far from that it still grows
+    bool is_tender = false;       // bears no frost
     float shade_liking = 0;       // -1 in the open to 1 under trees
     float density = 1;            // of its storey, where it does best: 0 to 1
     float share = 1;              // of the plants of its storey, against the other species

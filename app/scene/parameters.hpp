@@ -20,18 +20,11 @@ struct LandParameters {
 #undef PARAMETER
 };
 
+// A number for each sky row of the parameter table, by the row's id.
 struct SkyParameters {
-    float cloud_scale_m = 1400;
-    float cloud_sharpness = 0.5F;
-    float sun_elevation_deg = 28;
-    float sun_azimuth_deg = 60;  // clockwise from north
-    float sun_strength = 1;
-    float sun_warmth = 0.35F;
-    float ambient_strength = 0.95F;
-    float ambient_warmth = -0.2F;
-    float haze_distance_m = 1700;
-    float haze_warmth = 0.2F;
-    float sky_depth = 0.6F;
+#define PARAMETER(id, name, unit, min, max, standard, bits, genome, meaning) float id = standard;
+#include "genome/parameters_sky.inc"
+#undef PARAMETER
 };
 
 struct SceneParameters {

@@ -27,7 +27,7 @@ scene::Scene compose(std::shared_ptr<const scene::Flora> flora, std::shared_ptr<
     const FlightPlan plan = plan_flight(flight);
     scene.track = fly(plan, *land, flight);
     scene.plants = plant_land(*land, *flora, plan, planting);
-    const LandShadow shadow(*land, sky->sun_direction);
+    const LandShadow shadow(*land, sky->sun_direction, sky->shadow_softness);
     light_plants(scene.plants, *flora, *sky, shadow);
     scene.light = bake_light(*land, *sky, *flora, scene.plants, shadow, fineness.light_px);
     scene.flora = std::move(flora);

@@ -8,10 +8,11 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <unordered_map>
 #include <vector>
 
+#include "scene/colour.hpp"
 #include "synthesis/compose/crown_shadows.hpp"
+#include "synthesis/compose/openness.hpp"
 #include "synthesis/compose/stone_shadows.hpp"
 
 namespace quadrat::synthesis {
@@ -28,41 +29,6 @@ void for_rows(int rows, const Row& row) {
     });
 }
 
-// The share of the sky seen past the land, from the horizon in eight directions; a quarter of the land's samples.
-mesh::Field sky_openness(const scene::Land& land) {
-    const int side = (land.height_m.columns - 1) / 2;
-    mesh::Field open(side, side);
-    constexpr std::array<float, 4> kSteps{2.5F, 7.0F, 17.0F, 40.0F};
-    constexpr std::array<std::array<float, 2>, 8> kWays{{{1, 0},
-                                                         {0.70711F, 0.70711F},
-                                                         {0, 1},
-                                                         {-0.70711F, 0.70711F},
-                                                         {-1, 0},
-                                                         {-0.70711F, -0.70711F},
-                                                         {0, -1},
-                                                         {0.70711F, -0.70711F}}};
-    for_rows(side, [&](int y) {
-        for (int x = 0; x < side; ++x) {
-            const float column = 2.0F * static_cast<float>(x) + 1.0F;
-            const float row = 2.0F * static_cast<float>(y) + 1.0F;
-            const float here = mesh::sample(land.height_m, column, row);
-            float hidden = 0;
-            for (const auto& way : kWays) {
-                float steepest = 0;
-                for (const float step : kSteps) {
-                    const int c =
-                        std::clamp(static_cast<int>(column + step * way[0] + 0.5F), 0, land.height_m.columns - 1);
-                    const int r = std::clamp(static_cast<int>(row + step * way[1] + 0.5F), 0, land.height_m.rows - 1);
-                    steepest = std::max(steepest, (land.height_m.at(c, r) - here) / (step * land.cell_m));
-                }
-                hidden += steepest * steepest / (1.0F + steepest * steepest);  // sine squared of the horizon's height
-            }
-            open.at(x, y) = 1.0F - hidden / static_cast<float>(kWays.size());
-        }
-    });
-    return open;
-}
-
 // Takes away this share of the light where something hides all of it.
 void darken(mesh::Field& light, const mesh::Field& hidden, float share) {
     for (std::size_t i = 0; i < hidden.samples.size(); ++i) light.samples[i] *= 1.0F - share * hidden.samples[i];
@@ -76,10 +42,11 @@ std::uint8_t half_byte(float linear) {
 
 // A sweep away from the sun, a row (or column) after the other: what shades a sample is what shaded its neighbour
 // toward the sun, lower by the ray's fall, or that neighbour itself.
-LandShadow::LandShadow(const scene::Land& land, const glm::vec3& sun)
+LandShadow::LandShadow(const scene::Land& land, const glm::vec3& sun, float softness)
     : top_m_(land.height_m.columns, land.height_m.rows, kNoShadow_m),
       away_m_(land.height_m.columns, land.height_m.rows, 0.0F),
-      cell_m_(land.cell_m) {
+      cell_m_(land.cell_m),
+      softness_(kSoftness * softness) {
     const bool by_rows = std::abs(sun.z) >= std::abs(sun.x);
     const float main = by_rows ? sun.z : sun.x;
     const float side = by_rows ? sun.x : sun.z;
@@ -116,15 +83,79 @@ float LandShadow::sun_at(const glm::vec3& p) const {
     const float half = 0.5F * static_cast<float>(top_m_.columns - 1);
     const float column = p.x / cell_m_ + half;
     const float row = p.z / cell_m_ + half;
-    const float edge_m = 0.35F + kSoftness * mesh::sample(away_m_, column, row);
+    const float edge_m = 0.35F + softness_ * mesh::sample(away_m_, column, row);
     const float t = std::clamp(0.5F + (p.y - mesh::sample(top_m_, column, row)) / (2.0F * edge_m), 0.0F, 1.0F);
     return t * t * (3.0F - 2.0F * t);
 }
+
+namespace {
+
+// Light that the ground itself sends out, coarse and smooth: what fills the shade of hollows with the colour of their
+// flanks.
+class Bounce {
+  public:
+    Bounce(const scene::Land& land, const scene::Sky& sky, const LandShadow& shadow)
+        : sent_(kSide, kSide), per_m_(static_cast<float>(kSide) / land.side_m()) {
+        const glm::vec3 ambient = sky.ambient.on({0, 1, 0});
+        for_rows(kSide, [&](int y) {
+            for (int x = 0; x < kSide; ++x) {
+                const glm::vec2 at{(static_cast<float>(x) + 0.5F) / per_m_ - 0.5F * land.side_m(),
+                                   (static_cast<float>(y) + 0.5F) / per_m_ - 0.5F * land.side_m()};
+                const float height_m = std::max(scene::ground_height_m(land, at), 0.0F);
+                const float facing = std::max(glm::dot(scene::ground_normal(land, at), sky.sun_direction), 0.0F);
+                const float sun = facing * shadow.sun_at({at.x, height_m + 0.1F, at.y});
+                sent_.at(x, y) = albedo(land, x, y) * (ambient + sun * sky.sunlight) * sky.bounce;
+            }
+        });
+    }
+    glm::vec3 around(const glm::vec2& at) const {
+        const float column = std::clamp(at.x * per_m_ + 0.5F * kSide - 0.5F, 0.0F, kSide - 1.001F);
+        const float row = std::clamp(at.y * per_m_ + 0.5F * kSide - 0.5F, 0.0F, kSide - 1.001F);
+        const int x = static_cast<int>(column);
+        const int y = static_cast<int>(row);
+        const float tx = column - static_cast<float>(x);
+        return glm::mix(glm::mix(sent_.at(x, y), sent_.at(x + 1, y), tx),
+                        glm::mix(sent_.at(x, y + 1), sent_.at(x + 1, y + 1), tx), row - static_cast<float>(y));
+    }
+
+  private:
+    static constexpr int kSide = 48;
+
+    static glm::vec3 albedo(const scene::Land& land, int x, int y) {
+        if (land.albedo.bytes.empty()) return land.far_colour;
+        const auto within = [](int i, int size) { return (2 * i + 1) * size / (2 * kSide); };
+        const std::uint8_t* p = land.albedo.pixel(within(x, land.albedo.width), within(y, land.albedo.height));
+        // Near enough to sRGB for a mean of nothing finer.
+        const glm::vec3 c = glm::vec3{p[0], p[1], p[2]} / 255.0F;
+        return c * c;
+    }
+    mesh::Grid<glm::vec3> sent_;
+    float per_m_;
+};
+
+struct Pixel {
+    glm::vec2 at_m;
+    float height_m;
+    float sun;   // past crowns and stone, 0 to 1
+    float open;  // of the sky, past land, crowns and stone, 0 to 1
+};
+
+glm::vec3 light_on(const Pixel& p, const scene::Land& land, const scene::Sky& sky, const LandShadow& shadow,
+                   const Bounce& bounce) {
+    // Under water it is the surface that takes the light.
+    const glm::vec3 normal = p.height_m > 0 ? scene::ground_normal(land, p.at_m) : glm::vec3{0, 1, 0};
+    const float facing = std::max(glm::dot(normal, sky.sun_direction), 0.0F);
+    const float sun = facing * p.sun * shadow.sun_at({p.at_m.x, std::max(p.height_m, 0.0F) + 0.1F, p.at_m.y});
+    return sun * sky.sunlight + p.open * sky.ambient.on(normal) + (1.0F - p.open) * bounce.around(p.at_m);
+}
+
+}  // namespace
 
 scene::BakedLight bake_light(const scene::Land& land, const scene::Sky& sky, const scene::Flora& flora,
                              std::span<const scene::Plant> plants, const LandShadow& shadow, int side_px) {
     scene::BakedLight light{mesh::Image(side_px, side_px, 4)};
     const mesh::Field open = sky_openness(land);
+    const Bounce bounce(land, sky, shadow);
     CrownShade crowns = cast_crowns(land, sky.sun_direction, flora, plants, side_px);
     darken(crowns.sun, cast_stone(land, sky.sun_direction, side_px), 0.94F);
     darken(crowns.sky, cast_stone(land, {0, 1, 0}, side_px), 0.6F);
@@ -135,18 +166,12 @@ scene::BakedLight bake_light(const scene::Land& land, const scene::Sky& sky, con
         for (int x = 0; x < side_px; ++x) {
             const glm::vec2 at{(static_cast<float>(x) + 0.5F) * px_m - half_m,
                                (static_cast<float>(y) + 0.5F) * px_m - half_m};
-            const float height_m = scene::ground_height_m(land, at);
-            // Under water it is the surface that takes the light.
-            const glm::vec3 normal = height_m > 0 ? scene::ground_normal(land, at) : glm::vec3{0, 1, 0};
-            const float facing = std::max(glm::dot(normal, sky.sun_direction), 0.0F);
-            const float sun =
-                facing * crowns.sun.at(x, y) * shadow.sun_at({at.x, std::max(height_m, 0.0F) + 0.1F, at.y});
             const float seen = mesh::sample(open, (static_cast<float>(x) + 0.5F) * open_per_px - 0.5F,
                                             (static_cast<float>(y) + 0.5F) * open_per_px - 0.5F) *
                                crowns.sky.at(x, y);
-            const glm::vec3 ambient = seen * (normal.y * sky.light_above + (1.0F - normal.y) * sky.light_around) +
-                                      (1.0F - seen) * 0.6F * sky.light_below;
-            const glm::vec3 c = sun * sky.sunlight + ambient;
+            const float left = std::clamp(1.0F - sky.occlusion * (1.0F - seen), 0.25F * seen, 1.0F);
+            const glm::vec3 c = light_on({at, scene::ground_height_m(land, at), crowns.sun.at(x, y), left}, land, sky,
+                                         shadow, bounce);
             std::uint8_t* pixel = light.ground.pixel(x, y);
             pixel[0] = half_byte(c.x);
             pixel[1] = half_byte(c.y);
@@ -156,52 +181,6 @@ scene::BakedLight bake_light(const scene::Land& land, const scene::Sky& sky, con
         }
     });
     return light;
-}
-
-void light_plants(std::span<scene::Plant> plants, const scene::Flora& flora, const scene::Sky& sky,
-                  const LandShadow& shadow) {
-    constexpr float kBin_m = 12.0F;
-    const auto bin_of = [](float x, float z) {
-        return (static_cast<std::int64_t>(std::floor(x / kBin_m)) << 32) ^
-               (static_cast<std::int64_t>(std::floor(z / kBin_m)) & 0xFFFFFFFF);
-    };
-    std::unordered_map<std::int64_t, std::vector<std::size_t>> bins;
-    for (std::size_t i = 0; i < plants.size(); ++i)
-        if (flora.species[plants[i].species].storey == scene::Storey::Tree)
-            bins[bin_of(plants[i].root_m.x, plants[i].root_m.z)].push_back(i);
-
-    // What a ray toward the sun from this point passes through of the crowns around.
-    const auto past_neighbours = [&](std::size_t self, const glm::vec3& from) {
-        float through = 1;
-        for (int dz = -1; dz <= 1; ++dz) {
-            for (int dx = -1; dx <= 1; ++dx) {
-                const auto found = bins.find(
-                    bin_of(from.x + static_cast<float>(dx) * kBin_m, from.z + static_cast<float>(dz) * kBin_m));
-                if (found == bins.end()) continue;
-                for (const std::size_t i : found->second) {
-                    if (i == self) continue;
-                    const scene::Species& species = flora.species[plants[i].species];
-                    const float high_m = species.height_m * plants[i].scale;
-                    const glm::vec3 crown = plants[i].root_m + glm::vec3{0, 0.6F * high_m, 0};
-                    const float along = glm::dot(crown - from, sky.sun_direction);
-                    if (along <= 0) continue;
-                    const glm::vec3 miss = (crown - from - along * sky.sun_direction) /
-                                           glm::vec3{species.crown_radius_m * plants[i].scale, 0.42F * high_m,
-                                                     species.crown_radius_m * plants[i].scale};
-                    const float r = glm::dot(miss, miss);
-                    if (r < 1) through *= 1.0F - 0.62F * (1.0F - r);
-                }
-            }
-        }
-        return through;
-    };
-    oneapi::tbb::parallel_for(std::size_t{0}, plants.size(), [&](std::size_t i) {
-        scene::Plant& plant = plants[i];
-        const scene::Species& species = flora.species[plant.species];
-        const float up = species.storey == scene::Storey::Tree ? 0.6F : 0.9F;
-        const glm::vec3 from = plant.root_m + glm::vec3{0, up * species.height_m * plant.scale, 0};
-        plant.sun = shadow.sun_at(from) * past_neighbours(i, from);
-    });
 }
 
 }  // namespace quadrat::synthesis

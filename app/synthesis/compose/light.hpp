@@ -11,7 +11,8 @@ namespace quadrat::synthesis {
 // (below the ground: in the sun) and how far away what casts it stands.
 class LandShadow {
   public:
-    LandShadow(const scene::Land& land, const glm::vec3& sun_direction);
+    // softness: width of the shadows' edges, to the usual.
+    LandShadow(const scene::Land& land, const glm::vec3& sun_direction, float softness = 1);
 
     // The share of the sun's disc seen from this height over that place, soft with the distance of what hides it.
     float sun_at(const glm::vec3& point_m) const;
@@ -20,9 +21,11 @@ class LandShadow {
     mesh::Field top_m_;
     mesh::Field away_m_;
     float cell_m_;
+    float softness_;
 };
 
-// Light on the ground: sun past land and crowns, sky past the land, in the picture's colours.
+// Light on the ground: sun past land and crowns, sky past the land, and what the ground around throws back into
+// hollows (one bounce).
 scene::BakedLight bake_light(const scene::Land& land, const scene::Sky& sky, const scene::Flora& flora,
                              std::span<const scene::Plant> plants, const LandShadow& shadow, int side_px);
 

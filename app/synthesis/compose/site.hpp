@@ -125,6 +125,7 @@ struct Soil {
     float height_m;
     float slope;     // rise over run
     float moisture;  // 0 dry to 1 wet
+    bool is_snowy;
 };
 
 class Ground {
@@ -148,7 +149,7 @@ class Ground {
         const float low = std::clamp(1.0F - height_m / 26.0F, 0.0F, 1.0F);
         const float moisture = 0.42F + 0.58F * wetness(at) + 0.22F * low * low - 0.30F * std::min(slope, 1.0F) -
                                0.12F * std::clamp(height_m / 150.0F, 0.0F, 1.0F);
-        return {height_m, slope, std::clamp(moisture, 0.0F, 1.0F)};
+        return {height_m, slope, std::clamp(moisture, 0.0F, 1.0F), height_m > land_.snow_line_m};
     }
 
   private:
@@ -171,7 +172,9 @@ inline float welfare(const scene::Species& species, const Soil& soil) {
     const float flat = std::clamp((species.steepest_slope - soil.slope) / 0.25F, 0.0F, 1.0F);
     const float off = std::abs(soil.moisture - species.moisture);
     const float moist = std::clamp(2.0F * (species.moisture_width - off) / species.moisture_width, 0.0F, 1.0F);
-    return soil.height_m < kShore_m ? 0 : above * below * flat * moist;
+    // No palm in frost where anything else would grow; where nothing would, a few that do badly.
+    const float frost = soil.is_snowy && species.is_tender ? 0.03F : 1.0F;
+    return soil.height_m < kShore_m ? 0 : above * below * flat * moist * frost;
 }
 
 // How much of the sky crowns hide, on a coarse grid over the land.

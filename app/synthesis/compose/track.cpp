@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "synthesis/compose/view_merit.hpp"
+
 namespace quadrat::synthesis {
 namespace {
 
@@ -133,6 +135,48 @@ FlightPlan plan_flight(base::Seed flight) {
     return plan;
 }
 
+namespace {
+
+// How high over what must be cleared, and how far up or down the eyes are turned, to the usual.
+struct Manner {
+    float lift_m;
+    float tilt_deg;
+};
+
+struct Flown {
+    const FlightPlan& plan;
+    const std::vector<float>& eyes_m;
+    const std::vector<float>& pitches;
+
+    scene::Camera camera(std::size_t i, const Manner& manner) const {
+        const FlightPlan::Station& station = plan.stations[i];
+        const glm::vec3 eye{station.at_m.x, eyes_m[i] + manner.lift_m, station.at_m.y};
+        const float pitch = pitches[i] + glm::radians(manner.tilt_deg);
+        return {eye, eye + 100.0F * glm::vec3{station.ahead.x, std::tan(pitch), station.ahead.y}, 42.0F};
+    }
+};
+
+// Of some manners the one whose beginning, middle and end are the best to look at.
+Manner best_manner(const Flown& flown, const scene::Land& land) {
+    Manner best{0, 0};
+    float most = -1.0e6F;
+    for (const float lift_m : {0.0F, 5.0F, 11.0F, 18.0F}) {
+        for (const float tilt_deg : {0.0F, -3.5F, 3.0F}) {
+            const Manner manner{lift_m, tilt_deg};
+            const std::size_t last = flown.plan.stations.size() - 1;
+            float merit = -0.012F * lift_m;  // what is near is best seen from low down
+            for (const std::size_t i : {std::size_t{0}, last / 2, last})
+                merit += view_merit(outlook(land, flown.camera(i, manner)));
+            if (merit <= most) continue;
+            most = merit;
+            best = manner;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
 scene::Track fly(const FlightPlan& plan, const scene::Land& land, base::Seed flight) {
     base::RandomStream random{flight.child("height")};
     const float over_m = random.between(1.6F, 5.5F);
@@ -148,14 +192,11 @@ scene::Track fly(const FlightPlan& plan, const scene::Land& land, base::Seed fli
         pitches.push_back(std::clamp(0.42F * up - glm::radians(4.5F), glm::radians(-6.5F), glm::radians(3.0F)));
     }
     pitches = smoothed_over(pitches, 8);
+    const Flown flown{plan, eyes_m, pitches};
+    const Manner manner = best_manner(flown, land);
     scene::Track track;
     track.period_s = kPeriod_s;
-    for (std::size_t i = 0; i < eyes_m.size(); ++i) {
-        const FlightPlan::Station& station = plan.stations[i];
-        const glm::vec3 eye{station.at_m.x, eyes_m[i], station.at_m.y};
-        const glm::vec3 look{station.ahead.x, std::tan(pitches[i]), station.ahead.y};
-        track.cameras.push_back({eye, eye + 100.0F * look, 42.0F});
-    }
+    for (std::size_t i = 0; i < eyes_m.size(); ++i) track.cameras.push_back(flown.camera(i, manner));
     return track;
 }
 

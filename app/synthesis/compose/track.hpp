@@ -23,7 +23,8 @@ struct FlightPlan {
 FlightPlan plan_flight(base::Seed flight);
 
 // The flight at heights that suit this land: never lower than 1.7 m over ground or 2.5 m over water, high enough to see
-// over the nearest rise, and pitched so that the far heights stand in the picture.
+// over the nearest rise, and pitched so that the far heights stand in the picture; of some heights and pitches those
+// that show the most of what a painter would look for (view_merit.hpp).
 scene::Track fly(const FlightPlan& plan, const scene::Land& land, base::Seed flight);
 
 }  // namespace quadrat::synthesis

@@ -155,6 +155,7 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     land.detail = std::move(detail.grain);
     land.detail_slopes = std::move(detail.slopes);
     land.detail_tile_m = p.ground_detail_m;
+    land.snow_line_m = snow_line_m(p);
     land.shallow_colour = palette.shallow;
     land.deep_colour = palette.deep;
     land.far_colour = scene::mix_colours(scene::mix_colours(palette.lush, palette.dry, 0.4F), palette.scree,

@@ -65,8 +65,7 @@ GroundLook look_of(const scene::LandParameters& p, const Palette& palette) {
     const float sandy = p.ground_beach * (1.0F - 0.85F * std::clamp(p.marsh_share, 0.0F, 1.0F));
     look.beach_top_m = 0.05F + sandy * std::clamp(0.014F * p.land_relief_m, 0.25F, 1.6F);
     // Far above everything where no snow lies.
-    look.snow_line_m =
-        p.land_relief_m < 140.0F ? 1.0e6F : 10.0F + p.ground_snow_line * p.land_relief_m * (1.0F - p.land_sea_level);
+    look.snow_line_m = snow_line_m(p);
     look.snow_broken = p.ground_snow_patchiness;
     look.snow_aspect_m = 26.0F * p.ground_snow_aspect;
     look.grain = 0.035F * p.ground_grain;
@@ -263,6 +262,13 @@ Ground lay_ground(const GroundFacts& facts, const Palette& palette, const scene:
         }
     });
     return ground;
+}
+
+// From the shore upward; on low land there is snow in cold country only.
+float snow_line_m(const scene::LandParameters& p) {
+    const float over_shore = p.ground_snow_line - p.land_sea_level - 0.15F;
+    if (p.land_relief_m < 140.0F && over_shore > 0.3F) return 1.0e6F;
+    return 2.0F + 1.15F * over_shore * p.land_relief_m * (1.0F - p.land_sea_level);
 }
 
 }  // namespace quadrat::synthesis::land

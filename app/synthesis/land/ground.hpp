@@ -55,4 +55,7 @@ GroundDetail ground_detail(base::Seed seed, int side_px, float contrast, float b
 mesh::Image surround_colours(const mesh::Field& surround_m, float cell_m, const Palette& palette,
                              const scene::LandParameters& parameters, base::Seed seed);
 
+// Height above the sea from which snow lies; far above everything where none does.
+float snow_line_m(const scene::LandParameters& parameters);
+
 }  // namespace quadrat::synthesis::land

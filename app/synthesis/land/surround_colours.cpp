@@ -32,7 +32,8 @@ mesh::Image surround_colours(const mesh::Field& surround_m, float cell_m, const 
     const glm::vec3 scree = lab(palette.scree);
     const glm::vec3 rock = lab(scene::mix_colours(palette.rock_dark, palette.rock_light, 0.35F));
     const glm::vec3 snow = lab(palette.snow);
-    const float snow_line_m = p.land_relief_m < 140.0F ? 1.0e6F : 30.0F + p.ground_snow_line * 1.5F * p.land_relief_m;
+    // Farther off it is warmer air that the heights stand in.
+    const float line_m = std::max(1.6F * snow_line_m(p), snow_line_m(p));
     const int last = surround_m.columns - 1;
     const auto width = static_cast<std::size_t>(surround_m.columns);
     oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, surround_m.rows, 16), [&](const auto& rows) {
@@ -66,7 +67,7 @@ mesh::Image surround_colours(const mesh::Field& surround_m, float cell_m, const 
                 toward(c, scree, 0.8F * smooth(0.42F, 0.62F, slope + 0.15F * n));
                 toward(c, rock, smooth(0.58F, 0.85F, slope + 0.12F * n - 0.1F * hollow));
                 toward(c, snow,
-                       smooth(-15.0F, 25.0F, h - snow_line_m + 40.0F * n + 12.0F * hollow) *
+                       smooth(-15.0F, 25.0F, h - line_m + 40.0F * n + 12.0F * hollow) *
                            (1.0F - 0.9F * smooth(0.42F, 0.72F, slope + 0.1F * n)));
                 const glm::vec3 linear = scene::linear_from_oklab(c);
                 for (int k = 0; k < 3; ++k)

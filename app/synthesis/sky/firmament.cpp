@@ -3,119 +3,246 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <numbers>
 
 #include "scene/colour.hpp"
 #include "synthesis/sky/clouds.hpp"
 #include "synthesis/sky/daylight.hpp"
+#include "synthesis/sky/night.hpp"
 
 namespace quadrat::synthesis::sky {
 namespace {
 
-constexpr int kDomeWidth = 512;
-constexpr int kDomeHeight = 160;
-constexpr float kDomeSpan_deg = 100.0F;  // from the zenith to 10 degrees under the horizon
+using Parameters = scene::SkyParameters;
 
-glm::vec3 direction_of(float azimuth_deg, float altitude_deg) {
-    const float a = glm::radians(azimuth_deg);
-    const float h = glm::radians(altitude_deg);
-    return {std::cos(h) * std::sin(a), std::sin(h), -std::cos(h) * std::cos(a)};
+float smooth(float low, float high, float x) {
+    const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
+    return t * t * (3.0F - 2.0F * t);
 }
 
-// Half a step of noise hides the bands that eight bits would show in so slow a gradient.
-std::uint8_t dithered(float linear, std::uint64_t hash) {
-    const float step = 255.0F * scene::srgb_from_linear(linear) + base::unit_of(hash);
-    return static_cast<std::uint8_t>(std::clamp(step, 0.0F, 255.0F));
+float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3{0.2126F, 0.7152F, 0.0722F}); }
+
+glm::vec2 way(float bearing_deg) {
+    const float a = glm::radians(bearing_deg);
+    return {std::sin(a), -std::cos(a)};
 }
 
-mesh::Image dome_image(const Daylight& daylight) {
-    mesh::Image dome(kDomeWidth, kDomeHeight, 4);
-    for (int y = 0; y < kDomeHeight; ++y) {
-        const float altitude = 90.0F - kDomeSpan_deg * (static_cast<float>(y) + 0.5F) / static_cast<float>(kDomeHeight);
-        for (int x = 0; x < kDomeWidth; ++x) {
-            const float azimuth = 360.0F * (static_cast<float>(x) + 0.5F) / static_cast<float>(kDomeWidth);
-            const glm::vec3 c = daylight.radiance(direction_of(azimuth, altitude));
-            const std::uint64_t hash = base::hash_of(base::Seed{17}, x, y);
-            std::uint8_t* pixel = dome.pixel(x, y);
-            pixel[0] = dithered(c.x, hash);
-            pixel[1] = dithered(c.y, hash << 13U);
-            pixel[2] = dithered(c.z, hash << 26U);
-            pixel[3] = 255;
-        }
-    }
-    return dome;
+// Rain or snow; 0 to 1.
+struct Falling {
+    float rain;
+    float snow;
+    float any() const { return std::max(rain, snow); }
+};
+
+Falling falling(const Parameters& p) { return {std::max(p.rain_share, 0.0F), std::max(p.snowfall_share, 0.0F)}; }
+
+// Never burnt out: the shoulder of a film, by luminance.
+glm::vec3 held(const glm::vec3& c, float most) {
+    const float y = luminance(c);
+    return y > 0 ? c * (most * (1.0F - std::exp(-y / most)) / y) : c;
 }
 
-glm::vec3 mean_radiance(const Daylight& daylight, float altitude_deg) {
-    constexpr int kDirections = 16;
-    glm::vec3 sum{0};
-    for (int i = 0; i < kDirections; ++i)
-        sum += daylight.radiance(direction_of(360.0F * static_cast<float>(i) / kDirections, altitude_deg));
-    return sum / static_cast<float>(kDirections);
+glm::vec3 of_clouds(const glm::vec3& c, float warmth) {
+    const glm::vec3 tint =
+        glm::mix(glm::vec3{1}, warmth > 0 ? glm::vec3{1.26F, 0.93F, 0.90F} : glm::vec3{0.72F, 0.98F, 1.22F}, std::abs(warmth));
+    return c * tint;
 }
 
-glm::vec3 tinted(const glm::vec3& colour, float warmth) {
-    const glm::vec3 rose{1.42F, 0.90F, 0.78F};
-    const glm::vec3 blue{0.66F, 0.95F, 1.38F};
-    return colour * (glm::vec3{1} + ((warmth > 0 ? rose : blue) - glm::vec3{1}) * std::abs(warmth));
-}
-
-void light_from_sky(scene::Sky& sky, const Daylight& daylight, const scene::SkyParameters& p) {
-    const glm::vec3 high = 0.5F * (mean_radiance(daylight, 75) + mean_radiance(daylight, 45));
-    const glm::vec3 low = 0.5F * (mean_radiance(daylight, 22) + mean_radiance(daylight, 6));
-    sky.light_above = tinted(high, p.ambient_warmth) * (p.ambient_strength * (0.80F + 0.18F * daylight.lowness()));
-    sky.light_around = tinted(low, p.ambient_warmth) * (p.ambient_strength * (0.52F + 0.10F * daylight.lowness()));
-    const glm::vec3 ground{0.20F, 0.18F, 0.13F};
-    sky.light_below = ground * (sky.sunlight * (0.35F + 0.65F * sky.sun_direction.y) + sky.light_above);
-}
-
-void paint_layer(scene::CloudLayer& layer, CloudImages images, const Daylight& daylight, const scene::Sky& sky) {
+void paint_layer(scene::CloudLayer& layer, CloudImages images, const Parameters& p, const Daylight& day,
+                 const Lights& lights, float depth) {
     layer.density = std::move(images.density);
     layer.lit = std::move(images.lit);
-    const float low = daylight.lowness();
-    layer.sunlit =
-        glm::vec3{0.62F - 0.16F * low} * sky.sunlight + 0.34F * sky.light_above + 0.10F * low * daylight.sun_colour();
-    layer.sunlit = layer.sunlit / (0.72F + 0.30F * layer.sunlit);
-    layer.shaded = 0.55F * sky.light_above + 0.35F * sky.light_around + glm::vec3{0.06F} * sky.sunlight;
+    layer.mean_density = images.mean_density;
+    layer.mean_lit = images.mean_lit;
+    const glm::vec3 sky = glm::mix(day.sky_light, glm::vec3{luminance(day.sky_light)}, 0.55F);
+    const float closed = overcast(p);
+    const glm::vec3 sun = day.high_light * (0.80F + 0.45F * lights.lowness);
+    const glm::vec3 sunlit = sun * (1.0F - 0.55F * closed) + 0.75F * sky;
+    const glm::vec3 through = glm::mix(sun, glm::vec3{luminance(sun)}, 0.6F);
+    const glm::vec3 shaded = (0.78F * sky + 0.22F * through) * (1.0F - 0.52F * depth);
+    layer.sunlit = held(of_clouds(sunlit, 0.8F * p.cloud_warmth), 1.15F);
+    layer.shaded = held(of_clouds(shaded, p.cloud_warmth), 0.9F);
+}
+
+glm::vec3 in_the_tile(const glm::vec3& sun, const glm::vec2& along) {
+    const glm::vec2 flat{sun.x, sun.z};
+    return {glm::dot(flat, glm::vec2{-along.y, along.x}), sun.y, glm::dot(flat, along)};
+}
+
+void add_clouds(scene::Sky& sky, const Parameters& p, const Daylight& day, const Lights& lights, base::Seed seed) {
+    const glm::vec3 sun = lights.is_night && lights.sun_height_deg < -6.0F ? lights.moon : lights.sun;
+    const glm::vec2 wind = p.cloud_wind_m_s * way(p.cloud_wind_deg);
+    scene::CloudLayer& low = sky.clouds[0];
+    low.tile_m = 3.0F * p.cloud_scale_m;
+    low.stretch = p.cloud_stretch;
+    low.along = way(p.cloud_wind_deg);
+    low.height_m = p.cloud_height_m;
+    low.wind_m_s = wind;
+    low.opacity = 0.80F + 0.18F * p.cloud_thickness;
+    const CloudShape heaps{512, 3, 6, p.cloud_roughness, p.cloud_billow, p.cloud_clumps, p.cloud_cover,
+                           p.cloud_sharpness, p.cloud_thickness};
+    paint_layer(low, make_clouds(heaps, in_the_tile(sun, low.along), seed.child("lower clouds")), p, day, lights,
+                p.cloud_thickness * (0.55F + 0.45F * overcast(p)));
+    scene::CloudLayer& high = sky.clouds[1];
+    high.tile_m = 2.0F * p.cirrus_scale_m / std::sqrt(p.cirrus_stretch);
+    high.stretch = p.cirrus_stretch;
+    high.along = way(p.cirrus_bearing_deg);
+    high.height_m = p.cloud_height_m + 2600.0F;
+    high.wind_m_s = 1.6F * wind;
+    high.opacity = 0.25F + 0.5F * p.cirrus_sharpness;
+    const CloudShape feathers{256, 2, 6, 0.58F, -0.3F * p.cirrus_sharpness, 0.4F, 0.92F * p.cirrus_cover,
+                              0.45F * p.cirrus_sharpness, 0.25F};
+    paint_layer(high, make_clouds(feathers, in_the_tile(sun, high.along), seed.child("upper clouds")), p, day, lights,
+                0.1F);
+    sky.silver = p.cloud_silver;
+    sky.cloud_shadow = p.cloud_shadow * (1.0F - overcast(p));
+}
+
+// Under closed clouds no clear horizon is left: the dome itself turns to their grey.
+void close_dome(scene::Dome& dome, const scene::CloudLayer& clouds, float closed) {
+    const glm::vec3 grey = glm::mix(clouds.shaded, clouds.sunlit, 0.55F * clouds.mean_lit + 0.25F);
+    for (int row = 0; row < scene::Dome::kRows; ++row) {
+        // Moon & Spencer 1942: an overcast zenith is three times as bright as its horizon. Half of that here.
+        const float up = 0.8F + 0.4F * scene::Dome::direction(0, row).y;
+        for (int column = 0; column < scene::Dome::kColumns; ++column)
+            dome.at(column, row) = glm::mix(dome.at(column, row), grey * up, 0.92F * closed);
+    }
+}
+
+void set_air(scene::Sky& sky, const Parameters& p, const Lights& lights) {
+    const Falling falls = falling(p);
+    sky.haze_distance_m = std::max(p.haze_distance_m / (1.0F + 1.2F * falls.rain + 1.8F * falls.snow), 380.0F);
+    sky.haze_height_m = p.haze_height_m + 300.0F * falls.any();
+    const auto low = [&](float aside_deg) {
+        const float bearing = glm::degrees(std::atan2(sky.glow_direction.x, -sky.glow_direction.z)) + aside_deg;
+        const glm::vec2 flat = way(bearing);
+        return sky.dome.radiance(glm::normalize(glm::vec3{flat.x, 0.035F, flat.y}));
+    };
+    const glm::vec3 across = 0.5F * (low(90) + low(-90)) + 0.05F * sky.sunlight;
+    // The air is lit by what lies behind it and by all the sky.
+    const glm::vec3 even = glm::mix(across, sky.ambient.on({0, 1, 0}), 0.25F);
+    const float night_glow = lights.is_night ? 0.6F * (1.0F - lights.darkness) + 0.15F : 1.0F;
+    sky.haze_sunward = held(glm::mix(even, low(0), p.haze_sunward * night_glow * 0.75F), 0.80F);
+    sky.haze_colour = held(even, 0.72F);
+    // Thick air has scattered its light so often that it is nearly white.
+    const float thick = std::clamp(p.mist_share, 0.0F, 1.0F);
+    sky.haze_sunward = glm::mix(sky.haze_sunward, glm::vec3{luminance(sky.haze_sunward)}, 0.35F * thick);
+    if (p.mist_share <= 0) return;
+    sky.mist = {0.0028F * std::pow(4.5F, p.mist_share), p.mist_level_m, p.mist_depth_m};
+    const glm::vec3 tint = p.mist_warmth > 0 ? glm::vec3{1.18F, 0.98F, 0.76F} : glm::vec3{0.80F, 0.97F, 1.20F};
+    const glm::vec3 mixed = glm::mix(glm::vec3{1}, tint, 0.8F * std::abs(p.mist_warmth));
+    sky.haze_colour *= mixed;
+    sky.haze_sunward *= mixed;
+}
+
+// Calls with directions of even pieces of the sphere, above the horizon or below, and a piece's solid angle.
+template <typename Piece>
+void for_half_sphere(bool is_above, const Piece& piece) {
+    constexpr int kBands = 24;
+    constexpr int kSectors = 32;
+    constexpr float kPi = std::numbers::pi_v<float>;
+    for (int band = 0; band < kBands; ++band) {
+        const float y = (static_cast<float>(band) + 0.5F) / kBands;
+        const float flat = std::sqrt(1.0F - y * y);
+        for (int sector = 0; sector < kSectors; ++sector) {
+            const float turn = 2.0F * kPi * (static_cast<float>(sector) + 0.5F) / kSectors;
+            piece(glm::vec3{flat * std::sin(turn), is_above ? y : -y, -flat * std::cos(turn)},
+                  2.0F * kPi / (kBands * kSectors));
+        }
+    }
+}
+
+void gather_ambient(scene::Sky& sky, const Parameters& p, const Lights& lights) {
+    // By night the eye opens the shadows; no light that could be seen does.
+    const glm::vec3 opened =
+        glm::mix(glm::vec3{0.9F}, glm::vec3{0.55F, 0.85F, 1.5F}, p.night_blue) * ((0.09F + 0.10F * p.ambient_strength) * lights.darkness);
+    glm::vec3 level{0};
+    for_half_sphere(true, [&](const glm::vec3& d, float sr) {
+        const glm::vec3 seen = scene::mean_radiance(sky, d) + opened;
+        sky.ambient.add(d, seen, sr);
+        level += seen * (d.y * sr / std::numbers::pi_v<float>);
+    });
+    const glm::vec3 earth = glm::vec3{0.21F, 0.18F, 0.13F} * (0.5F + 2.2F * p.air_ground);
+    const glm::vec3 on_ground = level + sky.sunlight * std::max(sky.sun_direction.y, 0.1F);
+    sky.light_below = p.light_bounce * earth * on_ground;
+    for_half_sphere(false, [&](const glm::vec3& d, float sr) { sky.ambient.add(d, sky.light_below, sr); });
+    sky.ambient.correct_level(level);
+}
+
+void add_falling(scene::Sky& sky, const Parameters& p) {
+    const Falling falls = falling(p);
+    if (falls.any() <= 0) return;
+    scene::Precipitation& f = sky.precipitation;
+    const glm::vec2 wind = p.cloud_wind_m_s * way(p.cloud_wind_deg);
+    const glm::vec3 light = sky.ambient.on({0, 1, 0}) + 0.3F * sky.sunlight;
+    f.amount = 0.25F + 0.75F * falls.any();
+    if (falls.rain > 0) {
+        f.kind = scene::Precipitation::Kind::Rain;
+        const float drift = 0.25F + 1.1F * p.rain_slant;
+        f.speed_m_s = {drift * wind.x, -9.5F, drift * wind.y};
+        f.width_m = 0.004F;
+        f.streak_s = 0.022F + 0.014F * falls.rain;
+        f.opacity = 0.24F + 0.24F * falls.rain;
+        f.colour = held(1.15F * light, 1.0F);
+    } else {
+        f.kind = scene::Precipitation::Kind::Snow;
+        f.speed_m_s = {0.32F * wind.x, -1.25F, 0.32F * wind.y};
+        f.width_m = 0.028F * p.snowfall_flake;
+        f.opacity = 0.85F;
+        f.colour = held(1.5F * light + glm::vec3{0.05F}, 1.1F);
+    }
+}
+
+// What lies before it hides it: mist, thick air.
+float bow_of(const Parameters& p, float closed) {
+    return std::max(p.bow_strength, 0.0F) * (1.0F - 0.7F * closed) * (1.0F - std::clamp(1.3F * p.mist_share, 0.0F, 1.0F)) *
+           smooth(350.0F, 1600.0F, p.haze_distance_m);
+}
+
+void add_disc(scene::Sky& sky, const Parameters& p, const Lights& lights, base::Seed seed) {
+    const float open = 1.0F - overcast(p);
+    sky.disc.radius_rad = 0.0105F * p.sun_size;
+    if (lights.is_night) {
+        sky.disc.picture = moon_picture(128, p.moon_phase, seed.child("moon"));
+        sky.disc.radius_rad *= 1.7F;
+        sky.disc.colour = glm::mix(glm::vec3{0.95F, 0.96F, 1.0F}, glm::vec3{1.0F, 0.78F, 0.5F}, std::max(p.moon_warmth, 0.0F));
+        sky.glare = sky.disc.colour * (0.13F * p.sun_glow * p.moon_phase * open);
+        return;
+    }
+    sky.disc.picture = sun_picture(64);
+    const glm::vec3 sun = sky.sunlight / std::max({sky.sunlight.x, sky.sunlight.y, sky.sunlight.z, 1.0e-4F});
+    sky.disc.colour = glm::mix(sun, glm::vec3{1}, 0.35F) * 1.3F;
+    sky.glare = sun * (0.55F * p.sun_glow * open * (0.6F + 0.05F * p.air_turbidity));
 }
 
 }  // namespace
 
 scene::Sky make_sky(const scene::SkyParameters& p, base::Seed seed) {
     scene::Sky sky;
-    const Daylight daylight(p);
-    sky.sun_direction = daylight.sun_direction();
-    sky.sunlight = daylight.sunlight();
-    sky.sun_colour = daylight.sun_colour();
-    sky.dome = dome_image(daylight);
-    light_from_sky(sky, daylight, p);
-
-    sky.haze_distance_m = p.haze_distance_m;
-    sky.haze_height_m = 260.0F + 0.12F * p.haze_distance_m;
-    sky.haze_sunward = daylight.radiance(direction_of(p.sun_azimuth_deg, 1.5F));
-    sky.haze_colour = 0.5F * (daylight.radiance(direction_of(p.sun_azimuth_deg + 90.0F, 1.5F)) +
-                              daylight.radiance(direction_of(p.sun_azimuth_deg - 90.0F, 1.5F)));
-
-    base::RandomStream random{seed.child("weather")};
-    const float cover = random.between(0.30F, 0.60F);
-    const float veil = random.between(0.30F, 0.55F);
-    const float bearing = random.between(-3.14159F, 3.14159F);
-    const float speed_m_s = random.between(4.0F, 11.0F);
-
-    CloudShape lower{.side_px = 512, .masses = 3, .octaves = 6, .cover = cover, .sharpness = p.cloud_sharpness};
-    paint_layer(sky.clouds[0], make_clouds(lower, sky.sun_direction, seed.child("lower clouds")), daylight, sky);
-    sky.clouds[0].tile_m = 3.0F * p.cloud_scale_m;
-    sky.clouds[0].height_m = 620.0F + 0.22F * p.cloud_scale_m;
-    sky.clouds[0].wind_m_s = speed_m_s * glm::vec2{std::cos(bearing), std::sin(bearing)};
-    sky.clouds[0].opacity = 0.94F;
-
-    CloudShape upper{.side_px = 256, .masses = 2, .octaves = 6, .cover = veil, .sharpness = 0.35F * p.cloud_sharpness};
-    paint_layer(sky.clouds[1], make_clouds(upper, sky.sun_direction, seed.child("upper clouds")), daylight, sky);
-    sky.clouds[1].tile_m = 4.5F * p.cloud_scale_m;
-    sky.clouds[1].height_m = 2600.0F;
-    sky.clouds[1].wind_m_s = 1.6F * sky.clouds[0].wind_m_s;
-    sky.clouds[1].opacity = 0.55F;
+    const Lights lights(p);
+    Daylight day = make_daylight(p, lights);
+    sky.is_night = lights.is_night;
+    sky.sun_direction = lights.brightest();
+    // After nightfall the sky glows where the sun went, until the moon is all there is.
+    sky.glow_direction = lights.is_night && lights.darkness > 0.75F ? lights.moon : lights.sun;
+    sky.dome = day.dome;
+    add_clouds(sky, p, day, lights, seed);
+    const float closed = overcast(p);
+    close_dome(sky.dome, sky.clouds[0], std::min(1.35F * closed, 1.0F));
+    sky.sunlight = day.sunlight * (1.0F - 0.82F * closed) * (1.0F - 0.15F * falling(p).any());
+    gather_ambient(sky, p, lights);
+    set_air(sky, p, lights);
+    add_disc(sky, p, lights, seed);
+    add_falling(sky, p);
+    if (lights.is_night) sky.stars = make_stars(p, lights.darkness * (1.0F - 0.8F * closed), seed);
+    // Its middle is 42 degrees from the point opposite the sun: with a higher sun it lies under the horizon.
+    if (!lights.is_night && lights.sun_height_deg < 41.0F) sky.bow = bow_of(p, closed);
+    sky.shadow_softness = p.light_softness;
+    sky.bounce = p.light_bounce;
+    sky.occlusion = p.light_occlusion;
     return sky;
 }
 

@@ -181,6 +181,14 @@ struct Own {
         lightness, autumn, blossom, bark_lightness;
 };
 
+// What the second and the third species have of their own, against the first: the same names after their rank.
+#define QUADRAT_COMPANION(rank)                                                                                    \
+    Own {                                                                                                          \
+        companion(p.rank##_companion), p.rank##_height *p.tree_height_m, p.rank##_crown_width, p.rank##_gnarl_deg, \
+            p.rank##_limb_density, p.rank##_leaf_length_m, p.rank##_leaf_shape, p.rank##_leaf_density,             \
+            p.tree_leaf_yellowness + p.rank##_leaf_yellowness, p.tree_leaf_lightness *p.rank##_leaf_lightness,     \
+            p.rank##_autumn, p.rank##_blossom, p.rank##_bark_lightness                                             \
+    }
 Own own_of(const scene::TreeParameters& p, Rank rank) {
     const auto first = static_cast<Habit>(choice(p.tree_habit, kHabits));
     const auto companion = [&](float gene) { return kCompanions[static_cast<std::size_t>(first)][choice(gene, 8)]; };
@@ -200,36 +208,13 @@ Own own_of(const scene::TreeParameters& p, Rank rank) {
                     p.tree_blossom,
                     p.tree_bark_lightness};
         case Rank::Second:
-            return {companion(p.second_companion),
-                    p.second_height * p.tree_height_m,
-                    p.second_crown_width,
-                    p.second_gnarl_deg,
-                    p.second_limb_density,
-                    p.second_leaf_length_m,
-                    p.second_leaf_shape,
-                    p.second_leaf_density,
-                    p.tree_leaf_yellowness + p.second_leaf_yellowness,
-                    p.tree_leaf_lightness * p.second_leaf_lightness,
-                    p.second_autumn,
-                    p.second_blossom,
-                    p.second_bark_lightness};
+            return QUADRAT_COMPANION(second);
         case Rank::Third:
-            return {companion(p.third_companion),
-                    p.third_height * p.tree_height_m,
-                    p.third_crown_width,
-                    p.third_gnarl_deg,
-                    p.third_limb_density,
-                    p.third_leaf_length_m,
-                    p.third_leaf_shape,
-                    p.third_leaf_density,
-                    p.tree_leaf_yellowness + p.third_leaf_yellowness,
-                    p.tree_leaf_lightness * p.third_leaf_lightness,
-                    p.third_autumn,
-                    p.third_blossom,
-                    p.third_bark_lightness};
+            return QUADRAT_COMPANION(third);
     }
     return {};
 }
+#undef QUADRAT_COMPANION
 
 }  // namespace
 

@@ -45,6 +45,9 @@ scene::Wood mesh_meta_tubes(const TreeSkeleton& skeleton, const MetaTubeDetail& 
 // The cell at which meta-tubes give about so many triangles.
 float cell_for(const TreeSkeleton& skeleton, std::size_t triangles);
 
+// Room for so many vertices in each of the wood's attributes.
+void resize_vertices(scene::Wood& wood, std::size_t count);
+
 // The trunk's nodes with a foot that widens into the ground.
 std::vector<Limb::Node> with_foot(const Limb& trunk);
 

@@ -252,12 +252,7 @@ class MetaTubes {
     // Onto the surface, and what each limb says there, weighted by how much it is felt.
     void finish(const mesh::Surface& surface, scene::Wood& wood) const {
         const std::size_t count = surface.positions.size();
-        wood.mesh.positions_m.resize(count);
-        wood.mesh.normals.resize(count);
-        wood.mesh.texcoords.resize(count);
-        wood.grains.resize(count);
-        wood.ages.resize(count);
-        wood.sways.resize(count);
+        resize_vertices(wood, count);
         for (std::size_t first = 0; first < count;) {
             std::size_t last = first + 1;
             while (last < count && last < first + 8 && surface.blocks[last] == surface.blocks[first]) ++last;

@@ -126,6 +126,7 @@ scene::Species make_species(const Form& f, base::Seed seed) {
     if (species.leaves.blades > 0) species.leaf = leaf_picture(f.leaf, seed.child("leaf"));
     species.bark_tile_m = f.bark_tile_m * std::clamp(species.trunk_radius_m / 0.28F, 0.5F, 1.6F);
     species.lowest_m = t.lowest_m;
+    species.is_tender = f.habit == Habit::Palm || f.habit == Habit::Cactus || f.habit == Habit::Acacia;
     species.moisture = t.moisture;
     species.moisture_width = t.moisture_width;
     return species;

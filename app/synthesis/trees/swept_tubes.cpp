@@ -73,12 +73,7 @@ class Sweeper {
             vertices += tube.nodes * tube.sides + 2;
             triangles += 2 * tube.nodes * tube.sides;
         }
-        wood_.mesh.positions_m.resize(vertices);
-        wood_.mesh.normals.resize(vertices);
-        wood_.mesh.texcoords.resize(vertices);
-        wood_.grains.resize(vertices);
-        wood_.ages.resize(vertices);
-        wood_.sways.resize(vertices);
+        resize_vertices(wood_, vertices);
         wood_.mesh.indices.resize(3 * triangles);
         for (const Tube& tube : tubes_) sweep(tube, rings);
         return std::move(wood_);
@@ -190,6 +185,15 @@ class Sweeper {
 };
 
 }  // namespace
+
+void resize_vertices(scene::Wood& wood, std::size_t count) {
+    wood.mesh.positions_m.resize(count);
+    wood.mesh.normals.resize(count);
+    wood.mesh.texcoords.resize(count);
+    wood.grains.resize(count);
+    wood.ages.resize(count);
+    wood.sways.resize(count);
+}
 
 float age_at(const TreeSkeleton& skeleton, float path_m) {
     return std::min(kGrownShare * path_m / std::max(skeleton.longest_path_m, 1.0e-3F), 1.0F);

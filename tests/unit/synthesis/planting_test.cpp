@@ -158,5 +158,28 @@ TEST(Planting, IsTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(std::memcmp(one.data(), four.data(), one.size() * sizeof(scene::Plant)), 0);
 }
 
+// Where snow lies a palm gives way to what bears frost.
+TEST(Planting, KeepsPalmsOutOfTheFrost) {
+    scene::Land land = land_of([](float, float z) { return z < 0 ? 60.0F : 20.0F; });
+    land.snow_line_m = 40;
+    scene::Species palm = tree();
+    palm.is_tender = true;
+    scene::Flora flora = wood_of(palm);
+    flora.species.push_back(tree());
+    const std::vector<scene::Plant> plants = planted(land, flora);
+    const auto is_palm = [](const scene::Plant& p) { return p.species == 0; };
+    const auto in_frost = [](const scene::Plant& p) { return p.root_m.y > 40; };
+    std::size_t palms = 0;
+    std::size_t frozen_palms = 0;
+    std::size_t frozen_others = 0;
+    for (const scene::Plant& p : plants) {
+        palms += is_palm(p) ? 1 : 0;
+        if (in_frost(p)) (is_palm(p) ? frozen_palms : frozen_others) += 1;
+    }
+    EXPECT_GT(palms, 200U);
+    EXPECT_GT(frozen_others, 200U);
+    EXPECT_LT(frozen_palms * 10, frozen_others);
+}
+
 }  // namespace
 }  // namespace quadrat::synthesis

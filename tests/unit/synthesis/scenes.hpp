@@ -32,7 +32,7 @@ inline genome::ParameterValues everything() {
     values.set(P::lake_depth_m, 0.6F);
     values.set(P::lake_area_m2, 210);
     values.set(P::ground_lightness, 0.95F);
-    values.set(P::ground_snow_line, 0.5F);
+    values.set(P::ground_snow_line, 0.8F);
     for (const P id : {P::tree_autumn, P::second_autumn, P::third_autumn, P::tree_blossom, P::second_blossom,
                        P::third_blossom, P::tree_fruit, P::shrub_blossom})
         values.set(id, 0.8F);

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "mesh/field.hpp"
+#include "scene/land.hpp"
+
+namespace quadrat::synthesis {
+
+// The share of the sky seen past the land, 0 to 1, from the horizon in eight directions; a quarter of the land's
+// samples, between them.
+mesh::Field sky_openness(const scene::Land& land);
+
+}  // namespace quadrat::synthesis

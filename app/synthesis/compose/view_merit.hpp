@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "scene/camera.hpp"
+#include "scene/land.hpp"
+
+namespace quadrat::synthesis {
+
+// What a camera of 16 by 9 sees of a land, as shares of its picture.
+struct Outlook {
+    float sky = 0;
+    float water = 0;
+    float near = 0;    // ground nearer than 45 m
+    float far = 0;     // farther than 500 m
+    float walled = 0;  // nearer than 12 m: a slope before the eyes
+};
+Outlook outlook(const scene::Land& land, const scene::Camera& camera);
+
+// How well a landscape painter would like it: something near, something far, water if there is any, a third of sky.
+float view_merit(const Outlook& seen);
+
+}  // namespace quadrat::synthesis

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/sky/night.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "synthesis/noise/gradient.hpp"
+
+namespace quadrat::synthesis::sky {
+namespace {
+
+std::uint8_t byte_of(float unit) { return static_cast<std::uint8_t>(255.0F * std::clamp(unit, 0.0F, 1.0F) + 0.5F); }
+
+// Calls with each pixel's place, -1 to 1 from the picture's middle; the disc fills nine tenths of it.
+template <typename Light>
+mesh::Image disc_picture(int side_px, const Light& light) {
+    constexpr float kFilled = 0.9F;
+    mesh::Image picture(side_px, side_px, 1);
+    const float per_px = 2.0F / (kFilled * static_cast<float>(side_px));
+    for (int y = 0; y < side_px; ++y) {
+        for (int x = 0; x < side_px; ++x) {
+            const glm::vec2 at{(static_cast<float>(x) + 0.5F) * per_px - 1.0F / kFilled,
+                               1.0F / kFilled - (static_cast<float>(y) + 0.5F) * per_px};
+            const float edge = std::clamp((1.0F - glm::length(at)) / (2.0F * per_px) + 0.5F, 0.0F, 1.0F);
+            *picture.pixel(x, y) = byte_of(edge * light(at));
+        }
+    }
+    return picture;
+}
+
+float magnitude_light(float magnitude) { return std::pow(10.0F, -0.4F * magnitude); }
+
+glm::vec3 anywhere(base::RandomStream& random) {
+    const float turn = 6.2831853F * random.unit_f();
+    const float y = random.unit_f();
+    const float flat = std::sqrt(1.0F - y * y);
+    return {flat * std::sin(turn), y, -flat * std::cos(turn)};
+}
+
+glm::vec3 in_the_band(base::RandomStream& random, float tilt_rad) {
+    const glm::vec3 pole = glm::normalize(glm::vec3{std::cos(tilt_rad), 0.35F, std::sin(tilt_rad)});
+    const glm::vec3 a = glm::normalize(glm::cross(pole, glm::vec3{0, 1, 0}));
+    const glm::vec3 b = glm::cross(pole, a);
+    const float turn = 6.2831853F * random.unit_f();
+    return glm::normalize(std::cos(turn) * a + std::sin(turn) * b + 0.11F * random.normal() * pole);
+}
+
+}  // namespace
+
+mesh::Image sun_picture(int side_px) {
+    return disc_picture(side_px, [](const glm::vec2& at) {
+        const float cosine = std::sqrt(std::max(1.0F - glm::dot(at, at), 0.0F));
+        return 0.4F + 0.6F * cosine;  // limb darkening
+    });
+}
+
+mesh::Image moon_picture(int side_px, float phase, base::Seed seed) {
+    const noise::Key key(seed.child("seas"));
+    // The terminator is half an ellipse: its half axis goes from +1 (new) over 0 (half) to -1 (full).
+    const float terminator = 1.0F - 2.0F * std::clamp(phase, 0.0F, 1.0F);
+    return disc_picture(side_px, [&](const glm::vec2& at) {
+        const float rim = std::sqrt(std::max(1.0F - at.y * at.y, 0.0F));
+        const float day = std::clamp(0.5F + (at.x - terminator * rim) * 9.0F, 0.0F, 1.0F);
+        const float seas = noise::fbm(key, 1.9F * at.x + 5.0F, 1.9F * at.y + 5.0F, {.count = 4, .gain = 0.5F});
+        const float ground = 0.88F - 0.36F * std::clamp(3.2F * seas, 0.0F, 1.0F);
+        return ground * (0.045F + 0.955F * day);
+    });
+}
+
+std::vector<scene::Star> make_stars(const scene::SkyParameters& p, float darkness, base::Seed seed) {
+    std::vector<scene::Star> stars;
+    if (darkness <= 0.05F) return stars;
+    constexpr float kBrightest = -1.0F;  // magnitudes
+    const float faintest = 3.2F + 3.3F * p.star_density * darkness;
+    // About 1.7 stars of a hemisphere are brighter than magnitude 0.5; for every magnitude more there are 3.1 times as many.
+    const float many = 0.9F * std::pow(10.0F, 0.5F * faintest);
+    const auto count = static_cast<std::size_t>(many * (1.0F + 0.6F * p.star_band));
+    base::RandomStream random{seed.child("stars")};
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool is_banded = static_cast<float>(i) > many;
+        const glm::vec3 direction = is_banded ? in_the_band(random, glm::radians(p.star_band_deg)) : anywhere(random);
+        const float magnitude = std::max(faintest + 2.0F * std::log10(std::max(random.unit_f(), 1.0e-5F)), kBrightest);
+        if (direction.y < 0.02F) continue;
+        // The faintest are a tenth as bright as a bright one: an eye's scale is flatter than light's.
+        const float light = std::pow(magnitude_light(magnitude - kBrightest), 0.45F);
+        stars.push_back({direction, light * (is_banded ? 0.7F : 1.0F) * (0.35F + 0.65F * darkness)});
+    }
+    std::ranges::stable_sort(stars, [](const scene::Star& a, const scene::Star& b) { return a.light > b.light; });
+    return stars;
+}
+
+}  // namespace quadrat::synthesis::sky

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/compose/track.hpp"
+
+#include <gtest/gtest.h>
+
+#include "genome/recipe.hpp"
+#include "scene/parameters.hpp"
+#include "support/effort.hpp"
+#include "synthesis/compose/view_merit.hpp"
+#include "synthesis/grow.hpp"
+
+namespace quadrat::synthesis {
+namespace {
+
+scene::Land plain(float height_m) {
+    scene::Land land;
+    land.height_m = mesh::Field(129, 129, height_m);
+    land.cell_m = 8;
+    return land;
+}
+
+scene::Camera level(float eye_m) { return {{0, eye_m, 0}, {0, eye_m, -100}, 42}; }
+
+TEST(Outlook, OfAPlainIsHalfSkyAndItsHorizonIsFar) {
+    const Outlook seen = outlook(plain(2), level(12));
+    EXPECT_NEAR(seen.sky, 0.5F, 0.06F);
+    EXPECT_GT(seen.near, 0.1F);  // 10 m over it, the lowest rows meet it within 45 m
+    EXPECT_EQ(seen.water, 0);
+    EXPECT_GT(outlook(plain(2), level(62)).far, 0.05F);  // from higher up more of it is far
+}
+
+TEST(Outlook, OverTheSeaIsWater) {
+    const Outlook seen = outlook(plain(-5), level(8));
+    EXPECT_NEAR(seen.water, 1 - seen.sky, 1e-4F);
+    EXPECT_EQ(seen.near, 0);
+}
+
+TEST(Outlook, BeforeASlopeIsWalled) {
+    scene::Land land = plain(0);
+    for (int row = 0; row < 64; ++row)  // it rises to the north, 8 m each 8 m
+        for (int column = 0; column < 129; ++column)
+            land.height_m.at(column, row) = 8.0F * static_cast<float>(64 - row);
+    const Outlook seen = outlook(land, level(3));
+    EXPECT_GT(seen.walled, 0.5F);
+    EXPECT_LT(view_merit(seen), view_merit(outlook(plain(2), level(12))));
+}
+
+TEST(ViewMerit, LikesNearAndFarAndWater) {
+    const Outlook good{.sky = 0.36F, .water = 0.12F, .near = 0.2F, .far = 0.15F};
+    for (Outlook worse : {Outlook{.sky = 0.36F, .water = 0.0F, .near = 0.2F, .far = 0.15F},
+                          Outlook{.sky = 0.36F, .water = 0.12F, .near = 0.0F, .far = 0.15F},
+                          Outlook{.sky = 0.36F, .water = 0.12F, .near = 0.2F, .far = 0.0F},
+                          Outlook{.sky = 0.75F, .water = 0.12F, .near = 0.2F, .far = 0.15F},
+                          Outlook{.sky = 0.36F, .water = 0.12F, .near = 0.2F, .far = 0.15F, .walled = 0.4F}})
+        EXPECT_LT(view_merit(worse), view_merit(good));
+}
+
+// Whatever the land, the flight looks at it: neither into a wall nor only at the sky, and mostly with something near.
+TEST(Flight, ShowsSkyAndLandOverEveryGenome) {
+    const std::uint64_t seeds = tests::of(40U);
+    std::uint64_t with_near = 0;
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+        const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
+        const scene::Land land = grow_land(scene::realise(recipe.values).land, recipe.seeds[genome::Aspect::Land],
+                                           {.land_samples = 129, .light_px = 64, .albedo_px = 64});
+        const scene::Track track = fly(plan_flight(recipe.flight), land, recipe.flight);
+        const Outlook seen = outlook(land, track.cameras[track.cameras.size() / 2]);
+        EXPECT_GT(seen.sky, 0.08F) << seed;
+        EXPECT_LT(seen.sky, 0.72F) << seed;
+        EXPECT_LT(seen.walled, 0.45F) << seed;
+        if (seen.near > 0.05F || seen.water > 0.05F) ++with_near;
+    }
+    EXPECT_GE(with_near * 10, seeds * 9);
+}
+
+}  // namespace
+}  // namespace quadrat::synthesis
