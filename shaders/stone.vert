@@ -5,6 +5,7 @@
 #include "common/haze.glsl"
 #include "common/encode.glsl"
 #include "common/ambient.glsl"
+#include "common/cloud_shadow.glsl"
 #include "common/lit_ground.glsl"
 
 layout(location = 0) in vec3 at_m;

@@ -13,7 +13,7 @@ layout(location = 0) out vec4 pixel;
 
 void main() {
     vec2 turns = texture(ripples, over_land * 11.0).rg;
-    float slope = turns.r * view.shallow_water.w + turns.g * view.deepening.w - view.far_colour.w;
+    float slope = turns.r * view.shallow_water.w + turns.g * view.deepening.w - view.scales.w;
     float deep = texture(ground, over_land).a;
     vec3 body = view.shallow_water.rgb + view.deepening.rgb * deep;
     // A ripple that leans away shows a higher, darker piece of sky; one that leans just so, the sun.

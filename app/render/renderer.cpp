@@ -8,9 +8,11 @@
 #include <cstring>
 
 #include "base/error.hpp"
+#include "render/gl/fence.hpp"
 #include "render/gl/picture_upload.hpp"
 #include "render/gpu_scene.hpp"
 #include "render/passes/crowd.hpp"
+#include "render/passes/falling.hpp"
 #include "render/passes/signs.hpp"
 #include "render/passes/water.hpp"
 #include "render/upload.hpp"
@@ -21,8 +23,8 @@ namespace {
 
 // Visible triangles of a whole frame at alpha 1 that a Raspberry Pi 4 draws in time.
 constexpr float kTriangleBudget = 240'000;
-constexpr float kGroundBudget = 40'000;
-constexpr float kSurroundBudget = 16'000;
+constexpr float kGroundBudget = 20'000;
+constexpr float kSurroundBudget = 6'000;
 constexpr std::size_t kFewestPlantTriangles = 4'000;
 
 void require_gles_31() {
@@ -42,10 +44,21 @@ glm::mat4 turned(const glm::mat4& clip_from_world, const Hanging& hanging) {
     return turn * clip_from_world;
 }
 
+// Opaque shaders write an alpha of one: each pixel of theirs adds a step.
+void count_fragments() {
+    glEnable(GL_BLEND);
+    glBlendColor(0, 0, 0, 1.0F / 255);
+    glBlendFuncSeparate(GL_ZERO, GL_ONE, GL_CONSTANT_ALPHA, GL_ONE);
+}
+
 // One view's share of the frame: what is drawn of its scene.
 struct Selection {
+    explicit Selection(const glm::mat4& clip_from_world) : frustum(clip_from_world) {}
+
+    passes::Frustum frustum;
     passes::ViewBlock block;
     passes::IndexRange ground;
+    float grain_m = 1;  // how far the ground's grain is seen
     passes::IndexRange surround;
     std::vector<passes::Batch> batches;
     std::size_t triangles = 0;
@@ -60,17 +73,20 @@ struct Renderer::Parts {
     passes::PlantsPass plants;
     passes::WaterPass water;
     passes::SkyPass sky;
+    passes::FallingPass falling;
     passes::SignsPass signs;
     gl::StreamBuffer blocks{GL_UNIFORM_BUFFER};
     gl::StreamBuffer indices{GL_ELEMENT_ARRAY_BUFFER};
     gl::StreamBuffer instances{GL_ARRAY_BUFFER};
     std::shared_ptr<FloraShelf> floras = std::make_shared<FloraShelf>();
+    gl::Fence last_drawn;
     std::vector<std::uint32_t> frame_indices;  // kept from frame to frame for its memory only
     std::vector<passes::Instance> frame_instances;
 
     Selection select(const View& view, const Frame& frame);
     void fill(const std::vector<Selection>& selections);
     void draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot, Drawn& drawn);
+    void draw_water(const GpuScene& scene, const passes::Frustum& frustum, Drawn& drawn) const;
     void draw_signs(const Frame& frame);
 };
 
@@ -79,25 +95,29 @@ Selection Renderer::Parts::select(const View& view, const Frame& frame) {
     const float aspect =
         static_cast<float>(view.viewport.width) / static_cast<float>(std::max(view.viewport.height, 1));
     const glm::mat4 clip_from_world = scene::clip_from_view(view.camera, aspect) * scene::view_from_world(view.camera);
-    const passes::Frustum frustum(clip_from_world);
-    Selection s;
+    Selection s(clip_from_world);
+    const passes::Frustum& frustum = s.frustum;
     s.block = block_of(view, turned(clip_from_world, frame.hanging), frame.seconds);
     const float alpha = std::max(frame.detail.alpha, 0.01F);
     const float scale = pixels_per_radian(view);
     const float share = alpha / static_cast<float>(frame.views.size());  // of the frame's triangles
+    s.grain_m = passes::kGrainSeen_m * scale;
     const auto chosen = [&](const passes::GridOnGpu& grid, float error_px, float budget) {
         const std::size_t first = frame_indices.size();
         const passes::Blocks::Wish wish{view.camera.eye_m, scale, error_px / std::sqrt(alpha),
-                                        static_cast<std::size_t>(budget * share)};
-        if (grid.blocks) s.triangles += grid.blocks->select(frustum, wish, frame_indices);
-        return passes::IndexRange{first, frame_indices.size() - first};
+                                        static_cast<std::size_t>(budget * share), s.grain_m};
+        if (!grid.blocks) return passes::IndexRange{};
+        const passes::Blocks::Selected selected = grid.blocks->select(frustum, wish, frame_indices);
+        s.triangles += selected.triangles;
+        return passes::IndexRange{first, frame_indices.size() - first, selected.near_indices};
     };
-    s.ground = chosen(scene.land.land, 1.3F, kGroundBudget);
-    s.triangles += scene.stone.index_count / 3;
-    s.surround = chosen(scene.land.surround, 1.6F, kSurroundBudget);
+    if (frame.measured.ground) s.ground = chosen(scene.land.land, 3.0F, kGroundBudget);
+    if (frame.measured.ground) s.surround = chosen(scene.land.surround, 2.6F, kSurroundBudget);
+    if (!frame.measured.plants) return s;
 
     passes::Gathering gathering;
     gathering.view = s.block;
+    gathering.clouds = &scene.sky.shadow_map;
     gathering.pixels_per_radian = scale;
     gathering.growth = view.growth;
     gathering.fineness = std::sqrt(alpha);  // the budget takes the rest where there is much to see
@@ -121,27 +141,32 @@ void Renderer::Parts::fill(const std::vector<Selection>& selections) {
 void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot,
                                 Drawn& drawn) {
     const GpuScene& scene = *view.scene;
+    const passes::Frustum& frustum = selection.frustum;
     const Rect place = on_panel(view.viewport, frame.size, frame.hanging);
     glViewport(place.x, place.y, place.width, place.height);
     glScissor(place.x, place.y, place.width, place.height);
     gl::bind_uniforms(blocks, passes::kViewBinding, slot * passes::kViewBlockBytes, passes::kViewBlockBytes);
-    drawn.draw_calls += plants.draw(*scene.flora, selection.batches, instances);
-    stone.draw(scene.stone);
-    ground.draw(scene.land, indices, selection.ground);
-    surround.draw(scene.land, indices, selection.surround);
-    drawn.draw_calls += scene.stone.index_count > 0 ? 4 : 3;
+    const Measured& what = frame.measured;
+    if (what.plants) plants.draw(*scene.flora, selection.batches, instances);
+    if (what.ground) {
+        scene.sky.shadow.bind(passes::kShadowUnit);
+        drawn.triangles += stone.draw(scene.stone, frustum);
+        ground.draw(scene.land, indices, selection.ground, selection.grain_m);
+        surround.draw(scene.land, indices, selection.surround);
+    }
     drawn.triangles += selection.triangles + sky.triangles();
+    if (what.water) draw_water(scene, frustum, drawn);
+    if (!what.sky) return;
+    sky.draw(scene.sky, place.height);
+    falling.draw(scene.air.sky.precipitation, selection.block, pixels_per_radian(view));
+}
+
+void Renderer::Parts::draw_water(const GpuScene& scene, const passes::Frustum& frustum, Drawn& drawn) const {
     if (scene.land.has_water) {
         water.draw(scene.land.lit);
         drawn.triangles += water.triangles();
-        ++drawn.draw_calls;
     }
-    if (scene.fresh_water.index_count > 0) {
-        water.draw_fresh(scene.fresh_water, scene.land.lit);
-        drawn.triangles += scene.fresh_water.index_count / 3;
-        ++drawn.draw_calls;
-    }
-    sky.draw(scene.sky);
+    drawn.triangles += water.draw_fresh(scene.fresh_water, scene.land.lit, frustum);
 }
 
 void Renderer::Parts::draw_signs(const Frame& frame) {
@@ -192,25 +217,30 @@ Drawn Renderer::draw(const Frame& frame) {
     glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
     glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
-    glClearColor(0.05F, 0.055F, 0.06F, 1);
+    const bool is_counted = frame.measured.is_counted;
+    glClearColor(0.05F, 0.055F, 0.06F, is_counted ? 0.0F : 1.0F);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     glEnable(GL_SCISSOR_TEST);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     glFrontFace(frame.hanging.is_mirrored ? GL_CW : GL_CCW);
     glDepthFunc(GL_LEQUAL);
+    if (is_counted) count_fragments();
     Drawn drawn;
     for (std::size_t i = 0; i < frame.views.size(); ++i)
         parts.draw_view(frame.views[i], frame, selections[i], i, drawn);
     glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
     parts.draw_signs(frame);
-    drawn.draw_calls += frame.signs.size();
     const bool is_window = frame.framebuffer == 0;
     const GLenum unneeded[2] = {static_cast<GLenum>(is_window ? GL_DEPTH : GL_DEPTH_ATTACHMENT),
                                 static_cast<GLenum>(is_window ? GL_STENCIL : GL_STENCIL_ATTACHMENT)};
     glInvalidateFramebuffer(GL_FRAMEBUFFER, 2, unneeded);
     glBindVertexArray(0);
+    parts.last_drawn.set();
     return drawn;
 }
+
+bool Renderer::is_done_within(std::chrono::nanoseconds patience) { return parts_->last_drawn.is_done_within(patience); }
 
 }  // namespace quadrat::render

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+#include <chrono>
 #include <memory>
 #include <span>
 #include <string>
@@ -51,6 +52,15 @@ struct Sign {
     float border_px = 0;                     // more than 0: only this border of it
 };
 
+// What of each view is drawn: all of it, unless something is measured.
+struct Measured {
+    bool plants = true;
+    bool ground = true;  // and stone, and the surround
+    bool water = true;
+    bool sky = true;          // and what falls from it
+    bool is_counted = false;  // plants and ground leave their picture out and add 1 to alpha for every pixel shaded
+};
+
 struct Frame {
     glm::ivec2 size{0};  // of the upright picture, pixels: views and signs are laid out in it
     Hanging hanging;     // the target has turned_size(size, hanging)
@@ -59,11 +69,11 @@ struct Frame {
     std::vector<View> views;  // 1 (full screen) to 4, drawn in one pass on one framebuffer
     std::vector<Sign> signs;
     Detail detail;
+    Measured measured;
 };
 
 struct Drawn {
     std::size_t triangles = 0;
-    std::size_t draw_calls = 0;
 };
 
 class Renderer {
@@ -77,6 +87,8 @@ class Renderer {
     std::unique_ptr<Upload> begin_upload(std::shared_ptr<const scene::Scene> scene);
     std::shared_ptr<const Texture> texture(const mesh::Image& premultiplied_rgba);  // with mipmaps
     Drawn draw(const Frame& frame);
+    // Waits so long at most for what draw() asked of the GPU last; true when it is done.
+    bool is_done_within(std::chrono::nanoseconds patience);
     void finish();                                // waits until everything is drawn; for measuring, never in the show
     mesh::Image read_pixels(const Frame& frame);  // RGBA, rows from the top, as the panel has them
 

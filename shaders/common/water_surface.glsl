@@ -10,16 +10,16 @@ out float white;    // from how deep water on there is no foam: at the sea's sho
 void show_water(vec3 at_m, float foams) {
     white = foams;
     gl_Position = view.clip_from_world * vec4(at_m, 1.0);
-    over_land = at_m.xz * view.light_above.w + 0.5;
+    over_land = at_m.xz * view.scales.x + 0.5;
 
     vec3 away = normalize(at_m - view.eye_seconds.xyz);
     away.y = max(-away.y, 0.02);
     float grazing = 1.0 - away.y;
     float reflected = 0.04 + 0.76 * grazing * grazing * grazing * grazing;
-    float cos_to_sun = dot(away, view.to_sun.xyz);
-    vec3 sky = mix(haze_towards(cos_to_sun), view.mirrored.rgb, 1.0 - exp2(-4.5 * away.y));
+    float cos_to_glow = dot(away, view.to_glow.xyz);
+    vec3 sky = mix(haze_towards(cos_to_glow), view.mirrored.rgb, 1.0 - exp2(-4.5 * away.y));
     vec4 haze = haze_at(at_m);
     float clear = 1.0 - haze.a;
     before = vec4(haze.rgb * haze.a + sky * (reflected * clear), (1.0 - reflected) * clear);
-    glitter = (cos_to_sun - 1.04) * 70.0 + log2(clear + 1e-4);
+    glitter = (dot(away, view.to_sun.xyz) - 1.04) * 70.0 + log2(clear * min(view.sunlight.g, 1.0) + 1e-4);
 }

@@ -42,7 +42,8 @@ void add_levels(Slices& slices, Texture2D& texture, const std::shared_ptr<Chain>
 
 }  // namespace
 
-void add_painting(Slices& slices, Texture2D& texture, const TextureShape& shape, const Painter& paint) {
+std::shared_ptr<const mesh::Image> add_painting(Slices& slices, Texture2D& texture, const TextureShape& shape,
+                                                const Painter& paint) {
     const auto picture = std::make_shared<mesh::Image>(shape.width, shape.height, shape.channels);
     slices.add(0, [&texture, shape] { texture = Texture2D{shape}; });
     // Painting a byte takes longer than moving one.
@@ -52,6 +53,7 @@ void add_painting(Slices& slices, Texture2D& texture, const TextureShape& shape,
                           for (std::size_t r = row; r < row + rows; ++r) paint(*picture, static_cast<int>(r));
                       });
     add_levels(slices, texture, std::make_shared<Chain>(Chain{picture}), shape);
+    return picture;
 }
 
 void add_picture(Slices& slices, Texture2D& texture, std::shared_ptr<const mesh::Image> image,

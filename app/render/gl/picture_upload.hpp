@@ -16,8 +16,10 @@ namespace quadrat::render::gl {
 void add_picture(Slices& slices, Texture2D& texture, std::shared_ptr<const mesh::Image> image,
                  const TextureShape& wanted);
 
-// The same for an image that is worked out by the slices themselves, row by row: paint(image, row).
+// The same for an image that is worked out by the slices themselves, row by row: paint(image, row). Returns it; it is
+// whole for the slices added after these.
 using Painter = std::function<void(mesh::Image&, int row)>;
-void add_painting(Slices& slices, Texture2D& texture, const TextureShape& shape, const Painter& paint);
+std::shared_ptr<const mesh::Image> add_painting(Slices& slices, Texture2D& texture, const TextureShape& shape,
+                                                const Painter& paint);
 
 }  // namespace quadrat::render::gl

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <utility>
 
 namespace quadrat::render::passes {
 namespace {
@@ -22,22 +21,39 @@ int largest_block(int cells, int wanted) {
 
 }  // namespace
 
-Blocks::Blocks(const mesh::Field& height_m, float cell_m, int block_cells, float hole_half_side_m)
-    : columns_(height_m.columns),
+Blocks::Blocks(Unmeasured, int columns, float cell_m, int block_cells, float hole_half_side_m)
+    : columns_(columns),
       cell_m_(cell_m),
-      cells_(largest_block(height_m.columns - 1, block_cells)),
-      side_((height_m.columns - 1) / cells_),
-      coarsest_(std::bit_width(static_cast<unsigned>(cells_)) - 1) {
-    assert(height_m.columns == height_m.rows && height_m.columns >= 2);
-    for (int row = 0; row < side_; ++row) {
-        for (int column = 0; column < side_; ++column) {
-            Block block = bounded(height_m, column * cells_, row * cells_);
-            const float reach_m = std::max({-block.low_m.x, block.high_m.x, -block.low_m.z, block.high_m.z});
-            block.is_drawn = reach_m >= hole_half_side_m;
-            blocks_.push_back(block);
-            add_errors(height_m, column * cells_, row * cells_);
+      cells_(largest_block(columns - 1, block_cells)),
+      side_((columns - 1) / cells_),
+      coarsest_(std::bit_width(static_cast<unsigned>(cells_)) - 1),
+      hole_half_side_m_(hole_half_side_m) {
+    assert(columns >= 2);
+    blocks_.reserve(static_cast<std::size_t>(side_ * side_));
+    errors_m_.reserve(static_cast<std::size_t>(side_ * side_ * (coarsest_ + 1)));
+}
+
+Blocks::Blocks(const mesh::Field& height_m, float cell_m, int block_cells, float hole_half_side_m)
+    : Blocks(Unmeasured{}, height_m.columns, cell_m, block_cells, hole_half_side_m) {
+    for (int row = 0; row < side_; ++row) measure_row(height_m, row);
+}
+
+void Blocks::measure_row(const mesh::Field& height_m, int row) {
+    assert(height_m.columns == columns_ && height_m.rows == columns_);
+    assert(blocks_.size() == static_cast<std::size_t>(row * side_));
+    for (int column = 0; column < side_; ++column) {
+        Block block = bounded(height_m, column * cells_, row * cells_);
+        const float reach_m = std::max({-block.low_m.x, block.high_m.x, -block.low_m.z, block.high_m.z});
+        block.is_drawn = reach_m >= hole_half_side_m_;
+        blocks_.push_back(block);
+        // A coarser level is never taken for the better one.
+        float error_m = 0;
+        for (int level = 0; level <= coarsest_; ++level) {
+            if (level > 0) error_m = std::max(error_m, farthest_off_m(height_m, column * cells_, row * cells_, level));
+            errors_m_.push_back(error_m);
         }
     }
+    bound_squares(row);
 }
 
 Blocks::Block Blocks::bounded(const mesh::Field& height_m, int column, int row) const {
@@ -55,29 +71,32 @@ Blocks::Block Blocks::bounded(const mesh::Field& height_m, int column, int row) 
     return {{metres(column), lowest, metres(row)}, {metres(column + cells_), highest, metres(row + cells_)}, true};
 }
 
-// Each level drops the vertices that are odd at its step; what the surface moves by there is what it loses.
-void Blocks::add_errors(const mesh::Field& height_m, int column, int row) {
-    float sum_m = 0;
-    errors_m_.push_back(0);
-    for (int level = 1; level <= coarsest_; ++level) {
-        const int half = 1 << (level - 1);
-        const int step = 2 * half;
-        float worst_m = 0;
-        const auto lost = [&](int c, int r, int dc, int dr) {
-            const float mean = 0.5F * (height_m.at(c - dc, r - dr) + height_m.at(c + dc, r + dr));
-            worst_m = std::max(worst_m, std::abs(height_m.at(c, r) - mean));
-        };
-        for (int r = row; r <= row + cells_; r += step) {
-            for (int c = column; c <= column + cells_; c += step) {
-                if (c < column + cells_) lost(c + half, r, half, 0);
-                if (r < row + cells_) lost(c, r + half, 0, half);
-                // The diagonal that make_offsets draws runs from south-west to north-east.
-                if (c < column + cells_ && r < row + cells_) lost(c + half, r + half, half, -half);
-            }
+// Over the two triangles of every cell of the level, whose diagonal runs from south-west to north-east as in
+// make_offsets(): along a row of samples each is a straight line.
+float Blocks::farthest_off_m(const mesh::Field& height_m, int column, int row, int level) const {
+    const int step = 1 << level;
+    const float share = 1.0F / static_cast<float>(step);
+    float worst_m = 0;
+    for (int r = 0; r <= cells_; ++r) {
+        const int above = std::min(r & ~(step - 1), cells_ - step);
+        const float down = static_cast<float>(r - above) * share;
+        const float* samples = &height_m.at(column, row + r);
+        const float* upper = &height_m.at(column, row + above);
+        const float* lower = &height_m.at(column, row + above + step);
+        for (int left = 0; left < cells_; left += step) {
+            const float west = upper[left] + down * (lower[left] - upper[left]);
+            const float rise_east = (upper[left + step] - upper[left]) * share;
+            const float east = upper[left + step] + down * (lower[left + step] - upper[left + step]);
+            const float fall_west = (lower[left] - lower[left + step]) * share;
+            const int turn = step - (r - above);  // where the row crosses the diagonal
+            for (int c = 0; c <= turn; ++c)
+                worst_m = std::max(worst_m, std::abs(west + static_cast<float>(c) * rise_east - samples[left + c]));
+            for (int c = turn + 1; c <= step; ++c)
+                worst_m =
+                    std::max(worst_m, std::abs(east + static_cast<float>(step - c) * fall_west - samples[left + c]));
         }
-        sum_m += worst_m;
-        errors_m_.push_back(sum_m);
     }
+    return worst_m;
 }
 
 float Blocks::distance_to(const Block& block, glm::vec3 eye_m) const {
@@ -85,18 +104,21 @@ float Blocks::distance_to(const Block& block, glm::vec3 eye_m) const {
 }
 
 int Blocks::level_of(int block, const Wish& wish) const {
-    const float distance_m = distance_to(blocks_[static_cast<std::size_t>(block)], wish.eye_m);
+    return level_at(block, distance_to(blocks_[static_cast<std::size_t>(block)], wish.eye_m), wish);
+}
+
+int Blocks::level_at(int block, float distance_m, const Wish& wish) const {
     const float allowed_m = wish.error_px * distance_m / wish.pixels_per_radian;
     int level = coarsest_;
     while (level > 0 && error_m(block, level) > allowed_m) --level;
     return level;
 }
 
-float Blocks::affordable_error_px(const std::vector<int>& seen, Wish wish) const {
+float Blocks::affordable_error_px(const std::vector<Near>& seen, Wish wish) const {
     const auto triangles = [&] {
         std::size_t sum = 0;
-        for (const int block : seen) {
-            const auto side = static_cast<std::size_t>(cells_ >> level_of(block, wish));
+        for (const Near& near : seen) {
+            const auto side = static_cast<std::size_t>(cells_ >> level_at(near.block, near.distance_m, wish));
             sum += 2 * side * side;
         }
         return sum;
@@ -106,39 +128,90 @@ float Blocks::affordable_error_px(const std::vector<int>& seen, Wish wish) const
     return wish.error_px;
 }
 
-std::size_t Blocks::select(const Frustum& frustum, const Wish& wish, std::vector<std::uint32_t>& indices) const {
-    std::vector<std::pair<float, int>> seen;
-    std::vector<int> seen_blocks;
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        if (!blocks_[i].is_drawn || !frustum.may_see_box(blocks_[i].low_m, blocks_[i].high_m)) continue;
-        seen.emplace_back(distance_to(blocks_[i], wish.eye_m), static_cast<int>(i));
-        seen_blocks.push_back(static_cast<int>(i));
+// Once the last row of blocks in a row of squares is there.
+void Blocks::bound_squares(int row) {
+    if (row % kSquare != kSquare - 1 && row != side_ - 1) return;
+    const int first_row = row / kSquare * kSquare;
+    for (int first = 0; first < side_; first += kSquare) {
+        Block square = blocks_[static_cast<std::size_t>(first_row * side_ + first)];
+        for (int r = first_row; r <= row; ++r) {
+            for (int c = first; c < std::min(first + kSquare, side_); ++c) {
+                const Block& block = blocks_[static_cast<std::size_t>(r * side_ + c)];
+                square.low_m = glm::min(square.low_m, block.low_m);
+                square.high_m = glm::max(square.high_m, block.high_m);
+            }
+        }
+        squares_.push_back(square);
     }
+}
+
+std::vector<Blocks::Near> Blocks::seen_by(const Frustum& frustum, glm::vec3 eye_m) const {
+    std::vector<Near> seen;
+    const int across = (side_ + kSquare - 1) / kSquare;
+    for (std::size_t s = 0; s < squares_.size(); ++s) {
+        const Block& square = squares_[s];
+        if (!frustum.may_see_box(square.low_m, square.high_m)) continue;
+        const bool is_whole = frustum.sees_whole_box(square.low_m, square.high_m);
+        const int first_row = static_cast<int>(s) / across * kSquare;
+        const int first_column = static_cast<int>(s) % across * kSquare;
+        for (int row = first_row; row < std::min(first_row + kSquare, side_); ++row) {
+            for (int column = first_column; column < std::min(first_column + kSquare, side_); ++column) {
+                const int i = row * side_ + column;
+                const Block& block = blocks_[static_cast<std::size_t>(i)];
+                if (!block.is_drawn || (!is_whole && !frustum.may_see_box(block.low_m, block.high_m))) continue;
+                seen.push_back({distance_to(block, eye_m), i});
+            }
+        }
+    }
+    return seen;
+}
+
+Blocks::Selected Blocks::select(const Frustum& frustum, const Wish& wish, std::vector<std::uint32_t>& indices) const {
+    std::vector<Near> seen = seen_by(frustum, wish.eye_m);
     Wish affordable = wish;
-    affordable.error_px = affordable_error_px(seen_blocks, wish);
-    std::vector<int> levels(blocks_.size());
-    for (std::size_t i = 0; i < blocks_.size(); ++i) levels[i] = level_of(static_cast<int>(i), affordable);
-    std::ranges::sort(seen);
+    affordable.error_px = affordable_error_px(seen, wish);
+    // Only of those that are seen and, as their patterns ask for them, of their neighbours.
+    constexpr int kUnknown = -1;
+    std::vector<int> levels(blocks_.size(), kUnknown);
+    for (const Near& near : seen)
+        levels[static_cast<std::size_t>(near.block)] = level_at(near.block, near.distance_m, affordable);
+    const auto known_level = [&](int block) {
+        int& level = levels[static_cast<std::size_t>(block)];
+        if (level == kUnknown) level = level_of(block, affordable);
+        return level;
+    };
+    std::ranges::sort(seen, [](const Near& a, const Near& b) {
+        return a.distance_m != b.distance_m ? a.distance_m < b.distance_m : a.block < b.block;
+    });
     const std::size_t before = indices.size();
+    Selected selected;
     for (const auto& [distance_m, i] : seen) {
         const int row = i / side_;
         const int column = i % side_;
         const int own = levels[static_cast<std::size_t>(i)];
         const auto edge = [&](int c, int r) {
             const bool is_rim = c < 0 || r < 0 || c >= side_ || r >= side_;
-            return is_rim ? own : std::max(own, levels[static_cast<std::size_t>(r * side_ + c)]);
+            return is_rim ? own : std::max(own, known_level(r * side_ + c));
         };
         const auto& offsets = offsets_of(
             {own, edge(column, row - 1), edge(column + 1, row), edge(column, row + 1), edge(column - 1, row)});
         const auto first = static_cast<std::uint32_t>(row * cells_ * columns_ + column * cells_);
-        for (const std::uint32_t offset : offsets) indices.push_back(first + offset);
+        indices.insert(indices.end(), offsets.begin(), offsets.end());
+        for (auto at = indices.end() - static_cast<std::ptrdiff_t>(offsets.size()); at != indices.end(); ++at)
+            *at += first;
+        if (distance_m < wish.near_m) selected.near_indices = indices.size() - before;
     }
-    return (indices.size() - before) / 3;
+    selected.triangles = (indices.size() - before) / 3;
+    return selected;
 }
 
 const std::vector<std::uint32_t>& Blocks::offsets_of(const Pattern& pattern) const {
-    const auto known = patterns_.find(pattern);
-    return known != patterns_.end() ? known->second : patterns_.emplace(pattern, make_offsets(pattern)).first->second;
+    std::size_t place = 0;
+    for (const int level : pattern)
+        place = place * static_cast<std::size_t>(coarsest_ + 1) + static_cast<std::size_t>(level);
+    if (patterns_.empty()) patterns_.resize(static_cast<std::size_t>(std::pow(coarsest_ + 1, pattern.size())));
+    if (patterns_[place].empty()) patterns_[place] = make_offsets(pattern);
+    return patterns_[place];
 }
 
 std::vector<std::uint32_t> Blocks::make_offsets(const Pattern& pattern) const {

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include "render/passes/air.hpp"
+#include "render/passes/cloud_shadow.hpp"
 #include "render/passes/packing.hpp"
 
 namespace quadrat::render::passes {
@@ -14,7 +15,7 @@ namespace {
 
 constexpr float kSeedling = 0.07F;
 constexpr float kLowPlant_m = 2.2F;  // below this it is undergrowth, which fades out long before a tree does
-constexpr std::size_t kFewestBlades = 10;
+constexpr std::size_t kFewestBlades = 4;
 constexpr float kShape_px = 11;  // a shorter blade shows no more than that it is one
 
 struct Seen {
@@ -51,6 +52,8 @@ std::size_t triangles_of(const Kind& kind, float height_px, float fineness) {
 
 std::vector<Seen> seen_by(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Frustum& frustum,
                           const Gathering& g) {
+    // Where less is drawn of everything, undergrowth is drawn less far.
+    const float reach = std::min(std::sqrt(g.fineness), 1.0F);
     std::vector<Seen> seen;
     for (std::size_t i = 0; i < plants.size(); ++i) {
         const scene::Plant& plant = plants[i];
@@ -60,7 +63,7 @@ std::vector<Seen> seen_by(std::span<const scene::Plant> plants, std::span<const 
         const float distance_m = glm::length(middle_m - glm::vec3{g.view.eye_seconds});
         const float height_px = 2 * half_m * g.pixels_per_radian / std::max(distance_m, 0.5F);
         const bool is_low = kind.height_m < kLowPlant_m;
-        const float shown = is_low ? smooth(5.0F, 9.0F, height_px) : smooth(1.2F, 2.2F, height_px);
+        const float shown = is_low ? smooth(5.0F, 9.0F, height_px * reach) : smooth(1.2F, 2.2F, height_px * reach);
         if (shown <= 0) continue;
         if (!frustum.may_see_sphere(middle_m, std::hypot(half_m, kind.radius_m * plant.scale))) continue;
         seen.push_back({static_cast<std::uint32_t>(i), plant.species, height_px, shown});
@@ -104,13 +107,14 @@ Instance instance_of(const scene::Plant& plant, const Kind& kind, const Seen& se
     // Leaves between the eye and the sun glow.
     const glm::vec3 look = glm::normalize(middle_m - glm::vec3{g.view.eye_seconds} + glm::vec3{0, 0, 1e-4F});
     const float against = std::max(glm::dot(look, glm::vec3{g.view.to_sun}), 0.0F);
-    const float through = 0.9F * against * against * against * plant.sun;
+    const float sun = plant.sun * (g.clouds ? cloud_light_at(g.view, *g.clouds, middle_m) : 1);
+    const float through = 0.9F * against * against * against * sun;
     const glm::vec2 wind = wind_m(plant, height_m, g.view.eye_seconds.w);
     // Lighter and yellower, or darker and bluer.
     const glm::vec3 tint = 1.0F + plant.tint * glm::vec3{0.24F, 0.16F, -0.10F};
     return {{plant.root_m, plant.scale * seen.shown * (0.25F + 0.75F * age)},
             {std::sin(plant.yaw_rad), std::cos(plant.yaw_rad), age, share},
-            {wind.x, wind.y, plant.sun, through},
+            {wind.x, wind.y, sun, through},
             bytes_of(haze_at(g.view, middle_m)),
             bytes_of({0.5F * tint, 1})};
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/passes/frustum.hpp"
+#include "mesh/image.hpp"
 #include "render/passes/view_block.hpp"
 #include "scene/flora.hpp"
 
@@ -53,6 +54,7 @@ Closeness closeness(const Kind& kind, float height_px, float fineness);
 
 struct Gathering {
     ViewBlock view;  // its eye, sun, air and time
+    const mesh::Image* clouds = nullptr;  // whose shadow falls on the plants (cloud_shadow.hpp); null: none
     float pixels_per_radian = 500;
     float growth = 1;
     float fineness = 1;  // 1 is the standard; lowered by itself to keep the budget

@@ -12,6 +12,20 @@ inline float encode_root(float root) {
     return s * (1.007595F + s * (0.352583F - 0.406319F * s));
 }
 inline float encode(float light) { return encode_root(std::sqrt(std::max(light, 0.0F))); }
+
+// A sky's light, which may be many times paper white, brought under it by its brightness: alike up to a half.
+inline glm::vec3 held(const glm::vec3& light) {
+    const float y = 0.2126F * light.r + 0.7152F * light.g + 0.0722F * light.b;
+    constexpr float kAlike = 0.5F;
+    constexpr float kMost = 0.95F;
+    if (y <= kAlike) return light;
+    const float held_y = kAlike + (kMost - kAlike) * (1 - std::exp((kAlike - y) / (kMost - kAlike)));
+    // What is far too bright pales.
+    const float pale = std::min(0.35F * (y - held_y) / (y + 0.5F), 0.6F);
+    const glm::vec3 scaled = light * (held_y / y);
+    return scaled + (glm::vec3{held_y} - scaled) * pale;
+}
+
 inline glm::vec3 encode(glm::vec3 light) { return {encode(light.r), encode(light.g), encode(light.b)}; }
 
 }  // namespace quadrat::render::passes

@@ -29,4 +29,12 @@ bool Frustum::may_see_box(glm::vec3 low_m, glm::vec3 high_m) const {
     });
 }
 
+bool Frustum::sees_whole_box(glm::vec3 low_m, glm::vec3 high_m) const {
+    return std::ranges::all_of(planes_, [&](const glm::vec4& p) {
+        const glm::vec3 hindmost{p.x > 0 ? low_m.x : high_m.x, p.y > 0 ? low_m.y : high_m.y,
+                                 p.z > 0 ? low_m.z : high_m.z};
+        return glm::dot(glm::vec3{p}, hindmost) + p.w >= 0;
+    });
+}
+
 }  // namespace quadrat::render::passes

@@ -14,6 +14,9 @@ class Frustum {
     // False only when it is certainly out of sight.
     bool may_see_sphere(glm::vec3 middle_m, float radius_m) const;
     bool may_see_box(glm::vec3 low_m, glm::vec3 high_m) const;
+    bool sees_whole_box(glm::vec3 low_m, glm::vec3 high_m) const;
+
+    const std::array<glm::vec4, 6>& planes() const { return planes_; }
 
   private:
     std::array<glm::vec4, 6> planes_;

@@ -10,9 +10,20 @@
 #include "render/gl/texture.hpp"
 #include "render/gl/vertex_array.hpp"
 #include "render/passes/blocks.hpp"
+#include "render/passes/chunks.hpp"
 #include "scene/scene.hpp"
 
 namespace quadrat::render::passes {
+
+// The texture unit on which the lower clouds' shadow must lie when ground is drawn.
+inline constexpr GLuint kShadowUnit = 2;
+
+inline constexpr int kLandBlock = 16;  // samples a side of a block of the land
+
+inline constexpr float kGrain = 0.55F;  // how much of the ground's brightness its grain is
+
+// How far the grain is seen, where a radian has 1 pixel: beyond, its mean is left. m
+inline constexpr float kGrainSeen_m = 0.12F;
 
 // A heightfield's vertices; which of its triangles are drawn is chosen every frame.
 struct GridOnGpu {
@@ -26,7 +37,8 @@ struct GridOnGpu {
 struct LandOnGpu {
     GridOnGpu land;
     GridOnGpu surround;
-    gl::Texture2D lit;    // the root of half of what the ground sends to the eye; alpha: how deep water over it looks
+    gl::Texture2D lit;    // what the ground sends to the eye, shown, its coarse relief in it; alpha: how deep water
+                          // over it looks
     gl::Texture2D grain;  // of soft ground and of stone, in the light of the sun; 0.5 is level ground
     float side_m = 0;
     bool has_water = false;
@@ -39,15 +51,16 @@ struct StoneOnGpu {
     gl::Buffer corners;
     gl::Buffer facings;
     gl::Buffer indices;
-    std::size_t index_count = 0;
+    Chunks chunks;
 };
 
 void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<const scene::Scene>& scene);
 
-// A run of indices in the frame's index stream.
+// A run of indices in the frame's index stream: near ground comes first in it.
 struct IndexRange {
     std::size_t first = 0;
     std::size_t count = 0;
+    std::size_t near_count = 0;
 };
 
 // The land's square. What it is made of and the light baked for it are multiplied while uploading, for the sun stands
@@ -55,10 +68,12 @@ struct IndexRange {
 class GroundPass {
   public:
     GroundPass();
-    void draw(const LandOnGpu& land, const gl::StreamBuffer& indices, IndexRange range) const;
+    // grain_m: how far it is seen.
+    void draw(const LandOnGpu& land, const gl::StreamBuffer& indices, IndexRange range, float grain_m) const;
 
   private:
-    gl::Program program_;
+    gl::Program near_;
+    gl::Program far_;
     gl::VertexArray vertices_;
 };
 
@@ -77,7 +92,8 @@ class SurroundPass {
 class StonePass {
   public:
     StonePass();
-    void draw(const StoneOnGpu& stone) const;
+    // Returns how many triangles.
+    std::size_t draw(const StoneOnGpu& stone, const Frustum& frustum) const;
 
   private:
     gl::Program program_;

@@ -311,8 +311,8 @@ void PlantsPass::draw_leaves(const SpeciesOnGpu& species, const Batch& batch, GL
     draw_instances(batch.blades * per_blade, batch.count);
 }
 
-std::size_t PlantsPass::draw(const FloraOnGpu& flora, const std::vector<Batch>& batches,
-                             const gl::StreamBuffer& instances) const {
+void PlantsPass::draw(const FloraOnGpu& flora, const std::vector<Batch>& batches,
+                      const gl::StreamBuffer& instances) const {
     // Leaves first: they hide most of the wood, and what is hidden need not be shaded.
     glDisable(GL_CULL_FACE);
     leaf_vertices_.bind();
@@ -327,7 +327,6 @@ std::size_t PlantsPass::draw(const FloraOnGpu& flora, const std::vector<Batch>& 
     wood_vertices_.bind();
     for (const Batch& batch : batches)
         if (batch.part == Batch::Part::Wood) draw_wood(flora.species[batch.species], batch, instances.name());
-    return batches.size();
 }
 
 }  // namespace quadrat::render::passes

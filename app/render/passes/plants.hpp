@@ -47,9 +47,7 @@ void add_flora(gl::Slices& slices, FloraOnGpu& flora, const std::shared_ptr<cons
 class PlantsPass {
   public:
     PlantsPass();
-    // Returns the number of draw calls.
-    std::size_t draw(const FloraOnGpu& flora, const std::vector<Batch>& batches,
-                     const gl::StreamBuffer& instances) const;
+    void draw(const FloraOnGpu& flora, const std::vector<Batch>& batches, const gl::StreamBuffer& instances) const;
 
   private:
     void draw_wood(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const;

@@ -7,35 +7,34 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <numbers>
 #include <vector>
 
 #include "render/gl/picture_upload.hpp"
+#include "render/passes/cloud_shadow.hpp"
 #include "render/passes/encode.hpp"
+#include "render/passes/packing.hpp"
 
 namespace quadrat::render::passes {
 namespace {
 
 constexpr int kSectors = 64;
-constexpr float kLowest_rad = -10.0F / 180.0F * std::numbers::pi_v<float>;
-
+constexpr int kBowRings = 14;
+constexpr int kBowSectors = 96;
 // Encoded as the display wants it, in sixteen bits: eight would show as bands.
 struct DomeColour {
     std::uint16_t red, green, blue, unused;
 };
-
-glm::vec2 dome_place(float azimuth_rad, float elevation_rad) {
-    const float quarter = std::numbers::pi_v<float> / 2;
-    return {azimuth_rad / (4 * quarter), (quarter - elevation_rad) / (quarter - kLowest_rad)};
-}
 
 // Rings stand closer together toward the horizon, where the picture is looked at; the last hangs far below it.
 std::vector<float> ring_elevations_deg() {
     return {90, 74, 59, 46, 36, 28, 21, 15.5F, 11, 7.5F, 4.5F, 2, 0, -3, -10, -40};
 }
 
-constexpr std::array<glm::vec2, 4> kSunCorners{glm::vec2{-1, -1}, glm::vec2{1, -1}, glm::vec2{-1, 1}, glm::vec2{1, 1}};
+constexpr std::array<glm::vec2, 4> kDiscCorners{glm::vec2{-1, -1}, glm::vec2{1, -1}, glm::vec2{-1, 1}, glm::vec2{1, 1}};
 
 struct DomePlace {
     float azimuth_rad;
@@ -56,33 +55,10 @@ glm::vec3 direction_of(const DomePlace& p) {
             -std::cos(p.azimuth_rad) * std::cos(p.elevation_rad)};
 }
 
-float shown_at(const mesh::Image& dome, int x, int y, int channel) {
-    const int column = ((x % dome.width) + dome.width) % dome.width;
-    const float root =
-        static_cast<float>(gl::root_of_srgb(dome.pixel(column, std::clamp(y, 0, dome.height - 1))[channel]));
-    return encode_root(root / 255);
-}
-
-// Bilinear; around the compass it has no seam.
-glm::vec3 dome_shown(const mesh::Image& dome, const DomePlace& place) {
-    const glm::vec2 at = dome_place(place.azimuth_rad, std::max(place.elevation_rad, kLowest_rad)) *
-                             glm::vec2{static_cast<float>(dome.width), static_cast<float>(dome.height)} -
-                         0.5F;
-    const glm::vec2 corner = glm::floor(at);
-    const glm::vec2 t = at - corner;
-    const int x = static_cast<int>(corner.x);
-    const int y = static_cast<int>(corner.y);
-    glm::vec3 shown{0};
-    for (int c = 0; c < 3; ++c)
-        shown[c] = glm::mix(glm::mix(shown_at(dome, x, y, c), shown_at(dome, x + 1, y, c), t.x),
-                            glm::mix(shown_at(dome, x, y + 1, c), shown_at(dome, x + 1, y + 1, c), t.x), t.y);
-    return shown;
-}
-
-std::vector<DomeColour> dome_colours(const mesh::Image& dome) {
+std::vector<DomeColour> dome_colours(const scene::Dome& dome) {
     std::vector<DomeColour> colours;
     for (const DomePlace& place : dome_places()) {
-        const glm::vec3 shown = glm::clamp(dome_shown(dome, place), 0.0F, 1.0F) * 65535.0F;
+        const glm::vec3 shown = glm::clamp(encode(held(dome.radiance(direction_of(place)))), 0.0F, 1.0F) * 65535.0F;
         colours.push_back({static_cast<std::uint16_t>(shown.r), static_cast<std::uint16_t>(shown.g),
                            static_cast<std::uint16_t>(shown.b), 0});
     }
@@ -107,46 +83,123 @@ std::vector<std::uint16_t> dome_indices() {
 std::shared_ptr<const mesh::Image> interleaved(const scene::CloudLayer& layer) {
     auto both = std::make_shared<mesh::Image>(std::max(layer.density.width, 1), std::max(layer.density.height, 1), 2);
     for (std::size_t i = 0; i < layer.density.bytes.size(); ++i) {
-        both->bytes[2 * i] = layer.density.bytes[i];
+        both->bytes[2 * i] = unsigned_byte(layer.opacity * static_cast<float>(layer.density.bytes[i]) / 255);
         both->bytes[2 * i + 1] = i < layer.lit.bytes.size() ? layer.lit.bytes[i] : std::uint8_t{255};
     }
     return both;
+}
+
+struct BowCorner {
+    glm::vec4 around;
+    glm::vec3 colour;
+};
+
+// Colours of a rainbow over its radius, 0 inside to 1 outside: what drops of water make of white light, softened.
+glm::vec3 bow_colour(float t) {
+    const auto bell = [t](float at, float wide) { return std::exp(-(t - at) * (t - at) / (wide * wide)); };
+    return {bell(0.80F, 0.17F) + 0.35F * bell(0.12F, 0.12F), bell(0.55F, 0.17F), bell(0.28F, 0.19F)};
+}
+
+// One bow, and a second of a third of its light outside with its colours the other way round (Descartes 1637: 42 and 51
+// degrees).
+std::vector<BowCorner> bow_corners() {
+    std::vector<BowCorner> corners;
+    struct Bow {
+        float inner_deg, outer_deg, light;
+        bool is_turned;
+    };
+    for (const Bow& bow : {Bow{38.6F, 43.0F, 1.0F, false}, Bow{49.6F, 54.6F, 0.3F, true}}) {
+        for (int ring = 0; ring <= kBowRings; ++ring) {
+            const float t = static_cast<float>(ring) / kBowRings;
+            const float radius = glm::radians(glm::mix(bow.inner_deg, bow.outer_deg, t));
+            const bool is_rim = ring == 0 || ring == kBowRings;
+            const glm::vec3 colour = is_rim ? glm::vec3{0} : bow_colour(bow.is_turned ? 1 - t : t) * bow.light;
+            for (int sector = 0; sector <= kBowSectors; ++sector) {
+                const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(sector) / kBowSectors;
+                corners.push_back({{std::cos(turn), std::sin(turn), std::cos(radius), std::sin(radius)}, colour});
+            }
+        }
+    }
+    return corners;
+}
+
+std::vector<std::uint16_t> bow_indices() {
+    std::vector<std::uint16_t> indices;
+    for (int ring = 0; ring <= 2 * kBowRings; ++ring) {
+        if (ring == kBowRings) continue;  // between the bows
+        for (int sector = 0; sector < kBowSectors; ++sector) {
+            const auto inner = static_cast<std::uint16_t>(ring * (kBowSectors + 1) + sector);
+            const auto outer = static_cast<std::uint16_t>(inner + kBowSectors + 1);
+            for (const int i : {inner + 0, outer + 0, inner + 1, inner + 1, outer + 0, outer + 1})
+                indices.push_back(static_cast<std::uint16_t>(i));
+        }
+    }
+    return indices;
+}
+
+template <typename T>
+gl::Buffer filled(GLenum kind, const std::vector<T>& from) {
+    gl::Buffer buffer{kind, from.size() * sizeof(T)};
+    buffer.write<T>(0, from);
+    return buffer;
 }
 
 }  // namespace
 
 void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scene::Sky>& source) {
     slices.add(std::size_t{64} << 10U, [&sky, source] {
-        const auto colours = dome_colours(source->dome);
-        sky.dome = gl::Buffer{GL_ARRAY_BUFFER, colours.size() * sizeof(DomeColour)};
-        sky.dome.write<DomeColour>(0, colours);
+        sky.dome = filled(GL_ARRAY_BUFFER, dome_colours(source->dome));
+        sky.bow = source->bow;
+        static_assert(sizeof(scene::Star) == sizeof(glm::vec4));
+        sky.star_count = source->stars.size();
+        if (sky.star_count > 0) sky.stars = filled(GL_ARRAY_BUFFER, source->stars);
     });
+    sky.shadow_map = source->clouds[0].density.bytes.empty() ? mesh::Image(1, 1, 1)
+                                                             : shadow_map_of(source->clouds[0].density);
+    gl::TextureShape shadow;
+    shadow.wrap_s = shadow.wrap_t = gl::Wrap::Repeat;
+    shadow.sampling = gl::Sampling::Flat;
+    gl::add_picture(slices, sky.shadow, std::make_shared<mesh::Image>(sky.shadow_map), shadow);
     gl::TextureShape tiled;
     tiled.wrap_s = tiled.wrap_t = gl::Wrap::Repeat;
     for (std::size_t i = 0; i < source->clouds.size(); ++i)
         gl::add_picture(slices, sky.clouds[i], interleaved(source->clouds[i]), tiled);
+    gl::TextureShape disc;
+    disc.sampling = gl::Sampling::Smooth;
+    sky.has_disc = !source->disc.picture.bytes.empty();
+    if (sky.has_disc)
+        gl::add_picture(slices, sky.disc, {source, &source->disc.picture}, disc);
 }
 
 SkyPass::SkyPass()
     : program_("sky.vert", "sky.frag"),
-      sun_("sun.vert", "sun.frag"),
+      disc_("disc.vert", "disc.frag"),
+      stars_("stars.vert", "stars.frag"),
+      bow_("bow.vert", "lit.frag"),
       vertices_{
           {0, sizeof(glm::vec3), gl::Advance::PerVertex, {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}},
           {1, sizeof(DomeColour), gl::Advance::PerVertex, {{1, 4, GL_UNSIGNED_SHORT, gl::Numbers::Normalised, 0}}}},
-      sun_vertices_{{0, sizeof(glm::vec2), gl::Advance::PerVertex, {{0, 2, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}}} {
-    sun_corners_ = gl::Buffer{GL_ARRAY_BUFFER, sizeof(kSunCorners)};
-    sun_corners_.write<glm::vec2>(0, kSunCorners);
+      disc_vertices_{{0, sizeof(glm::vec2), gl::Advance::PerVertex, {{0, 2, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}}},
+      star_vertices_{{0, sizeof(glm::vec4), gl::Advance::PerVertex, {{0, 4, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}}},
+      bow_vertices_{{0,
+                     sizeof(BowCorner),
+                     gl::Advance::PerVertex,
+                     {{0, 4, GL_FLOAT, gl::Numbers::AsTheyAre, 0},
+                      {1, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(BowCorner, colour)}}}} {
+    disc_corners_ = filled(GL_ARRAY_BUFFER, std::vector<glm::vec2>(kDiscCorners.begin(), kDiscCorners.end()));
     std::vector<glm::vec3> directions;
     for (const DomePlace& place : dome_places()) directions.push_back(direction_of(place));
-    directions_ = gl::Buffer{GL_ARRAY_BUFFER, directions.size() * sizeof(glm::vec3)};
-    directions_.write<glm::vec3>(0, directions);
+    directions_ = filled(GL_ARRAY_BUFFER, directions);
     const auto indices = dome_indices();
-    indices_ = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof(std::uint16_t)};
-    indices_.write<std::uint16_t>(0, indices);
+    indices_ = filled(GL_ELEMENT_ARRAY_BUFFER, indices);
     index_count_ = indices.size();
+    bow_corners_ = filled(GL_ARRAY_BUFFER, bow_corners());
+    const auto bow = bow_indices();
+    bow_indices_ = filled(GL_ELEMENT_ARRAY_BUFFER, bow);
+    bow_index_count_ = bow.size();
 }
 
-void SkyPass::draw(const SkyOnGpu& sky) const {
+void SkyPass::draw(const SkyOnGpu& sky, int height_px) const {
     program_.use();
     sky.clouds[0].bind(0);
     sky.clouds[1].bind(1);
@@ -155,15 +208,36 @@ void SkyPass::draw(const SkyOnGpu& sky) const {
     vertices_.feed(1, sky.dome.name());
     vertices_.feed_indices(indices_.name());
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(index_count_), GL_UNSIGNED_SHORT, nullptr);
-    sun_.use();
-    sun_vertices_.bind();
-    sun_vertices_.feed(0, sun_corners_.name());
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     glDisable(GL_CULL_FACE);
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    draw_lights(sky, height_px);
     glEnable(GL_CULL_FACE);
     glDisable(GL_BLEND);
+}
+
+void SkyPass::draw_lights(const SkyOnGpu& sky, int height_px) const {
+    if (sky.star_count > 0) {
+        stars_.use();
+        glUniform1f(0, static_cast<float>(height_px) / 1080);
+        star_vertices_.bind();
+        star_vertices_.feed(0, sky.stars.name());
+        glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(sky.star_count));
+    }
+    if (sky.has_disc) {
+        disc_.use();
+        sky.disc.bind(2);
+        disc_vertices_.bind();
+        disc_vertices_.feed(0, disc_corners_.name());
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    }
+    if (sky.bow > 0) {
+        bow_.use();
+        bow_vertices_.bind();
+        bow_vertices_.feed(0, bow_corners_.name());
+        bow_vertices_.feed_indices(bow_indices_.name());
+        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(bow_index_count_), GL_UNSIGNED_SHORT, nullptr);
+    }
 }
 
 }  // namespace quadrat::render::passes

@@ -15,27 +15,43 @@ namespace quadrat::render::passes {
 struct SkyOnGpu {
     gl::Buffer dome;                      // a shown colour for each vertex of the dome: between them it is smooth
     std::array<gl::Texture2D, 2> clouds;  // r: density, g: lit
+    mesh::Image shadow_map;               // the lower clouds' density, coarse: what falls on plants
+    gl::Texture2D shadow;                 // the same, for the ground
+    gl::Texture2D disc;
+    bool has_disc = false;
+    gl::Buffer stars;
+    std::size_t star_count = 0;
+    float bow = 0;
 };
 
 // Adds the slices that fill sky, which must stay where it is until they are done.
 void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scene::Sky>& source);
 
-// Dome, sun and two layers of cloud, behind all else.
+// Dome, two layers of cloud, stars, the sun's or the moon's disc, a rainbow: behind all else.
 class SkyPass {
   public:
     SkyPass();
-    void draw(const SkyOnGpu& sky) const;
+    void draw(const SkyOnGpu& sky, int height_px) const;
     std::size_t triangles() const { return index_count_ / 3; }
 
   private:
+    void draw_lights(const SkyOnGpu& sky, int height_px) const;
+
     gl::Program program_;
-    gl::Program sun_;
+    gl::Program disc_;
+    gl::Program stars_;
+    gl::Program bow_;
     gl::VertexArray vertices_;
-    gl::VertexArray sun_vertices_;
-    gl::Buffer sun_corners_;
+    gl::VertexArray disc_vertices_;
+    gl::VertexArray star_vertices_;
+    gl::VertexArray bow_vertices_;
+    gl::Buffer disc_corners_;
     gl::Buffer directions_;
     gl::Buffer indices_;
+    gl::Buffer bow_corners_;
+    gl::Buffer bow_indices_;
     std::size_t index_count_ = 0;
+    std::size_t bow_index_count_ = 0;
 };
 
 }  // namespace quadrat::render::passes

@@ -108,6 +108,12 @@ mesh::Image ripple_slopes() {
     return image;
 }
 
+struct FreshCorner {
+    glm::vec3 at_m;
+    float foam;
+    glm::vec2 current_m_s;
+};
+
 // What water.frag is told: a little foam at the banks of what runs, all over where it falls.
 float foam_of(glm::vec2 current_m_s) {
     const float speed_m_s = glm::length(current_m_s);
@@ -120,30 +126,36 @@ void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shar
     constexpr std::size_t kPiece = 1U << 15U;
     const mesh::Mesh& mesh = scene->land->fresh_water;
     if (mesh.indices.empty()) return;
-    slices.add(0, [&water, scene] {
+    const auto ordered = std::make_shared<std::vector<std::uint32_t>>();
+    slices.add(0, [&water, scene, ordered] {
         const mesh::Mesh& from = scene->land->fresh_water;
-        water.corners = gl::Buffer{GL_ARRAY_BUFFER, from.positions_m.size() * sizeof(glm::vec4)};
+        water.corners = gl::Buffer{GL_ARRAY_BUFFER, from.positions_m.size() * sizeof(FreshCorner)};
         water.indices = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, from.indices.size() * sizeof(std::uint32_t)};
-        water.index_count = from.indices.size();
+        water.chunks = Chunks(from, kChunk_m);
+        *ordered = water.chunks.take_indices();
     });
-    slices.add_pieces(mesh.positions_m.size(), kPiece, sizeof(glm::vec4),
+    slices.add_pieces(mesh.positions_m.size(), kPiece, sizeof(FreshCorner),
                       [&water, scene](std::size_t first, std::size_t many) {
                           const mesh::Mesh& from = scene->land->fresh_water;
-                          std::vector<glm::vec4> corners;
+                          std::vector<FreshCorner> corners;
                           for (std::size_t i = first; i < first + many; ++i)
-                              corners.emplace_back(from.positions_m[i], foam_of(from.texcoords[i]));
-                          water.corners.write<glm::vec4>(first, corners);
+                              corners.push_back({from.positions_m[i], foam_of(from.texcoords[i]), from.texcoords[i]});
+                          water.corners.write<FreshCorner>(first, corners);
                       });
     slices.add_pieces(
-        mesh.indices.size(), kPiece, sizeof(std::uint32_t), [&water, scene](std::size_t first, std::size_t many) {
-            water.indices.write<std::uint32_t>(first, std::span(scene->land->fresh_water.indices).subspan(first, many));
+        mesh.indices.size(), kPiece, sizeof(std::uint32_t), [&water, ordered](std::size_t first, std::size_t many) {
+            water.indices.write<std::uint32_t>(first, std::span<const std::uint32_t>(*ordered).subspan(first, many));
         });
 }
 
 WaterPass::WaterPass()
     : program_("water.vert", "water.frag"),
-      fresh_program_("fresh_water.vert", "water.frag"),
-      fresh_vertices_{{0, sizeof(glm::vec4), gl::Advance::PerVertex, {{0, 4, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}}},
+      fresh_program_("fresh_water.vert", "running_water.frag"),
+      fresh_vertices_{{0,
+                       sizeof(FreshCorner),
+                       gl::Advance::PerVertex,
+                       {{0, 4, GL_FLOAT, gl::Numbers::AsTheyAre, 0},
+                        {1, 2, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(FreshCorner, current_m_s)}}}},
       vertices_{{0, sizeof(glm::vec2), gl::Advance::PerVertex, {{0, 2, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}}} {
     const auto vertices = ring_vertices();
     const auto indices = ring_indices();
@@ -164,26 +176,31 @@ void WaterPass::draw(const gl::Texture2D& ground) const {
     vertices_.bind();
     vertices_.feed(0, rings_.name());
     vertices_.feed_indices(indices_.name());
-    draw_blended(ground, index_count_, GL_UNSIGNED_SHORT);
+    bind_pictures(ground);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(index_count_), GL_UNSIGNED_SHORT, nullptr);
+    glDisable(GL_BLEND);
 }
 
-void WaterPass::draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground) const {
-    if (water.index_count == 0) return;
+std::size_t WaterPass::draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground,
+                                  const Frustum& frustum) const {
+    const std::vector<Chunks::Range> seen = water.chunks.seen(frustum);
+    if (seen.empty()) return 0;
     fresh_program_.use();
     fresh_vertices_.bind();
     fresh_vertices_.feed(0, water.corners.name());
     fresh_vertices_.feed_indices(water.indices.name());
-    draw_blended(ground, water.index_count, GL_UNSIGNED_INT);
+    bind_pictures(ground);
+    const std::size_t triangles = draw_ranges(seen);
+    glDisable(GL_BLEND);
+    return triangles;
 }
 
-void WaterPass::draw_blended(const gl::Texture2D& ground, std::size_t index_count, GLenum index_type) const {
+// The shore shows through shallow water; depth is still written, for the sky comes later.
+void WaterPass::bind_pictures(const gl::Texture2D& ground) const {
     ground.bind(0);
     ripples_.bind(1);
-    // The shore shows through shallow water; depth is still written, for the sky comes later.
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(index_count), index_type, nullptr);
-    glDisable(GL_BLEND);
 }
 
 }  // namespace quadrat::render::passes

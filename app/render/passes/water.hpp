@@ -7,6 +7,7 @@
 #include "render/gl/slices.hpp"
 #include "render/gl/texture.hpp"
 #include "render/gl/vertex_array.hpp"
+#include "render/passes/chunks.hpp"
 #include "scene/scene.hpp"
 
 namespace quadrat::render::passes {
@@ -15,7 +16,7 @@ namespace quadrat::render::passes {
 struct FreshWaterOnGpu {
     gl::Buffer corners;
     gl::Buffer indices;
-    std::size_t index_count = 0;
+    Chunks chunks;
 };
 void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shared_ptr<const scene::Scene>& scene);
 
@@ -24,11 +25,12 @@ class WaterPass {
   public:
     WaterPass();
     void draw(const gl::Texture2D& ground) const;  // its alpha: how deep the water over it looks
-    void draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground) const;
+    // Returns how many triangles.
+    std::size_t draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground, const Frustum& frustum) const;
     std::size_t triangles() const { return index_count_ / 3; }
 
   private:
-    void draw_blended(const gl::Texture2D& ground, std::size_t index_count, GLenum index_type) const;
+    void bind_pictures(const gl::Texture2D& ground) const;
 
     gl::Program program_;
     gl::Program fresh_program_;

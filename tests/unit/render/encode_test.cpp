@@ -50,7 +50,7 @@ TEST(Encode, NeverFallsAndEndsInWhite) {
 }
 
 TEST(Encode, IsTheSameCubicAsInTheShaders) {
-    const std::string_view text = shaders::source("ground.frag").text;
+    const std::string_view text = shaders::source("leaves.vert").text;
     for (const float coefficient : {1.007595F, 0.352583F, 0.406319F})
         EXPECT_NE(text.find(fmt::format("{:.6f}", coefficient)), std::string_view::npos) << coefficient;
 }

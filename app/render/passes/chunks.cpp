@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/chunks.hpp"
+
+#include <epoxy/gl.h>
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <map>
+#include <utility>
+
+namespace quadrat::render::passes {
+
+Chunks::Chunks(const mesh::Mesh& mesh, float side_m) : index_count_(mesh.indices.size()) {
+    std::map<std::pair<int, int>, std::vector<std::size_t>> squares;  // row, column: first index of each triangle
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const glm::vec3 corner = mesh.positions_m[mesh.indices[i]];
+        squares[{static_cast<int>(std::floor(corner.z / side_m)), static_cast<int>(std::floor(corner.x / side_m))}]
+            .push_back(i);
+    }
+    indices_.reserve(mesh.indices.size());
+    for (const auto& [square, triangles] : squares) {
+        const glm::vec3 any = mesh.positions_m[mesh.indices[triangles.front()]];
+        Chunk chunk{{indices_.size(), 3 * triangles.size()}, any, any};
+        for (const std::size_t first : triangles) {
+            for (std::size_t k = first; k < first + 3; ++k) {
+                const glm::vec3 at_m = mesh.positions_m[mesh.indices[k]];
+                chunk.low_m = glm::min(chunk.low_m, at_m);
+                chunk.high_m = glm::max(chunk.high_m, at_m);
+                indices_.push_back(mesh.indices[k]);
+            }
+        }
+        chunks_.push_back(chunk);
+    }
+}
+
+std::vector<Chunks::Range> Chunks::seen(const Frustum& frustum) const {
+    std::vector<Range> ranges;
+    for (const Chunk& chunk : chunks_) {
+        if (!frustum.may_see_box(chunk.low_m, chunk.high_m)) continue;
+        const bool goes_on = !ranges.empty() && ranges.back().first + ranges.back().count == chunk.range.first;
+        if (goes_on)
+            ranges.back().count += chunk.range.count;
+        else
+            ranges.push_back(chunk.range);
+    }
+    return ranges;
+}
+
+std::size_t draw_ranges(std::span<const Chunks::Range> ranges) {
+    std::size_t indices = 0;
+    for (const Chunks::Range& range : ranges) {
+        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count), GL_UNSIGNED_INT,
+                       reinterpret_cast<const void*>(range.first * sizeof(std::uint32_t)));
+        indices += range.count;
+    }
+    return indices / 3;
+}
+
+}  // namespace quadrat::render::passes

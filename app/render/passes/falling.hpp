@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "render/gl/buffer.hpp"
+#include "render/gl/program.hpp"
+#include "render/gl/vertex_array.hpp"
+#include "render/passes/view_block.hpp"
+#include "scene/sky.hpp"
+
+namespace quadrat::render::passes {
+
+// Rain and snow about the eye, blended over all else; they cost nothing when nothing falls.
+class FallingPass {
+  public:
+    FallingPass();
+    void draw(const scene::Precipitation& what, const ViewBlock& view, float pixels_per_radian) const;
+
+  private:
+    gl::Program program_;
+    gl::VertexArray vertices_;
+    gl::Buffer drops_;
+    gl::Buffer indices_;
+};
+
+}  // namespace quadrat::render::passes

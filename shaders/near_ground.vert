@@ -1,0 +1,20 @@
+#version 310 es
+// SPDX-License-Identifier: Apache-2.0
+// Ground so near that its grain is seen.
+#include "common/view.glsl"
+#include "common/haze.glsl"
+#include "common/cloud_shadow.glsl"
+#include "common/land.glsl"
+
+layout(location = 3) in vec2 kinds;
+layout(location = 1) uniform float farthest;  // 1/m: beyond there is no grain
+
+out vec2 over_grain;
+out vec2 grains;  // how much of each kind's grain shows
+
+void main() {
+    vec3 at_m = show_land();
+    over_grain = at_m.xz * view.scales.y;
+    float left = 1.0 - distance(at_m, view.eye_seconds.xyz) * farthest;
+    grains = kinds * (view.scales.z * clear * clamp(3.0 * left, 0.0, 1.0));
+}
