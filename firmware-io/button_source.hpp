@@ -52,7 +52,7 @@ class ButtonSource {
     virtual SourceStatus status() const = 0;
     virtual const Contacts& contacts() const = 0;
 
-    // From the next poll on. A source without lamps ignores it.
+    // At once, as far as the moment of the last poll tells how far a breath has gone. A source without lamps ignores it.
     virtual void set_lamps(const Lamps&) {}
 
     // A key of a window, for the source that listens to a keyboard; the others ignore it. Letters are upper case, the

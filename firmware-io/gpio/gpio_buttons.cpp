@@ -153,7 +153,14 @@ bool GpioButtons::drive_lamps(Instant now) {
     return true;
 }
 
+// A lamp that cannot be written to is found out by the next poll.
+void GpioButtons::set_lamps(const Lamps& lamps) {
+    patterns_ = lamps;
+    drive_lamps(polled_at_);
+}
+
 std::vector<ButtonEdge> GpioButtons::poll(Instant now) {
+    polled_at_ = now;
     if (!missing_contacts_.empty() || !missing_lamps_.empty()) open(now);
     if (!(read_edges(now) && drive_lamps(now))) lose(now);
     return debouncer_.take(now);

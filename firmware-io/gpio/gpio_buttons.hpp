@@ -33,7 +33,7 @@ class GpioButtons final : public ButtonSource {
     std::vector<ButtonEdge> poll(Instant now) override;
     SourceStatus status() const override { return status_; }
     const Contacts& contacts() const override { return debouncer_.contacts(); }
-    void set_lamps(const Lamps& lamps) override { patterns_ = lamps; }
+    void set_lamps(const Lamps& lamps) override;
     std::optional<Instant> next_event_at() const override { return debouncer_.next_event_at(); }
 
   private:
@@ -69,6 +69,7 @@ class GpioButtons final : public ButtonSource {
     SourceStatus status_;
     std::optional<Instant> retry_at_;
     Instant levels_read_at_{0};
+    Instant polled_at_{0};
 };
 
 }  // namespace quadrat::firmware_io::gpio

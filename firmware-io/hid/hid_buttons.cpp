@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "firmware-io/text.hpp"
+
 namespace quadrat::firmware_io::hid {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr Instant kRetryEvery = 1s;
 constexpr Instant kSettling = 200ms;
 constexpr int kMostReportsPerPoll = 256;        // four times the kernel's ring: a flood must not keep the frame waiting
 constexpr int kTaught = 100;                    // likelier than any that was not
+constexpr int kTaughtHere = 101;                // and likelier still than its equal in another port
 constexpr std::size_t kLongestReport = 16'385;  // with its report ID
 
 // " 0079:0006"
@@ -66,7 +69,9 @@ std::vector<HidButtons::Candidate> HidButtons::candidates() {
         const HidMapping* mapping = mapping_of(mappings_, device.identity);
         Bindings bindings = mapping != nullptr ? mapping->bindings : Bindings{};
         std::erase_if(bindings, [&](const Binding& binding) { return !can_send(layout, binding.signal); });
-        const int is_likely = bindings.empty() ? likelihood(layout) : kTaught;
+        const bool is_here = mapping != nullptr && mapping->port == one_word(device.identity.port) &&
+                             mapping->serial == one_word(device.identity.serial);
+        const int is_likely = bindings.empty() ? likelihood(layout) : is_here ? kTaughtHere : kTaught;
         if (bindings.empty()) bindings = default_bindings(layout);
         if (!bindings.empty()) found.push_back({std::move(device), std::move(layout), std::move(bindings), is_likely});
     }
