@@ -1,16 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/log.hpp"
 
+#include <fmt/chrono.h>
+#include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 
+#include <deque>
 #include <memory>
+#include <mutex>
+#include <string_view>
 #include <vector>
 
 namespace quadrat::base {
+namespace {
+
+constexpr std::size_t kWarningsKept = 20;
+
+class WarningSink final : public spdlog::sinks::base_sink<std::mutex> {
+  public:
+    RecentWarnings recent() {
+        const std::scoped_lock lock(mutex_);
+        return {{lines_.begin(), lines_.end()}, count_};
+    }
+
+  private:
+    void sink_it_(const spdlog::details::log_msg& message) override {
+        if (message.level < spdlog::level::warn) return;
+        ++count_;
+        lines_.push_back(fmt::format("{:%H:%M:%S} {}", fmt::localtime(spdlog::log_clock::to_time_t(message.time)),
+                                     std::string_view(message.payload.data(), message.payload.size())));
+        if (lines_.size() > kWarningsKept) lines_.pop_front();
+    }
+    void flush_() override {}
+
+    std::deque<std::string> lines_;
+    std::size_t count_ = 0;
+};
+
+std::shared_ptr<WarningSink>& warning_sink() {
+    static std::shared_ptr<WarningSink> sink = std::make_shared<WarningSink>();
+    return sink;
+}
+
+}  // namespace
+
+RecentWarnings recent_warnings() { return warning_sink()->recent(); }
 
 void open_log(LogDetail detail, const std::filesystem::path& file) {
     std::vector<spdlog::sink_ptr> sinks{std::make_shared<spdlog::sinks::stderr_color_sink_mt>()};
+    sinks.push_back(warning_sink());
     if (!file.empty()) sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_mt>(file.string(), true));
     auto logger = std::make_shared<spdlog::logger>("quadrat", sinks.begin(), sinks.end());
     logger->set_pattern("%Y-%m-%dT%H:%M:%S.%e %^%l%$ %v");

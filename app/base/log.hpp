@@ -2,7 +2,10 @@
 #pragma once
 #include <spdlog/spdlog.h>
 
+#include <cstddef>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace quadrat::base {
 
@@ -14,5 +17,12 @@ enum class LogDetail { Quiet, Normal, Verbose };
 
 // Once, at start. With a file, every line is written there too.
 void open_log(LogDetail detail, const std::filesystem::path& file = {});
+
+// The last warnings and errors of this run, oldest first, and how many there were altogether.
+struct RecentWarnings {
+    std::vector<std::string> lines;
+    std::size_t count = 0;
+};
+RecentWarnings recent_warnings();
 
 }  // namespace quadrat::base

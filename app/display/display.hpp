@@ -128,8 +128,8 @@ class Display {
     virtual Canvas canvas() const = 0;
     // Call before any GL of the frame. Takes what the window system or the kernel has to tell.
     virtual Canvas begin_frame() = 0;
-    // Hands the frame over. On a screen it waits until the frame before this one is out, so that one frame is drawn
-    // while one is shown; headless never waits.
+    // Hands the frame over. On a screen it waits until this frame is out, so that the next one shows what was pressed
+    // meanwhile; a machine that is too slow for that draws one frame while one is shown. Headless never waits.
     virtual Presented present() = 0;
 
     // Off: the screen is switched off for real (kms) or no longer drawn on.

@@ -8,8 +8,10 @@
 
 #include "base/error.hpp"
 #include "exhibit/archive_schema.hpp"
+#include "exhibit/word_answers.hpp"
 #include "genome/json_text.hpp"
 #include "genome/offer_json.hpp"
+#include "genome/words_json.hpp"
 
 namespace quadrat::exhibit {
 namespace {
@@ -36,6 +38,7 @@ base::Seed seed_from(const std::string& text) {
 
 constexpr std::string_view kGenerations =
     "SELECT visit, round, seed, flight, breeder, belief, offer, answers FROM generation ORDER BY id DESC";
+constexpr std::int64_t kSpare_pages = 256;
 constexpr std::int64_t kLargestNumber = std::int64_t{1} << 53;  // of a visit or a row; leaves room to count on
 
 // Throws InputError when the row is not whole.
@@ -51,6 +54,22 @@ Generation generation_from(const Statement& row) {
     generation.answers = genome::pick_from_json(row.text(7), "answers");
     if (generation.offer.round != row.integer(1)) throw base::InputError("the offer is of another round than its row");
     return generation;
+}
+
+// The rows of `answer` are what holds; a generation's own column is what it began with. So an answer writes a page, not
+// the whole generation again.
+genome::Pick answers_of(const Connection& connection, std::int64_t visit, int round) {
+    genome::Pick answers;
+    Statement rows = connection.prepare("SELECT aspect, candidate FROM answer WHERE visit=? AND round=?");
+    rows.bind(visit).bind(round);
+    while (rows.step()) {
+        const std::string name = rows.text(0);
+        const std::int64_t candidate = rows.integer(1);
+        for (const genome::Aspect aspect : genome::kAspects)
+            if (genome::name_of(aspect) == name && candidate >= 0 && candidate < std::int64_t{genome::kCandidates})
+                answers[aspect] = static_cast<std::size_t>(candidate);
+    }
+    return answers;
 }
 
 void set_answers(Connection& connection, std::int64_t visit, int round, const genome::Pick& answers, WallTime at) {
@@ -146,12 +165,15 @@ Trouble Archive::append(const Generation& generation) {
             .bind(genome::to_json(generation.answers))
             .run();
         const std::int64_t oldest = connection_.last_row() - std::max(1, retention_.generations);
+        set_answers(connection_, generation.visit, generation.offer.round, generation.answers, {});
         connection_.prepare("DELETE FROM generation WHERE id<=?").bind(oldest).run();
     });
     if (trouble) return trouble;
     try {
-        // A few pages a time give back what was deleted, without a pause that anyone could notice.
-        connection_.prepare("PRAGMA incremental_vacuum(16)").run();
+        // A few pages a time give back what was deleted, without a pause that anyone could notice. What the next
+        // generations will fill again stays: pages that come and go wear a card out.
+        if (connection_.integer("PRAGMA freelist_count") > kSpare_pages)
+            connection_.prepare("PRAGMA incremental_vacuum(16)").run();
     } catch (const SqliteError& error) {
         return fmt::format("kept the generation, but cannot give back disk space: {}", error.what());
     }
@@ -160,14 +182,54 @@ Trouble Archive::append(const Generation& generation) {
 
 Trouble Archive::keep_answers(std::int64_t visit, int round, const genome::Pick& answers, WallTime at) {
     return attempt("the answers", [&] {
-        connection_
-            .prepare(
-                "UPDATE generation SET answers=? WHERE id=(SELECT max(id) FROM generation) AND visit=? AND round=?")
-            .bind(genome::to_json(answers))
-            .bind(visit)
-            .bind(round)
-            .run();
         set_answers(connection_, visit, round, answers, at);
+    });
+}
+
+Trouble Archive::keep_word(const genome::WordAnswer& answer, WallTime at) {
+    return attempt("what was said of the landscape", [&] {
+        connection_.prepare("INSERT INTO word_answer(at_ms, word, step, scene, made_of) VALUES(?,?,?,?,?)")
+            .bind(milliseconds_of(at))
+            .bind(word(answer.word).name)
+            .bind(static_cast<std::int64_t>(answer.step))
+            .bind(genome::to_json(answer.scene))
+            .bind(answer.made_of ? genome::words_json(*answer.made_of) : "")
+            .run();
+        const std::int64_t oldest = connection_.last_row() - std::max(1, retention_.word_answers);
+        connection_.prepare("DELETE FROM word_answer WHERE id<=?").bind(oldest).run();
+    });
+}
+
+WordAnswers Archive::word_answers() const {
+    try {
+        return word_answers_of(connection_);
+    } catch (const SqliteError&) {
+        return {};
+    }
+}
+
+Trouble Archive::remember(std::string_view name, std::string_view value) {
+    return attempt(name, [&] {
+        connection_.prepare("INSERT INTO memory VALUES(?,?) ON CONFLICT DO UPDATE SET value=excluded.value")
+            .bind(name)
+            .bind(value)
+            .run();
+    });
+}
+
+std::string Archive::remembered(std::string_view name) const {
+    try {
+        Statement row = connection_.prepare("SELECT value FROM memory WHERE name=?");
+        return row.bind(name).step() ? row.text(0) : std::string{};
+    } catch (const SqliteError&) {
+        return {};
+    }
+}
+
+Trouble Archive::post(std::string_view topic, std::string_view payload, int most) {
+    return attempt("a message", [&] {
+        connection_.prepare("INSERT INTO outbox(topic, payload) VALUES(?,?)").bind(topic).bind(payload).run();
+        connection_.prepare("DELETE FROM outbox WHERE id<=?").bind(connection_.last_row() - most).run();
     });
 }
 
@@ -176,7 +238,9 @@ std::optional<Generation> Archive::latest() const {
         Statement rows = connection_.prepare(kGenerations);
         while (rows.step()) {
             try {
-                return generation_from(rows);
+                Generation generation = generation_from(rows);
+                generation.answers = answers_of(connection_, generation.visit, generation.offer.round);
+                return generation;
             } catch (const base::InputError&) {
                 continue;
             }

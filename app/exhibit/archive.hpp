@@ -6,11 +6,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/seed.hpp"
 #include "exhibit/sqlite.hpp"
 #include "exhibit/visit.hpp"
 #include "genome/offer.hpp"
+#include "genome/word_answer.hpp"
 
 namespace quadrat::exhibit {
 
@@ -35,6 +37,14 @@ struct Generation {
 struct Retention {
     int generations = 1000;
     int visits = 200'000;
+    int word_answers = 5000;  // about 5 kB each
+};
+
+// What visitors said of landscapes, oldest first. Rows that cannot be read, or that speak of words or parameters which
+// this program does not have, are counted alone.
+struct WordAnswers {
+    std::vector<genome::WordAnswer> readable;
+    int unreadable = 0;
 };
 
 // What visitors did and where the exhibit stands, in one SQLite file (WAL, synchronous=FULL), quadrat.db.
@@ -49,9 +59,9 @@ class Archive {
     };
     struct Opened;
 
-    // Never throws for what it finds on disk. A damaged file (not SQLite, cut off, another schema version, a check that
+    // Never throws for what it finds on disk. A damaged file (not SQLite, cut off, a schema version from the future, a check that
     // fails, a last row that cannot be read) is renamed, with its -wal and -shm, to quadrat.db.damaged-YYYYMMDD-HHMMSS
-    // in UTC. The directory is created when missing.
+    // in UTC. An older schema version is brought up to date. The directory is created when missing.
     static Opened open(const std::filesystem::path& directory, WallTime now, const Retention& retention = {});
 
     // The number of a new visit, from 1; unique in the file, also when writing it failed.
@@ -64,6 +74,21 @@ class Archive {
 
     // The answers of the last generation, which must be of this visit and round; and when each was given or changed.
     [[nodiscard]] Trouble keep_answers(std::int64_t visit, int round, const genome::Pick& answers, WallTime at);
+
+    // What a visitor said of a landscape, and when; nothing of the visitor.
+    [[nodiscard]] Trouble keep_word(const genome::WordAnswer& answer, WallTime at);
+    WordAnswers word_answers() const;
+
+    // One short text under a name, in place of the one before; and what it is, "" where there is none.
+    [[nodiscard]] Trouble remember(std::string_view name, std::string_view value);
+    std::string remembered(std::string_view name) const;
+
+    // A message for the fleet, kept until it was sent (outbox.hpp); the oldest goes when there are more than `most`.
+    struct Message {
+        std::int64_t id = 0;
+        std::string topic, payload;
+    };
+    [[nodiscard]] Trouble post(std::string_view topic, std::string_view payload, int most = 10'000);
 
     // The last whole generation; an older one when rows after it cannot be read. Nothing when there is none.
     std::optional<Generation> latest() const;
@@ -91,6 +116,11 @@ class Archive {
     Retention retention_;
     std::int64_t last_visit_ = 0;
 };
+
+// For an older program, or back again: moves the file's tables to a schema version, all or nothing, while no exhibit
+// uses it. Returns the version it had. Throws InputError.
+int move_state(const std::filesystem::path& directory, int version);
+int state_version();  // that this program keeps
 
 struct Archive::Opened {
     Archive archive;

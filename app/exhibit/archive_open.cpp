@@ -4,10 +4,12 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <system_error>
 #include <utility>
 
+#include "base/error.hpp"
 #include "exhibit/archive.hpp"
 #include "exhibit/archive_schema.hpp"
 
@@ -89,13 +91,15 @@ auto opened_or_damage(const Open& open) {
 Archive::Opened Archive::open_file(const fs::path& file, WallTime now, const Retention& retention) {
     return opened_or_damage([&] {
         Connection connection(file);
-        const bool is_new = prepare_schema(connection) == Found::Nothing;
+        const Found found = prepare_schema(connection);
         Archive archive(std::move(connection), retention);
         archive.require_whole();
         note_start(archive.connection_, now);
         archive.connection_.trust_file();
-        return Opened{std::move(archive), is_new ? Condition::Fresh : Condition::Continued,
-                      fmt::format("{}: {}", file.string(), is_new ? "a new state file" : "the state file is whole")};
+        constexpr std::array<const char*, 3> kWords{"a new state file", "the state file is whole",
+                                                    "the state file of an older version was brought up to date"};
+        return Opened{std::move(archive), found == Found::Nothing ? Condition::Fresh : Condition::Continued,
+                      fmt::format("{}: {}", file.string(), kWords[static_cast<std::size_t>(found)])};
     });
 }
 
@@ -135,5 +139,22 @@ Archive::Opened Archive::open(const fs::path& directory, WallTime now, const Ret
         return open_in_memory(file, one_line(trouble.what()), now, retention);
     }
 }
+
+int move_state(const fs::path& directory, int version) {
+    const fs::path file = directory / "quadrat.db";
+    try {
+        if (!fs::exists(file)) throw base::InputError(fmt::format("{}: there is no such file", file.string()));
+        if (version < 1 || version > schema_version())
+            throw base::InputError(fmt::format("version {}: there are 1 to {}", version, schema_version()));
+        Connection connection(file);
+        connection.trust_file();
+        return move_schema(connection, version);
+    } catch (const std::runtime_error& error) {
+        if (dynamic_cast<const base::InputError*>(&error) != nullptr) throw;
+        throw base::InputError(fmt::format("{}: {}", file.string(), one_line(error.what())));
+    }
+}
+
+int state_version() { return schema_version(); }
 
 }  // namespace quadrat::exhibit

@@ -12,10 +12,16 @@ class DamageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-enum class Found { Nothing, Ours };
+enum class Found { Nothing, Ours, Older };
 
-// Makes the tables where there are none. Throws DamageError for a file that holds anything else than the tables of this
-// version or fails SQLite's own check; SqliteError as SQLite does.
+// Makes the tables where there are none, and brings those of an older version to this one. Throws DamageError for a
+// file that holds anything else than the tables of its version or fails SQLite's own check; SqliteError as SQLite does.
 Found prepare_schema(Connection& connection);
+
+int schema_version();  // that this program keeps
+
+// Moves a file of ours to a version, 1 to schema_version(), so that an older program can go on with it; what that
+// version has no table for is dropped. All or nothing. Returns the version it had. Throws as above.
+int move_schema(Connection& connection, int to);
 
 }  // namespace quadrat::exhibit

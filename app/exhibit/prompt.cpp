@@ -15,6 +15,10 @@ Prompt prompt_of(const State& state) {
             return Prompt::StillThere;
         case Screen::Finale:
             return Prompt::YourLandscape;
+        case Screen::Describe:
+            return Prompt::WhichWords;
+        case Screen::Slide:
+            return Prompt::TurnWords;
         case Screen::Ask:
             break;
     }

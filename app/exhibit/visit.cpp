@@ -30,9 +30,14 @@ int new_generation(State& state) {
 
 void prepare_visit(Turn& turn) { turn.wishes.emplace_back(PrepareVisit{new_generation(turn.state)}); }
 
+// What is asked, or turned, between landscapes.
+Screen question_screen(const Timings& timings) {
+    return timings.asking == Asking::Sliders ? Screen::Slide : Screen::Ask;
+}
+
 void ask(Turn& turn, Aspect question) {
     turn.state.question = question;
-    show(turn, Screen::Ask);
+    show(turn, question_screen(turn.timings));
 }
 
 void breed(Turn& turn, Screen after) {
@@ -50,6 +55,10 @@ void forget_visit(State& state) {
     state.answers = {};
     state.past_answers.clear();
     state.rounds = 0;
+    state.slider = 0;
+    state.turns = 0;
+    state.turns_to_undo = 0;
+    state.described = 0;
     state.question = Aspect::Trees;
     state.after_breed = Screen::Ask;
     state.held.reset();
@@ -133,14 +142,72 @@ void press_in_ask(Turn& turn, Choice button) {
     }
 }
 
-void press_in_finale(Turn& turn) {
-    // An impatient press at what was still growing must not cost the visitor their landscape.
-    if (turn.now - turn.state.since < turn.timings.finale_guard) return;
+void leave_finale(Turn& turn) {
+    const Timings& timings = turn.timings;
+    if (timings.describe_words > 0 && turn.state.finales % std::max(1, timings.describe_every) == 0) {
+        show(turn, Screen::Describe);
+        return;
+    }
     end_visit(turn, Ending::Finished, NextVisit::Prepared);
 }
 
+void press_in_finale(Turn& turn) {
+    // An impatient press at what was still growing must not cost the visitor their landscape.
+    if (turn.now - turn.state.since < turn.timings.finale_guard) return;
+    leave_finale(turn);
+}
+
+void press_in_describe(Turn& turn, Choice button) {
+    if (turn.now - turn.state.since < turn.timings.press_guard) return;
+    if (button != Choice::Back) {
+        turn.wishes.emplace_back(KeepWord{turn.state.described, static_cast<std::size_t>(button)});
+        if (++turn.state.described < turn.timings.describe_words) return show(turn, Screen::Describe);
+    }
+    end_visit(turn, Ending::Finished, NextVisit::Prepared);
+}
+
+constexpr int kTurnsARound = 3;  // as many as answers
+
+void turn_slider(Turn& turn, int direction) {
+    State& state = turn.state;
+    ++state.turns;
+    ++state.turns_to_undo;
+    state.rounds = state.turns / kTurnsARound;
+    turn.wishes.emplace_back(TurnSlider{new_generation(state), state.slider, direction});
+    if (state.rounds >= turn.timings.rounds) grow_finale(turn, {});
+}
+
+void take_turn_back(Turn& turn) {
+    State& state = turn.state;
+    if (state.turns_to_undo == 0) return;
+    --state.turns_to_undo;
+    state.rounds = --state.turns / kTurnsARound;
+    turn.wishes.emplace_back(UndoTurn{new_generation(state)});
+}
+
+void press_in_slide(Turn& turn, Choice button) {
+    // Only as the screen comes: whoever turns sliders presses fast.
+    if (turn.now - turn.state.since < turn.timings.press_guard) return;
+    const int sliders = std::max(1, turn.timings.sliders);
+    switch (button) {
+        case Choice::A:
+            turn.state.slider = (turn.state.slider + sliders - 1) % sliders;
+            return;
+        case Choice::B:
+            turn.state.slider = (turn.state.slider + 1) % sliders;
+            return;
+        case Choice::C:
+            return turn_slider(turn, -1);
+        case Choice::D:
+            return turn_slider(turn, 1);
+        case Choice::Back:
+            return take_turn_back(turn);
+    }
+}
+
 bool listens_to_holding(const State& state) {
-    return state.screen == Screen::Ask || (state.screen == Screen::Breed && state.after_breed == Screen::Ask);
+    return state.screen == Screen::Ask || state.screen == Screen::Slide ||
+           (state.screen == Screen::Breed && state.after_breed == Screen::Ask);
 }
 
 void press(Turn& turn, Choice button) {
@@ -156,9 +223,13 @@ void press(Turn& turn, Choice button) {
         case Screen::Breed:
             return;
         case Screen::StillThere:
-            return show(turn, Screen::Ask);
+            return show(turn, question_screen(turn.timings));
         case Screen::Finale:
             return press_in_finale(turn);
+        case Screen::Describe:
+            return press_in_describe(turn, button);
+        case Screen::Slide:
+            return press_in_slide(turn, button);
     }
 }
 
@@ -175,6 +246,7 @@ void generation_ready(Turn& turn, int generation) {
         ask(turn, open_question(state.answers));
         return;
     }
+    ++state.finales;
     show(turn, Screen::Finale);
     prepare_visit(turn);
 }
@@ -184,6 +256,7 @@ std::optional<Instant> screen_deadline(const State& state, const Timings& timing
         case Screen::Attract:
             return std::nullopt;
         case Screen::Ask:
+        case Screen::Slide:
             return std::max(state.since, state.last_press) + timings.patience;
         case Screen::Breed:
             return state.since + timings.growing_limit;
@@ -191,13 +264,15 @@ std::optional<Instant> screen_deadline(const State& state, const Timings& timing
             return state.since + timings.countdown;
         case Screen::Finale:
             return state.since + timings.finale;
+        case Screen::Describe:
+            return std::max(state.since, state.last_press) + timings.describe;
     }
     return std::nullopt;
 }
 
 // A press held long asks for the Finale once there is something to show.
 std::optional<Instant> hold_deadline(const State& state, const Timings& timings) {
-    if (!state.held || state.rounds == 0 || !listens_to_holding(state)) return std::nullopt;
+    if (!state.held || (state.rounds == 0 && state.turns == 0) || !listens_to_holding(state)) return std::nullopt;
     return state.held->since + timings.long_press;
 }
 
@@ -206,12 +281,15 @@ void screen_times_out(Turn& turn) {
         case Screen::Attract:
             return;
         case Screen::Ask:
+        case Screen::Slide:
             return show(turn, Screen::StillThere);
         case Screen::Breed:
             return end_visit(turn, Ending::Stuck, NextVisit::ToPrepare);
         case Screen::StillThere:
             return end_visit(turn, Ending::Left, NextVisit::ToPrepare);
         case Screen::Finale:
+            return leave_finale(turn);
+        case Screen::Describe:
             return end_visit(turn, Ending::Finished, NextVisit::Prepared);
     }
 }
@@ -257,6 +335,12 @@ State resumed(int rounds, const genome::Pick& answers, Instant now) {
         state.answers[Aspect::Trees] = answers[Aspect::Trees];
         if (!answers[Aspect::Sky]) state.answers[Aspect::Land] = answers[Aspect::Land];
     }
+    return state;
+}
+
+State resumed_sliding(int turns, Instant now) {
+    State state = resumed(turns / kTurnsARound, {}, now);
+    state.turns = std::max(0, turns);
     return state;
 }
 

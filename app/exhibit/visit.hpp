@@ -16,6 +16,9 @@ using Instant = std::chrono::nanoseconds;  // since the program started
 
 enum class Choice { A, B, C, D, Back };
 
+// How a visit comes to its landscape: three best-of-four answers a round, or one slider after another turned.
+enum class Asking { Picks, Sliders };
+
 struct Timings {
     std::chrono::milliseconds patience{25'000};       // without a press, until "Still there?"
     std::chrono::milliseconds countdown{10'000};      // of "Still there?", until Attract
@@ -24,7 +27,12 @@ struct Timings {
     std::chrono::milliseconds press_guard{300};       // after an answer or a new question, a press does not count
     std::chrono::milliseconds finale_guard{1'500};    // the Finale is seen at least this long
     std::chrono::milliseconds growing_limit{60'000};  // a generation that never comes ends the visit
+    std::chrono::milliseconds describe{15'000};       // of Describe without a press, until Attract
     int rounds = 6;                                   // at least 1; then the Finale
+    int describe_words = 3;                           // asked in Describe, one at a time; 0: never
+    int describe_every = 2;                           // at least 1: after every so many Finales
+    Asking asking = Asking::Picks;
+    int sliders = 0;  // how many there are to choose from; at least 1 where they are turned
 };
 
 // ---- what happens
@@ -50,6 +58,8 @@ enum class Screen {
     Breed,       // the next four, or the Finale's landscape, are on their way
     StillThere,  // a countdown over the question
     Finale,      // the landscape they bred
+    Describe,    // what do you call it? one word at a time, four answers
+    Slide,       // one landscape; A and B choose a slider, C and D turn it
 };
 
 struct Held {
@@ -61,11 +71,16 @@ struct Held {
 // Passive; made by opening(), resumed() and next() alone.
 struct State {
     Screen screen = Screen::Attract;
-    Screen after_breed = Screen::Ask;                 // Ask or Finale: where Breed leads
+    Screen after_breed = Screen::Ask;                 // Ask (or Slide, in its place) or Finale: where Breed leads
     genome::Aspect question = genome::Aspect::Trees;  // in Ask and StillThere
     genome::Pick answers;                             // of this round; every aspect before the question, no other
     std::vector<genome::Pick> past_answers;           // of the rounds that Back can still reach, oldest first
-    int rounds = 0;                                   // that this visit has completed
+    int rounds = 0;                                   // that this visit has completed; a round is three actions
+    int slider = 0;                                   // which is chosen, in Slide
+    int turns = 0;                                    // of sliders, in this visit
+    int turns_to_undo = 0;                            // that Back can still reach
+    int finales = 0;                                  // since the exhibit was switched on
+    int described = 0;                                // words answered in Describe
     int generation = 0;                               // the last one that was wished for
     bool is_ready = false;                            // and whether it can be shown
     Instant since{0};                                 // when the screen, or its question, came
@@ -77,7 +92,7 @@ struct State {
 // ---- what should be done about it
 
 enum class Ending {
-    Finished,  // after the Finale
+    Finished,  // after the Finale, and what was asked about it
     Left,      // nobody answered "Still there?"
     Stuck,     // a generation never came
 };
@@ -123,13 +138,32 @@ struct GrowFinale {
     genome::Pick answers;
     friend bool operator==(const GrowFinale&, const GrowFinale&) = default;
 };
+// The slider was turned a step up (+1) or down (-1): keep that on disk, grow the landscape, then say GenerationReady.
+// What is on screen stays until then; another turn may come before.
+struct TurnSlider {
+    int generation;
+    int slider;
+    int direction;
+    friend bool operator==(const TurnSlider&, const TurnSlider&) = default;
+};
+// Take the last turn back, keep that, grow the landscape, then say GenerationReady.
+struct UndoTurn {
+    int generation;
+    friend bool operator==(const UndoTurn&, const UndoTurn&) = default;
+};
+// What the visitor says of the landscape they bred: the answer, 0 to 3, to the which-th word asked. Keep it on disk.
+struct KeepWord {
+    int which;
+    std::size_t answer;
+    friend bool operator==(const KeepWord&, const KeepWord&) = default;
+};
 struct EndVisit {
     Ending ending;
     int rounds;
     friend bool operator==(const EndVisit&, const EndVisit&) = default;
 };
-using Wish =
-    std::variant<Acknowledge, PrepareVisit, BeginVisit, KeepAnswers, GrowNext, UndoRound, GrowFinale, EndVisit>;
+using Wish = std::variant<Acknowledge, PrepareVisit, BeginVisit, KeepAnswers, GrowNext, UndoRound, GrowFinale,
+                          TurnSlider, UndoTurn, KeepWord, EndVisit>;
 
 struct Step {
     State state;
@@ -145,6 +179,9 @@ Step opening(Instant now);
 // not earlier rounds. `answers` holds those given: trees, or trees and land; anything else is taken as none.
 State resumed(int rounds, const genome::Pick& answers, Instant now);
 
+// The same for a visit in which so many sliders had been turned; Back reaches none of them.
+State resumed_sliding(int turns, Instant now);
+
 // One event, at most one change of screen. A time before the last one is taken as no time having passed.
 Step next(const State& state, const Event& event, Instant now, const Timings& timings);
 
@@ -154,7 +191,17 @@ std::optional<Instant> next_deadline(const State& state, const Timings& timings)
 
 // ---- what the visitor reads
 
-enum class Prompt { PressAnyButton, BestTrees, BestLand, BestSky, Growing, StillThere, YourLandscape };
+enum class Prompt {
+    PressAnyButton,
+    BestTrees,
+    BestLand,
+    BestSky,
+    Growing,
+    StillThere,
+    YourLandscape,
+    WhichWords,
+    TurnWords
+};
 Prompt prompt_of(const State& state);
 
 // Seconds left, rounded up, where a countdown is shown: in StillThere.

@@ -32,10 +32,12 @@ void ScreenKeeper::attend() {
 Presented ScreenKeeper::present() {
     ++frame_;
     attend();
-    if (state_.phase == Phase::Running)
+    if (state_.phase == Phase::Running) {
         show_frame();
-    else
+    } else {
+        pacing_.interrupted();
         take_news(kUnseenFrame);
+    }
     return told();
 }
 
@@ -76,6 +78,7 @@ void ScreenKeeper::take_news(Instant at_most) {
                                   if (!state_.flip_since) return;  // of a screen that was lost meanwhile
                                   shown_at_ = sane_flip_time(shown_at_, shown.at, hardware_.now());
                                   shown_frame_ = frame_in_flight_;
+                                  pacing_.shown(shown_at_, hardware_.period());
                                   feed(event::FlipEnded{});
                               },
                               [this](const auto& moved) { feed(moved); }},
@@ -96,7 +99,9 @@ void ScreenKeeper::show_frame() {
         if (!refusal) return feed(event::ContextLost{});
         if (*refusal == Refusal::None) {
             frame_in_flight_ = frame_;
-            return feed(event::FlipStarted{});
+            feed(event::FlipStarted{});
+            if (pacing_.waits(hardware_.now())) wait_for_flip();
+            return;
         }
         feed(event::FlipRefused{*refusal});
         if (state_.phase == Phase::Running) take_news(kBusyPause);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include "display/kms/pacing.hpp"
 #include "display/kms/screen_hardware.hpp"
 
 namespace quadrat::display {
@@ -11,8 +12,9 @@ class ScreenKeeper {
 
     // Takes the news; may set the screen up, switch it off or lose it. Between frames only.
     void attend();
-    // Hands over the frame that was drawn. With a screen it waits for the frame before it to be shown, 2 s at most;
-    // without one it waits a tenth of a second for news, so that the show goes on slowly and costs nothing.
+    // Hands over the frame that was drawn. With a screen it waits for it to be shown, 2 s at most, or, where there is
+    // no time for that (kms/pacing.hpp), for the frame before it; without one it waits a tenth of a second for news, so
+    // that the show goes on slowly and costs nothing.
     Presented present();
     void set_power(Power power) { feed(event::PowerAsked{power}); }
     const ScreenState& state() const { return state_; }
@@ -27,6 +29,7 @@ class ScreenKeeper {
 
     ScreenHardware& hardware_;
     ScreenState state_;
+    Pacing pacing_;
     std::vector<ScreenEvent> queue_;
     bool is_feeding_ = false;
     std::uint64_t frame_ = 0;

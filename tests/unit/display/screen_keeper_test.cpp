@@ -24,7 +24,7 @@ TEST_F(KeptScreen, ShowsTheFirstFrameAtOnceAndOneARetraceFromThenOn) {
     const Instant began = screen.now();
     for (int i = 0; i < 60; ++i) EXPECT_EQ(present().outcome, Outcome::Shown);
     EXPECT_NEAR(static_cast<double>((screen.now() - began).count()), 1e9, 2e7);
-    EXPECT_EQ(newest, 60U) << "of 61 presented the last is still on its way";
+    EXPECT_EQ(newest, 61U) << "each frame is out when present returns";
     EXPECT_EQ(present().period, ScriptedScreen::kPeriod);
 }
 

@@ -45,6 +45,8 @@ class ScriptedScreen final : public ScreenHardware {
         tell(event::PlugMoved{true});
     }
 
+    void spend(Instant time) { now_ += time; }  // on drawing, say; the news of it wait
+
     Instant now() override { return now_; }
     std::vector<News> wait(Instant at_most) override;
     ProbeResult probe() override;

@@ -40,12 +40,13 @@ Pipe open_pipe() {
     }
 }
 
-// Waits until the child has kept its first round, then for a random while, so that the kill falls anywhere.
-void kill_at_a_random_moment(pid_t child, int told, base::RandomStream& chance) {
-    pollfd first{told, POLLIN, 0};
-    const bool does_wait_for_first = chance.below(4) != 0;
-    if (does_wait_for_first) {
-        ASSERT_EQ(::poll(&first, 1, 10'000), 1) << "the child is stuck";
+// Waits until the child has kept none to three rounds, then for a random while, so that the kill falls anywhere, and on
+// a busy machine as late as on an idle one.
+void kill_at_a_random_moment(pid_t child, int told, int& last_told, base::RandomStream& chance) {
+    for (std::uint32_t rounds = chance.below(4); rounds > 0; --rounds) {
+        pollfd next{told, POLLIN, 0};
+        ASSERT_EQ(::poll(&next, 1, 10'000), 1) << "the child is stuck";
+        ASSERT_EQ(::read(told, &last_told, sizeof last_told), static_cast<ssize_t>(sizeof last_told));
     }
     const timespec pause{0, static_cast<long>(chance.below(3'000'000))};
     ::nanosleep(&pause, nullptr);
@@ -77,7 +78,7 @@ TEST_P(KilledArchive, LosesNoToldRoundInAHundredKillsAtRandomMoments) {
         ASSERT_GE(child, 0);
         if (child == 0) breed_until_killed(directory_, pipe.write.get());
         pipe.write.reset();
-        kill_at_a_random_moment(child, pipe.read.get(), chance);
+        kill_at_a_random_moment(child, pipe.read.get(), told_round, chance);
         if (HasFatalFailure()) FAIL() << "kill " << kill;
         told_round = last_told(pipe.read.get(), told_round);
 
@@ -94,7 +95,7 @@ TEST_P(KilledArchive, LosesNoToldRoundInAHundredKillsAtRandomMoments) {
         rounds_lost_in_the_telling += kept - told_round;
         told_round = kept;
     }
-    EXPECT_GT(told_round, 50) << "three children in four keep a round before they are killed";
+    EXPECT_GT(told_round, 100) << "the children did breed";
     RecordProperty("kept_but_not_told", rounds_lost_in_the_telling);
 }
 

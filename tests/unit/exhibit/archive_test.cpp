@@ -126,7 +126,7 @@ TEST_F(ArchiveOnDisk, IsWrittenThroughToTheDiskInWalMode) {
     ASSERT_TRUE(mode.step());
     EXPECT_EQ(mode.text(0), "wal");
     EXPECT_EQ(reader.integer("PRAGMA auto_vacuum"), 2);
-    EXPECT_EQ(reader.integer("PRAGMA user_version"), 1);
+    EXPECT_EQ(reader.integer("PRAGMA user_version"), 3);
 }
 
 // ---- damage
@@ -176,9 +176,9 @@ TEST_F(DamagedArchive, IsSetAsideWhenItsMiddleIsOverwritten) {
     expect_replaced("");
 }
 
-TEST_F(DamagedArchive, IsSetAsideWhenItsSchemaIsOfAnotherVersion) {
-    change("PRAGMA user_version=2");
-    expect_replaced("its schema version is 2; this program keeps version 1");
+TEST_F(DamagedArchive, IsSetAsideWhenItsSchemaIsOfALaterVersion) {
+    change("PRAGMA user_version=4");
+    expect_replaced("its schema version is 4; this program keeps versions 1 to 3");
 }
 
 TEST_F(DamagedArchive, IsSetAsideWhenItIsAnotherProgramsDatabase) {

@@ -2,6 +2,8 @@
 // What holds of every visit, whatever is pressed and whenever.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/seed.hpp"
 #include "exhibit/visit.hpp"
 
@@ -44,11 +46,11 @@ void expect_consistent(const State& state, const Timings& timings) {
     const bool is_visiting = state.screen != Screen::Attract;
     for (const Aspect aspect : kAspects) {
         ASSERT_LT(state.answers[aspect].value_or(0), genome::kCandidates);
-        if (state.screen == Screen::Ask || state.screen == Screen::StillThere) {
+        if (timings.asking == Asking::Picks && (state.screen == Screen::Ask || state.screen == Screen::StillThere)) {
             ASSERT_EQ(state.answers[aspect].has_value(), aspect < state.question) << "every question before this one";
         }
     }
-    if (state.screen == Screen::Attract || state.screen == Screen::Finale) {
+    if (state.screen == Screen::Attract || state.screen == Screen::Finale || state.screen == Screen::Describe) {
         ASSERT_EQ(state.answers, genome::Pick{});
         ASSERT_FALSE(state.held);
     }
@@ -58,17 +60,25 @@ void expect_consistent(const State& state, const Timings& timings) {
     }
     ASSERT_GE(state.rounds, 0);
     ASSERT_LE(state.rounds, timings.rounds);
-    ASSERT_EQ(state.past_answers.size(), static_cast<std::size_t>(state.rounds));
+    const bool slides = timings.asking == Asking::Sliders;
+    ASSERT_EQ(state.past_answers.size(), slides ? 0 : static_cast<std::size_t>(state.rounds));
+    ASSERT_EQ(state.rounds, slides ? state.turns / 3 : state.rounds);
+    ASSERT_TRUE(slides || (state.turns == 0 && state.screen != Screen::Slide));
+    ASSERT_TRUE(!slides || (state.answers == genome::Pick{} && state.screen != Screen::Ask));
+    ASSERT_LE(state.turns_to_undo, state.turns);
+    ASSERT_LT(state.slider, std::max(1, timings.sliders));
+    ASSERT_LT(state.described, std::max(1, timings.describe_words));
+    ASSERT_TRUE(state.screen == Screen::Describe || state.described == 0);
     for (const genome::Pick& pick : state.past_answers)
         for (const Aspect aspect : kAspects) ASSERT_TRUE(pick[aspect]) << "a round that was bred was answered";
     if (state.screen == Screen::Breed) {
         ASSERT_FALSE(state.is_ready);
     }
-    if (state.screen == Screen::Ask || state.screen == Screen::StillThere) {
+    if (!slides && (state.screen == Screen::Ask || state.screen == Screen::StillThere)) {
         ASSERT_TRUE(state.is_ready);
     }
     if (state.screen == Screen::Finale) {
-        ASSERT_GE(state.rounds, 1);
+        ASSERT_GE(slides ? state.turns : state.rounds, 1);
     }
     ASSERT_EQ(next_deadline(state, timings).has_value(), is_visiting) << "only Attract may last for ever";
 }
@@ -77,7 +87,8 @@ int count_of_generations(const std::vector<Wish>& wishes) {
     int count = 0;
     for (const Wish& wish : wishes)
         count += std::holds_alternative<PrepareVisit>(wish) || std::holds_alternative<GrowNext>(wish) ||
-                 std::holds_alternative<UndoRound>(wish) || std::holds_alternative<GrowFinale>(wish);
+                 std::holds_alternative<UndoRound>(wish) || std::holds_alternative<GrowFinale>(wish) ||
+                 std::holds_alternative<TurnSlider>(wish) || std::holds_alternative<UndoTurn>(wish);
     return count;
 }
 
@@ -99,15 +110,25 @@ void expect_right_wishes(const State& before, const Event& event, const Step& st
     ASSERT_EQ(step.state.generation - before.generation, count_of_generations(step.wishes));
 }
 
+// Every second visit turns sliders; some describe what they bred always, some never.
+Timings timings_of(std::uint64_t seed) {
+    Timings timings;
+    timings.asking = seed % 2 == 0 ? Asking::Sliders : Asking::Picks;
+    timings.sliders = 4;
+    timings.describe_words = static_cast<int>(seed % 4);
+    timings.describe_every = static_cast<int>(1 + seed % 2);
+    return timings;
+}
+
 class AnyVisit : public testing::TestWithParam<std::uint64_t> {};
-INSTANTIATE_TEST_SUITE_P(Seeds, AnyVisit, testing::Range<std::uint64_t>(1, 6));
+INSTANTIATE_TEST_SUITE_P(Seeds, AnyVisit, testing::Range<std::uint64_t>(1, 7));
 
 TEST_P(AnyVisit, OfAHundredThousandEventsStaysConsistentAndAcknowledgesEveryPress) {
-    const Timings timings;
+    const Timings timings = timings_of(GetParam());
     base::RandomStream chance(base::Seed{GetParam()});
     Instant now{0};
     State state = opening(now).state;
-    std::array<int, 5> seen{};
+    std::array<int, 7> seen{};
     for (int i = 0; i < 100'000; ++i) {
         now += random_pause(chance);
         const Event event = random_event(chance, state.generation);
@@ -119,11 +140,16 @@ TEST_P(AnyVisit, OfAHundredThousandEventsStaysConsistentAndAcknowledgesEveryPres
         state = step.state;
         ++seen.at(static_cast<std::size_t>(state.screen));
     }
-    for (const int count : seen) EXPECT_GT(count, 50) << "the walk has been everywhere";
+    for (const Screen screen : {Screen::Attract, timings.asking == Asking::Sliders ? Screen::Slide : Screen::Ask,
+                                Screen::Breed, Screen::StillThere, Screen::Finale})
+        EXPECT_GT(seen.at(static_cast<std::size_t>(screen)), 50) << "the walk has been everywhere";
+    if (timings.describe_words > 0) {
+        EXPECT_GT(seen.at(static_cast<std::size_t>(Screen::Describe)), 10);
+    }
 }
 
 TEST_P(AnyVisit, DoesNotChangeWhileTimeStandsStill) {
-    const Timings timings;
+    const Timings timings = timings_of(GetParam());
     base::RandomStream chance(base::Seed{GetParam()});
     Instant now{0};
     State state = opening(now).state;
@@ -141,7 +167,7 @@ TEST_P(AnyVisit, DoesNotChangeWhileTimeStandsStill) {
 }
 
 TEST_P(AnyVisit, ChangesAtItsDeadlineAndNotANanosecondBefore) {
-    const Timings timings;
+    const Timings timings = timings_of(GetParam());
     base::RandomStream chance(base::Seed{GetParam()});
     Instant now{0};
     State state = opening(now).state;
@@ -161,7 +187,7 @@ TEST_P(AnyVisit, ChangesAtItsDeadlineAndNotANanosecondBefore) {
 }
 
 TEST_P(AnyVisit, EndsInAttractWhenNobodyPressesAnyMore) {
-    const Timings timings;
+    const Timings timings = timings_of(GetParam());
     base::RandomStream chance(base::Seed{GetParam()});
     Instant now{0};
     State state = opening(now).state;

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exhibit/word_answers.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "exhibit/archive_schema.hpp"
+#include "genome/json_text.hpp"
+#include "genome/words_json.hpp"
+
+namespace quadrat::exhibit {
+namespace {
+
+// Throws InputError when the row is not whole.
+genome::WordAnswer answer_from(const Statement& row) {
+    genome::WordAnswer answer;
+    const auto word = genome::word_named(row.text(0));
+    if (!word) throw base::InputError("there is no such word");
+    answer.word = *word;
+    const std::int64_t step = row.integer(1);
+    if (step < 0 || step >= static_cast<std::int64_t>(genome::kAnswerSteps.size()))
+        throw base::InputError("there is no such answer");
+    answer.step = static_cast<std::size_t>(step);
+    answer.scene = genome::from_json(row.text(2), "scene");
+    if (const std::string words = row.text(3); !words.empty())
+        answer.made_of = genome::words_from(genome::parse_json(words, "words"), "words", "words");
+    return answer;
+}
+
+template <typename Work>
+auto with_state_of(const std::filesystem::path& directory, const Work& work) {
+    const std::filesystem::path file = directory / "quadrat.db";
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+        throw base::InputError(fmt::format("{}: there is no state file; name its folder with --state", file.string()));
+    try {
+        Connection connection(file);
+        prepare_schema(connection);
+        connection.trust_file();
+        return work(connection);
+    } catch (const SqliteError& error) {
+        throw base::InputError(fmt::format("{}: {}", file.string(), error.what()));
+    } catch (const DamageError& error) {
+        throw base::InputError(
+            fmt::format("{}: {}; the exhibit sets it aside at its next start", file.string(), error.what()));
+    }
+}
+
+}  // namespace
+
+WordAnswers word_answers_of(const Connection& connection) {
+    WordAnswers answers;
+    Statement rows = connection.prepare("SELECT word, step, scene, made_of FROM word_answer ORDER BY id");
+    while (rows.step()) {
+        try {
+            answers.readable.push_back(answer_from(rows));
+        } catch (const base::InputError&) {
+            ++answers.unreadable;
+        }
+    }
+    return answers;
+}
+
+WordAnswers word_answers_in(const std::filesystem::path& directory) {
+    return with_state_of(directory, [](Connection& connection) { return word_answers_of(connection); });
+}
+
+int forget_word_answers_in(const std::filesystem::path& directory) {
+    return with_state_of(directory, [](Connection& connection) {
+        Transaction transaction(connection);
+        const auto count = connection.integer("SELECT count(*) FROM word_answer");
+        connection.run("DELETE FROM word_answer");
+        transaction.commit();
+        return static_cast<int>(count);
+    });
+}
+
+}  // namespace quadrat::exhibit
