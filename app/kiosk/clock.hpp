@@ -25,6 +25,19 @@ class SteadyClock : public Clock {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+// Runs `speed` times as fast as the world, for tests of endurance.
+class HastyClock : public Clock {
+  public:
+    explicit HastyClock(double speed) : speed_(speed) {}
+    Instant now() override {
+        return Instant{static_cast<Instant::rep>(static_cast<double>(steady_.now().count()) * speed_)};
+    }
+
+  private:
+    SteadyClock steady_;
+    double speed_;
+};
+
 class SimulatedClock : public Clock {
   public:
     Instant now() override { return now_; }

@@ -51,6 +51,9 @@ int run_command_line(int argc, const char* const* argv) {
     commands::add_words(app, chosen);
     commands::add_bench(app, chosen);
     commands::add_doctor(app, chosen);
+    commands::add_shot(app, chosen);
+    commands::add_state(app, chosen);
+    commands::add_publish(app, chosen);
     // CLI11 would call a misspelt subcommand a missing one.
     const std::vector<std::string> known = subcommands_of(app);
     if (argc > 1 && argv[1][0] != '-' && std::ranges::find(known, argv[1]) == known.end())

@@ -11,6 +11,7 @@
 #include <bit>
 #include <cassert>
 #include <optional>
+#include <stdexcept>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -19,16 +20,7 @@
 namespace quadrat::kiosk {
 namespace {
 
-const std::map<std::string, std::string> kEnglish{
-    {"attract", "Press any button"},
-    {"ask.trees", "Which has the best trees?"},
-    {"ask.land", "Which has the best land?"},
-    {"ask.sky", "Which has the best sky?"},
-    {"breed", "Growing the next four …"},
-    {"still-there", "Still there? Press any button"},
-    {"finale", "This is the landscape you bred"},
-    {"first", "The first four are growing …"},
-};
+constexpr std::array kDays{"monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday"};
 
 // One reader for the whole file: it hands out values, remembers which keys were asked for, and refuses the others.
 class Reader {
@@ -76,7 +68,8 @@ class Reader {
         if (table == nullptr) return;
         for (const auto& [key, node] : *table) {
             const std::string name(key.str());
-            if (!kEnglish.contains(name)) refuse_unknown(node, "text", name, keys_of(kEnglish));
+            if (std::ranges::find(genome::kPrompts, name) == genome::kPrompts.end())
+                refuse_unknown(node, "text", name, {genome::kPrompts.begin(), genome::kPrompts.end()});
             texts[name] = string_in(node, "text", name.c_str(), {});
         }
     }
@@ -92,6 +85,31 @@ class Reader {
             if (!high || !(-1 <= *low && *low <= *high && *high <= 1))
                 refuse(*node, "words", name.c_str(), "is not a range: write [LOW, HIGH], from -1 to 1");
             words[name] = {*low, *high};
+        }
+    }
+
+    // A site that names any day is closed on those it does not name.
+    void read_hours(staff::Hours& hours) {
+        for (std::size_t day = 0; day < kDays.size(); ++day)
+            if (const toml::node* node = find("hours", kDays[day])) {
+                hours.is_always_open = false;
+                hours.week[day] = spans_in(*node, "hours", kDays[day]);
+            }
+        const toml::node* exceptions = find("hours", "exceptions");
+        if (exceptions == nullptr) return;
+        if (!exceptions->is_table())
+            refuse(*exceptions, "hours", "exceptions", "must be a table: write [hours.exceptions]");
+        for (const auto& [key, node] : *exceptions->as_table()) {
+            const std::string date(key.str());
+            try {
+                hours.exceptions[staff::parse_date(date)] = spans_in(node, "hours.exceptions", date.c_str());
+            } catch (const std::invalid_argument& error) {
+                refuse(node, "hours.exceptions", date.c_str(), error.what());
+            }
+        }
+        if (hours.is_always_open && !hours.exceptions.empty()) {
+            hours.is_always_open = false;
+            hours.week.fill({{0, 24 * 60}});
         }
     }
 
@@ -112,10 +130,13 @@ class Reader {
     }
 
   private:
-    static std::vector<std::string> keys_of(const std::map<std::string, std::string>& map) {
-        std::vector<std::string> keys;
-        for (const auto& [key, value] : map) keys.push_back(key);
-        return keys;
+    std::vector<staff::OpenSpan> spans_in(const toml::node& node, const char* table, const char* key) const {
+        const std::string text = string_in(node, table, key, {});
+        try {
+            return staff::parse_spans(text);
+        } catch (const std::invalid_argument& error) {
+            refuse(node, table, key, error.what());
+        }
     }
     std::vector<std::string> tables() const {
         std::vector<std::string> names{"text"};
@@ -174,14 +195,29 @@ void read_visit(Reader& reader, Configuration::Visit& visit) {
     reader.read("visit", "countdown_s", visit.countdown_s, 1, 120);
     reader.read("visit", "finale_s", visit.finale_s, 2, 600);
     reader.read("visit", "long_press_s", visit.long_press_s, 0.5, 30);
+    reader.read("visit", "describe_words", visit.describe_words, 0, 10);
+    reader.read("visit", "describe_every", visit.describe_every, 1, 1000);
+    reader.read("visit", "describe_s", visit.describe_s, 2, 600);
     std::vector<std::string> spoken;
     for (const std::string_view code : genome::language_codes()) spoken.emplace_back(code);
     reader.read("visit", "language", visit.language, spoken);
 }
 
+void read_closing(Reader& reader, staff::DoorkeeperOptions& closing) {
+    const auto seconds = [&](const char* key, std::chrono::seconds& value, int most) {
+        int number = static_cast<int>(value.count());
+        reader.read("hours", key, number, 0, most);
+        value = std::chrono::seconds{number};
+    };
+    seconds("card_s", closing.card, 24 * 3600);
+    seconds("overtime_s", closing.overtime, 4 * 3600);
+    seconds("awake_s", closing.awake, 4 * 3600);
+    reader.read("hours", "wakes_by_button", closing.wakes_by_button);
+}
+
 void read_breeding(Reader& reader, Configuration::Breeding& breeding) {
     reader.read("breeding", "genome", breeding.genome, {"words", "classic"});
-    reader.read("breeding", "breeder", breeding.breeder, {"belief", "pbil", "pbil-gaussian", "random"});
+    reader.read("breeding", "breeder", breeding.breeder, {"belief", "pbil", "pbil-gaussian", "random", "sliders"});
     reader.read("breeding", "learning_rate", breeding.learning_rate, 0, 1);
     reader.read("breeding", "mutation", breeding.mutation, 0, 1);
     reader.read("breeding", "mutation_form", breeding.mutation_form, {"toward-half", "random"});
@@ -207,6 +243,13 @@ Configuration configuration_from(std::string_view source_text, const std::string
     reader.read_words(configuration.words);
     reader.read("picture", "alpha", configuration.picture.alpha, 0.05, 20);
     reader.read("picture", "land_samples", configuration.picture.land_samples, 65, 1025);
+    reader.read("fleet", "broker", configuration.fleet.broker);
+    reader.read("fleet", "name", configuration.fleet.name);
+    reader.read("fleet", "user", configuration.fleet.user);
+    reader.read("fleet", "password_file", configuration.fleet.password_file);
+    reader.read("fleet", "ca_file", configuration.fleet.ca_file);
+    reader.read_hours(configuration.hours);
+    read_closing(reader, configuration.closing);
     reader.read_texts(configuration.texts);
     reader.refuse_what_was_not_read();
     const auto land = static_cast<unsigned>(configuration.picture.land_samples - 1);
@@ -224,11 +267,10 @@ Configuration read_configuration(const std::filesystem::path& path) {
     return configuration_from(base::read_file(path, kLargest), path.string());
 }
 
-const std::string& text(const Configuration& configuration, const std::string& key) {
+std::string text(const Configuration& configuration, const std::string& key) {
+    assert(std::ranges::find(genome::kPrompts, key) != genome::kPrompts.end());
     if (const auto found = configuration.texts.find(key); found != configuration.texts.end()) return found->second;
-    const auto english = kEnglish.find(key);
-    assert(english != kEnglish.end());
-    return english->second;
+    return std::string(genome::prompt(configuration.visit.language, key));
 }
 
 }  // namespace quadrat::kiosk

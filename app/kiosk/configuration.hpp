@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "kiosk/staff/hours.hpp"
+
 namespace quadrat::kiosk {
 
 // What the people of one site decide, from a TOML file; deploy/quadrat.toml shows every key with its default.
@@ -30,12 +32,15 @@ struct Configuration {
         double countdown_s = 10;  // of "Still there?"
         double finale_s = 20;
         double long_press_s = 2;      // of any choice button: to the finale
-        std::string language = "en";  // in which landscapes are described
+        int describe_words = 3;       // asked after a finale, one at a time; 0: none are
+        int describe_every = 2;       // of every so many finales
+        double describe_s = 15;       // without a press, until the visitor is taken to have left
+        std::string language = "en";  // that the screen speaks
     } visit;
 
     struct Breeding {
         std::string genome = "words";               // words, classic
-        std::string breeder = "belief";             // belief, pbil, pbil-gaussian, random
+        std::string breeder = "belief";             // belief, pbil, pbil-gaussian, random, sliders
         double learning_rate = 0.2;                 // 0 to 1
         double mutation = 0.02;                     // 0 to 1
         std::string mutation_form = "toward-half";  // toward-half, random
@@ -50,14 +55,26 @@ struct Configuration {
         int land_samples = 513;  // a side of the land, 2^k + 1: 129 grows in a tenth of the time, and is smoother
     } picture;
 
-    std::map<std::string, std::string> texts;  // prompts in the site's language, by key
+    // Where health and visits are published; nowhere, unless a broker is named.
+    struct Fleet {
+        std::string broker;         // "mqtts://broker.example:8883", "mqtt://…"
+        std::string name;           // of this exhibit; the machine's, without one
+        std::string user;           // for the broker
+        std::string password_file;  // its first line
+        std::string ca_file;        // who vouches for the broker; the system's, without one
+    } fleet;
+
+    staff::Hours hours;                // when the house is open; always, unless it says
+    staff::DoorkeeperOptions closing;  // what happens at closing time
+
+    std::map<std::string, std::string> texts;  // prompts in the site's own words, by key
 };
 
 // Throws InputError naming source, line and key, what is wrong and what would be right.
 Configuration configuration_from(std::string_view toml, const std::string& source);
 Configuration read_configuration(const std::filesystem::path& path);
 
-// The prompt for a key, in the site's words or in English. Unknown keys are a programmer's mistake.
-const std::string& text(const Configuration& configuration, const std::string& key);
+// The prompt for a key of genome::kPrompts: in the site's own words, else in its language.
+std::string text(const Configuration& configuration, const std::string& key);
 
 }  // namespace quadrat::kiosk

@@ -2,17 +2,16 @@
 #include "kiosk/diagnosis.hpp"
 
 #include <fmt/format.h>
-#include <sys/timex.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <system_error>
 
 #include "base/error.hpp"
 #include "display/display.hpp"
 #include "firmware-io/input_spec.hpp"
+#include "kiosk/staff/machine.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -152,41 +151,53 @@ std::vector<Finding> examine_state(const fs::path& directory) {
     std::error_code error;
     fs::path existing = fs::absolute(directory);
     while (!fs::exists(existing, error) && existing.has_relative_path()) existing = existing.parent_path();
-    if (::access(existing.c_str(), W_OK) != 0)
+    return examine_state(directory, staff::free_mb(existing));
+}
+
+std::vector<Finding> examine_state(const fs::path& directory, std::optional<double> free_mb) {
+    std::error_code error;
+    fs::path existing = fs::absolute(directory);
+    while (!fs::exists(existing, error) && existing.has_relative_path()) existing = existing.parent_path();
+    if (!fs::is_directory(existing, error) || ::access(existing.c_str(), W_OK) != 0)
         return {{"state", Health::Bad, fmt::format("{}: cannot be written", existing.string()),
                  "visits are kept in memory only; give the exhibit's user this folder, or name another with --state"}};
     std::vector<Finding> findings;
-    constexpr std::uintmax_t kEnough = 100U << 20U;
-    const auto space = fs::space(existing, error);
-    if (!error && space.available < kEnough)
-        findings.push_back({"state", Health::Doubtful,
-                            fmt::format("{}: {} MB left", existing.string(), space.available >> 20U),
-                            "make room: the exhibit goes on, but keeps nothing once the disk is full"});
+    constexpr double kEnough_mb = 100;
+    if (free_mb && *free_mb < kEnough_mb)
+        findings.push_back({"state", Health::Doubtful, fmt::format("{}: {:.0f} MB left", existing.string(), *free_mb),
+                            "make room: the exhibit goes on, but keeps nothing once the disk is full; what is large: "
+                            "du -xh " +
+                                existing.string() + " | sort -h | tail"});
     findings.push_back(state_file_finding(directory / "quadrat.db"));
     return findings;
 }
 
-std::vector<Finding> examine_clock() {
-    using namespace std::chrono;
-    const auto today = year_month_day{floor<days>(system_clock::now())};
-    constexpr year kBuilt{2025};
-    if (today.year() < kBuilt)
-        return {{"clock", Health::Doubtful, fmt::format("it is {} here", static_cast<int>(today.year())),
-                 "a wrong date changes nothing on the screen; for right dates in the report, add a clock module or a "
-                 "network"}};
-    struct timex state {};
-    const bool is_synchronised = ::adjtimex(&state) >= 0 && (state.status & STA_UNSYNC) == 0;
-    if (!is_synchronised) return {{"clock", Health::Good, "it keeps itself; no network sets it", ""}};
-    return {{"clock", Health::Good, "set by the network", ""}};
+std::vector<Finding> examine_clock() { return examine_clock(staff::read_wall_clock(), false); }
+
+std::vector<Finding> examine_clock(const staff::WallClock& wall, bool closes_by_the_clock) {
+    const int year = static_cast<int>(wall.date.year());
+    if (wall.is_trusted) return {{"clock", Health::Good, "it can be trusted", ""}};
+    const char* follows = closes_by_the_clock
+                              ? "the opening hours are not followed until it is right: connect a network "
+                                "(timedatectl set-ntp true) or fit a clock module"
+                              : "nothing on the screen depends on it; for right dates: timedatectl set-ntp true";
+    return {{"clock", closes_by_the_clock ? Health::Doubtful : Health::Good,
+             fmt::format("nothing keeps it right, and it shows the year {}", year), follows}};
+}
+
+Health worst_of(const std::vector<Finding>& findings) {
+    Health worst = Health::Good;
+    for (const Finding& finding : findings) worst = std::max(worst, finding.health);
+    return worst;
 }
 
 std::string report_of(const std::vector<Finding>& findings) {
     std::string out;
     constexpr const char* kMarks[] = {"good    ", "doubtful", "BAD     "};
     for (const Finding& finding : findings) {
-        out += fmt::format("{}  {:<8} {}\n", kMarks[static_cast<std::size_t>(finding.health)], finding.subject,
+        out += fmt::format("{}  {:<9} {}\n", kMarks[static_cast<std::size_t>(finding.health)], finding.subject,
                            finding.what);
-        if (!finding.remedy.empty()) out += fmt::format("{:20}-> {}\n", "", finding.remedy);
+        if (!finding.remedy.empty()) out += fmt::format("{:21}-> {}\n", "", finding.remedy);
     }
     return out;
 }

@@ -83,7 +83,8 @@ struct Order {
 const tbb::global_control kOneWorker(tbb::global_control::max_allowed_parallelism, 1);
 #endif
 
-constexpr std::size_t kAspectsKept = 48;
+// The four on stage, and as many again for head starts and for going back one step.
+constexpr std::size_t kAspectsKept = 2 * genome::kCandidates * genome::kAspects.size();
 
 }  // namespace
 
@@ -102,10 +103,15 @@ struct Grower::Parts {
           observer(arena),
           worker([this](const std::stop_token& stop) { work(stop); }) {}
 
+    struct Kept {
+        std::uint64_t wanted;  // when, last
+        Grown grown;
+    };
     struct Job {
         AspectKey key;
         genome::ParameterValues values;
         base::Seed seed;
+        std::uint64_t wanted;
     };
 
     void work(const std::stop_token& stop);
@@ -113,6 +119,7 @@ struct Grower::Parts {
     void compose_order(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
     void enqueue(Aspect aspect, std::span<const genome::Candidate> candidates);
     bool has_all(const Order& wanted) const;
+    bool is_ordered(const AspectKey& key) const;
     void forget_old();
 
     GrowerOptions options;
@@ -121,9 +128,9 @@ struct Grower::Parts {
 
     std::mutex mutex;
     std::condition_variable_any changed;
-    std::vector<Job> jobs;                                      // not begun
-    std::vector<AspectKey> growing;                             // begun
-    std::map<AspectKey, std::pair<std::uint64_t, Grown>> kept;  // with when it was last wanted
+    std::vector<Job> jobs;           // not begun
+    std::vector<AspectKey> growing;  // begun
+    std::map<AspectKey, Kept> kept;
     std::uint64_t wants = 0;
     std::optional<Order> ordered;  // not composed yet
     std::uint64_t order_number = 0;
@@ -138,11 +145,11 @@ void Grower::Parts::enqueue(Aspect aspect, std::span<const genome::Candidate> ca
     for (const genome::Candidate& candidate : candidates) {
         AspectKey key = key_of(aspect, candidate.values, candidate.seeds[aspect]);
         if (const auto found = kept.find(key); found != kept.end()) {
-            found->second.first = wants;
+            found->second.wanted = wants;
             continue;
         }
         if (std::ranges::find(jobs, key, &Job::key) == jobs.end() && std::ranges::find(growing, key) == growing.end())
-            jobs.push_back({std::move(key), candidate.values, candidate.seeds[aspect]});
+            jobs.push_back({std::move(key), candidate.values, candidate.seeds[aspect], wants});
     }
 }
 
@@ -153,9 +160,24 @@ bool Grower::Parts::has_all(const Order& wanted) const {
     return true;
 }
 
+bool Grower::Parts::is_ordered(const AspectKey& key) const {
+    if (!ordered) return false;
+    return std::ranges::any_of(ordered->candidates, [&](const genome::Candidate& candidate) {
+        const Aspect aspect = std::get<0>(key);
+        return key == key_of(aspect, candidate.values, candidate.seeds[aspect]);
+    });
+}
+
+// After every batch: orders that are replaced before they are composed would otherwise pile up what they grew.
 void Grower::Parts::forget_old() {
     while (kept.size() > kAspectsKept) {
-        kept.erase(std::ranges::min_element(kept, {}, [](const auto& entry) { return entry.second.first; }));
+        auto oldest = kept.end();
+        for (auto i = kept.begin(); i != kept.end(); ++i) {
+            if (is_ordered(i->first)) continue;
+            if (oldest == kept.end() || i->second.wanted < oldest->second.wanted) oldest = i;
+        }
+        if (oldest == kept.end()) return;
+        kept.erase(oldest);
     }
 }
 
@@ -164,7 +186,6 @@ void Grower::Parts::grow_batch(std::unique_lock<std::mutex>& lock, const std::st
     const auto take = std::min(jobs.size(), static_cast<std::size_t>(std::max(1, arena.max_concurrency())));
     std::vector<Job> batch(jobs.begin(), jobs.begin() + static_cast<std::ptrdiff_t>(take));
     jobs.erase(jobs.begin(), jobs.begin() + static_cast<std::ptrdiff_t>(take));
-    const std::uint64_t when = wants;
     growing.clear();
     for (const Job& job : batch) growing.push_back(job.key);
     lock.unlock();
@@ -178,7 +199,8 @@ void Grower::Parts::grow_batch(std::unique_lock<std::mutex>& lock, const std::st
     lock.lock();
     growing.clear();
     if (stop.stop_requested()) return;
-    for (std::size_t i = 0; i < batch.size(); ++i) kept[batch[i].key] = {when, grown[i]};
+    for (std::size_t i = 0; i < batch.size(); ++i) kept[batch[i].key] = {batch[i].wanted, grown[i]};
+    forget_old();
     const float share =
         static_cast<float>(batch.size()) / static_cast<float>(genome::kCandidates * genome::kAspects.size());
     progress = std::min(0.9F, progress + share);
@@ -191,7 +213,7 @@ void Grower::Parts::compose_order(std::unique_lock<std::mutex>& lock, const std:
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const genome::Candidate& candidate = order.candidates[i];
         for (const Aspect aspect : genome::kAspects)
-            parts[i][aspect] = kept.at(key_of(aspect, candidate.values, candidate.seeds[aspect])).second;
+            parts[i][aspect] = kept.at(key_of(aspect, candidate.values, candidate.seeds[aspect])).grown;
     }
     lock.unlock();
     Scenes made(parts.size());
@@ -208,7 +230,6 @@ void Grower::Parts::compose_order(std::unique_lock<std::mutex>& lock, const std:
     ready = std::move(made);
     ordered.reset();
     progress = 1;
-    forget_old();
 }
 
 void Grower::Parts::work(const std::stop_token& stop) {
@@ -263,6 +284,12 @@ std::optional<Scenes> Grower::take() {
 float Grower::progress() {
     const std::scoped_lock lock(parts_->mutex);
     return parts_->progress;
+}
+
+Grower::Stock Grower::stock() {
+    const std::scoped_lock lock(parts_->mutex);
+    const std::size_t to_grow = parts_->jobs.size() + parts_->growing.size();
+    return {parts_->kept.size(), to_grow, to_grow > 0 || parts_->ordered};
 }
 
 void Grower::wait() {

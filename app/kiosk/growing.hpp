@@ -41,6 +41,14 @@ class Grower {
     float progress();              // of the order, 0 to 1
     void wait();                   // until the order is ready
 
+    // Aspects held for what may be asked next, never more than the four scenes' twice, and aspects still to grow.
+    struct Stock {
+        std::size_t kept;
+        std::size_t to_grow;
+        bool is_busy;  // growing or composing
+    };
+    Stock stock();
+
   private:
     struct Parts;
     std::unique_ptr<Parts> parts_;

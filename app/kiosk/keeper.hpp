@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <thread>
 
 #include "exhibit/archive.hpp"
@@ -25,6 +27,9 @@ class Keeper {
     Ticket post(Work work);
     bool is_done(Ticket ticket);
     void wait(Ticket ticket);
+    std::string trouble();  // of what was done last, "" if it was kept
+    // How long the work at hand has been waiting for the disk; 0 while there is none.
+    std::chrono::milliseconds waited_for();
 
   private:
     void work();
@@ -37,6 +42,8 @@ class Keeper {
     Ticket done_ = 0;
     bool is_ending_ = false;
     std::string last_trouble_;
+    std::chrono::steady_clock::time_point begun_{};
+    bool is_working_ = false;
     std::thread thread_;
 };
 

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 #include "base/log.hpp"
 #include "firmware-io/keyboard/keyboard_buttons.hpp"
+#include "kiosk/detail/memory.hpp"
 #include "kiosk/service.hpp"
 
 namespace quadrat::kiosk {
@@ -21,6 +23,7 @@ using firmware_io::Motion;
 constexpr std::size_t kUploadSliceBytes = 1U << 20U;  // well under 2 ms of copying on the slowest box
 constexpr std::size_t kAll = static_cast<std::size_t>(-1);
 constexpr Instant kFrame = std::chrono::nanoseconds{16'666'667};
+constexpr Instant kLongestFrame = std::chrono::seconds{1};
 
 exhibit::Choice choice_of(Button button) { return static_cast<exhibit::Choice>(button); }
 
@@ -48,7 +51,8 @@ char key_of(display::Key key) {
 
 // What lights up is what can be pressed now.
 firmware_io::Lamps lamps_for(const Show& show) {
-    const bool asks = show.state().screen == Screen::Ask;
+    const Screen screen = show.state().screen;
+    const bool asks = screen == Screen::Ask || screen == Screen::Describe || screen == Screen::Slide;
     const bool invites = show.state().screen == Screen::Attract || show.state().screen == Screen::StillThere;
     firmware_io::Lamps lamps;
     lamps.fill(asks ? LampPattern::Steady : invites ? LampPattern::Breathing : LampPattern::Off);
@@ -67,44 +71,107 @@ class Loop {
             const Instant now = parts_.clock.now();
             const display::Canvas canvas = parts_.display.begin_frame();
             theatre_.enter(canvas);
+            // One frame ahead of the GPU is enough: more would be late, and take memory.
+            if (!parts_.clock.is_simulated()) theatre_.is_drawn_within(kLongestFrame);
             hear(now);
             show_what_has_grown(now);
-            if (canvas.context != 0) keep_pictures(canvas);
-            theatre_.draw(parts_.show, parts_.show.growing_progress(), now, canvas);
+            if (!is_dark()) draw(canvas, now);
+            const bool had_room = has_room(now);
             const display::Presented presented = parts_.display.present();
-            report(presented);
+            report(presented, now);
+            govern(presented, now, had_room);
             if (const auto end = ending(presented)) return *end;
             pass_time(now, presented);
         }
     }
 
   private:
+    bool is_dark() const {
+        return parts_.caretaker != nullptr && parts_.caretaker->curtain() == staff::Curtain::Dark &&
+               parts_.caretaker->board() == nullptr;
+    }
+
     void hear(Instant now) {
         for (const display::KeyMotion& key : parts_.display.take_keys()) {
             if (key.key == display::Key::Escape || key.key == display::Key::Q) wants_to_quit_ = true;
             const Motion motion = key.move == display::KeyMove::Down ? Motion::Down : Motion::Up;
             if (key_of(key.key) != 0) parts_.buttons.key(key_of(key.key), motion, now);
         }
-        for (const firmware_io::ButtonEdge& edge : parts_.buttons.poll(now)) {
+        const auto edges = parts_.panel.poll(now);
+        if (parts_.caretaker != nullptr) parts_.caretaker->look(parts_.panel, parts_.show, now);
+        for (const firmware_io::ButtonEdge& edge : edges) {
+            if (parts_.caretaker != nullptr && parts_.caretaker->hear(edge, now)) continue;
             if (edge.motion == Motion::Down)
                 parts_.show.happen(exhibit::Pressed{choice_of(edge.button)}, now);
             else
                 parts_.show.happen(exhibit::Released{choice_of(edge.button)}, now);
         }
         parts_.show.happen(exhibit::Tick{}, now);
-        parts_.buttons.set_lamps(lamps_for(parts_.show));
-        if (const auto status = parts_.buttons.status(); status != last_status_) {
-            last_status_ = status;
-            if (status.presence == firmware_io::Presence::Absent)
-                base::log::warn("buttons: {}", status.reason);
-            else if (!status.reason.empty())
-                base::log::info("buttons: {}", status.reason);
+        const auto lamps = parts_.caretaker != nullptr ? parts_.caretaker->lamps(now) : std::nullopt;
+        parts_.panel.light(lamps.value_or(lamps_for(parts_.show)), now);
+        if (parts_.caretaker == nullptr) return;
+        const display::Power power = is_dark() ? display::Power::Off : display::Power::On;
+        if (power != power_) parts_.display.set_power(power_ = power);
+    }
+
+    void draw(const display::Canvas& canvas, Instant now) {
+        if (canvas.context != 0) keep_pictures(canvas, now);
+        Theatre::Over over;
+        if (parts_.caretaker != nullptr) over.board = parts_.caretaker->board();
+        if (parts_.keepsakes != nullptr && shows_earlier_landscapes()) over.backdrop = parts_.keepsakes->at(now);
+        theatre_.draw(parts_.show, parts_.show.growing_progress(), now, canvas, over);
+        if (parts_.caretaker == nullptr) return;
+        if (const std::string file = parts_.caretaker->take_picture_wish(); !file.empty())
+            parts_.caretaker->keep_picture(theatre_.read_back(), file);
+    }
+
+    float alpha() const {
+        const auto configured = static_cast<float>(parts_.configuration.picture.alpha);
+        return parts_.governor != nullptr ? parts_.governor->alpha() : configured;
+    }
+
+    Instant period_of(const display::Presented& presented) const {
+        return presented.period.count() > 0 ? presented.period : kFrame;
+    }
+
+    // Whether the frame is drawn when a good part of its time is still left.
+    bool has_room(Instant began) {
+        if (parts_.governor == nullptr) return true;
+        const Instant until = (period_ * parts_.governor->periods() * 7) / 10;
+        return theatre_.is_drawn_within(until - (parts_.clock.now() - began));
+    }
+
+    void govern(const display::Presented& presented, Instant now, bool had_room) {
+        if (parts_.governor == nullptr) return;
+        period_ = period_of(presented);
+        const Instant at = presented.period.count() > 0 ? presented.shown_at : now;
+        const Instant took = at - std::exchange(framed_at_, at);
+        const bool is_shown = presented.outcome == display::Outcome::Shown && !is_dark();
+        if (!is_shown || took > kLongestFrame) return;  // the screen was away
+        DetailGovernor& governor = *parts_.governor;
+        governor.follow(static_cast<float>(parts_.configuration.picture.alpha));
+        governor.frame({now, took, period_, had_room, parts_.show.is_growing()});
+        theatre_.set_alpha(governor.alpha());
+        if (const auto why = governor.take_reason()) {
+            base::log::info("{}", *why);
+            // The plug may be pulled at any moment; once a minute is often enough for the disk.
+            if (remembered_at_ && now - *remembered_at_ < std::chrono::minutes{1}) return;
+            remembered_at_ = now;
+            parts_.show.remember("detail", to_text(governor, parts_.display.description()));
         }
+    }
+
+    // Before the first four have grown, and in safe mode as long as nobody is there.
+    bool shows_earlier_landscapes() const {
+        if (parts_.show.on_stage().scenes.empty()) return true;
+        return parts_.mode == staff::Mode::Safe && parts_.show.state().screen == Screen::Attract;
     }
 
     void show_what_has_grown(Instant now) {
         if (parts_.clock.is_simulated()) parts_.show.finish_growing();
-        const std::size_t budget = parts_.clock.is_simulated() ? kAll : kUploadSliceBytes;
+        // While nothing is on stage, no frame can come late.
+        const bool is_dark_yet = parts_.show.on_stage().scenes.empty();
+        const std::size_t budget = parts_.clock.is_simulated() || is_dark_yet ? kAll : kUploadSliceBytes;
         // What is on stage comes first: after a change of context it is missing too.
         if (theatre_.prepare(parts_.show.on_stage(), budget)) {
             if (const Act* act = parts_.show.waiting_for_upload(); act != nullptr && theatre_.prepare(*act, budget)) {
@@ -119,10 +186,11 @@ class Loop {
         }
     }
 
-    void keep_pictures(const display::Canvas& canvas) {
+    void keep_pictures(const display::Canvas& canvas, Instant now) {
+        keep_earlier_landscape(canvas, now);
         const Screen screen = parts_.show.state().screen;
         const Act& act = parts_.show.on_stage();
-        const bool is_worth_it = screen == Screen::Ask || screen == Screen::Finale;
+        const bool is_worth_it = screen == Screen::Ask || screen == Screen::Slide || screen == Screen::Finale;
         if (parts_.album == nullptr || !is_worth_it || act.number == photographed_ || act.recipes.empty()) return;
         photographed_ = act.number;
         const Picture picture = picture_of(act, canvas, parts_.configuration);
@@ -134,12 +202,25 @@ class Loop {
         base::log::info("picture {} of round {}", name + ".png", parts_.show.state().rounds + (is_finale ? 0 : 1));
     }
 
-    void report(const display::Presented& presented) {
+    // Of a finale, while it is seen: one frame of it is drawn once more for the picture.
+    void keep_earlier_landscape(const display::Canvas& canvas, Instant now) {
+        const Act& act = parts_.show.on_stage();
+        const bool is_finale = parts_.show.state().screen == Screen::Finale && !act.recipes.empty();
+        if (parts_.keepsakes == nullptr || parts_.caretaker == nullptr || parts_.mode == staff::Mode::Safe) return;
+        if (!is_finale || !parts_.keepsakes->wants_another(now)) return;
+        const mesh::Image picture = theatre_.photograph(act, picture_of(act, canvas, parts_.configuration), canvas);
+        parts_.caretaker->keep_picture(staff::halved(picture), parts_.keepsakes->keep(now));
+    }
+
+    void report(const display::Presented& presented, Instant now) {
         using display::Outcome;
+        if (parts_.caretaker != nullptr) parts_.caretaker->framed(presented, now, alpha());
         if (presented.outcome != last_outcome_) {
             last_outcome_ = presented.outcome;
             if (presented.outcome == Outcome::Shown)
                 base::log::info("screen: shows again");
+            else if (presented.outcome == Outcome::Off)
+                base::log::info("screen: {}", presented.reason);
             else
                 base::log::warn("screen: {}", presented.reason);
         }
@@ -150,6 +231,7 @@ class Loop {
         if (parts_.stop != nullptr && parts_.stop->load()) return RunEnd::Stopped;
         if (wants_to_quit_ || parts_.display.wants_to_close()) return RunEnd::WindowClosed;
         if (presented.outcome == display::Outcome::Fault) return RunEnd::DisplayFault;
+        if (parts_.caretaker != nullptr && parts_.caretaker->wants_restart()) return RunEnd::Restart;
         if (parts_.ends_after_visit && parts_.show.visits_ended() > 0) return RunEnd::VisitOver;
         const bool is_script_over = parts_.clock.is_simulated() && parts_.buttons.is_finished() &&
                                     parts_.show.state().screen == Screen::Attract && !next_moment().has_value();
@@ -171,17 +253,24 @@ class Loop {
             parts_.clock.skip_to(std::max(now + std::chrono::milliseconds{1}, next_moment().value_or(now)));
             return;
         }
+        const int periods = parts_.governor != nullptr ? parts_.governor->periods() : 1;
         if (presented.period.count() == 0 || presented.outcome != display::Outcome::Shown)
             std::this_thread::sleep_until(std::chrono::steady_clock::now() +
-                                          std::max(Instant{0}, now + kFrame - parts_.clock.now()));
+                                          std::max(Instant{0}, now + kFrame * periods - parts_.clock.now()));
+        else if (periods > 1)  // begun after the next period has, a frame is out with the one after it
+            std::this_thread::sleep_until(std::chrono::steady_clock::time_point{
+                presented.shown_at + presented.period / 4 + presented.period * (periods - 1)});
     }
 
     const RunLoopParts& parts_;
     Theatre theatre_;
-    firmware_io::SourceStatus last_status_;
+    display::Power power_ = display::Power::On;
     display::Outcome last_outcome_ = display::Outcome::Shown;
     bool wants_to_quit_ = false;
     bool is_announced_ = false;
+    Instant period_ = kFrame;
+    Instant framed_at_{0};
+    std::optional<Instant> remembered_at_;
     int photographed_ = 0;
     int generations_ = 0;
     int finales_ = 0;

@@ -8,7 +8,11 @@
 #include "firmware-io/button_source.hpp"
 #include "kiosk/album.hpp"
 #include "kiosk/clock.hpp"
+#include "kiosk/detail/governor.hpp"
+#include "kiosk/panel.hpp"
 #include "kiosk/show.hpp"
+#include "kiosk/staff/caretaker.hpp"
+#include "kiosk/staff/keepsakes.hpp"
 #include "kiosk/theatre.hpp"
 
 namespace quadrat::kiosk {
@@ -17,14 +21,19 @@ struct RunLoopParts {
     const Configuration& configuration;
     Clock& clock;
     display::Display& display;
-    firmware_io::ButtonSource& buttons;
+    Panel& panel;
+    firmware_io::ButtonSource& buttons;  // the panel's, for what is not a press
     Show& show;
+    staff::Caretaker* caretaker = nullptr;  // borrowed; nothing on a simulated clock
+    staff::Keepsakes* keepsakes = nullptr;  // borrowed
+    staff::Mode mode = staff::Mode::Usual;
+    DetailGovernor* governor = nullptr;  // borrowed; nothing: the configured detail, however long a frame takes
     Album* album = nullptr;         // borrowed; nothing: no pictures are kept
     bool ends_after_visit = false;  // the program ends with the first visit that ends
     const std::atomic<bool>* stop = nullptr;
 };
 
-enum class RunEnd { Stopped, WindowClosed, VisitOver, ScriptOver, DisplayFault };
+enum class RunEnd { Stopped, WindowClosed, VisitOver, ScriptOver, DisplayFault, Restart };
 
 // The frame loop: presses in, frames out, until something ends it. On a simulated clock it goes from one moment at
 // which something happens to the next, drawing a frame at each; nothing it does then depends on how fast the machine

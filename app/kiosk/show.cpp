@@ -14,7 +14,11 @@ namespace quadrat::kiosk {
 namespace {
 
 using exhibit::Screen;
-constexpr std::size_t kGallery = 3;  // landscapes of former visitors that stay on the GPU
+// So long a generation waits to be kept before it is shown. A healthy disk takes milliseconds, a bad card seconds; one
+// that hangs must not end the visit.
+constexpr std::chrono::seconds kDiskPatience{4};
+constexpr std::size_t kMostWordsAsked = 10;  // that the configuration allows
+constexpr std::size_t kGallery = 3;          // landscapes of former visitors that stay on the GPU
 
 std::chrono::milliseconds milliseconds_of(double seconds) {
     return std::chrono::milliseconds(std::llround(seconds * 1000.0));
@@ -30,7 +34,17 @@ exhibit::Timings timings_of(const Configuration& configuration) {
     timings.countdown = milliseconds_of(configuration.visit.countdown_s);
     timings.finale = milliseconds_of(configuration.visit.finale_s);
     timings.long_press = milliseconds_of(configuration.visit.long_press_s);
+    timings.describe = milliseconds_of(configuration.visit.describe_s);
     timings.rounds = configuration.visit.rounds;
+    const bool is_classic = configuration.breeding.genome == "classic";
+    // The classic genome has no words to speak in.
+    timings.describe_words = is_classic ? 0 : configuration.visit.describe_words;
+    timings.describe_every = configuration.visit.describe_every;
+    if (configuration.breeding.breeder == "sliders") {
+        timings.asking = exhibit::Asking::Sliders;
+        timings.sliders =
+            static_cast<int>(breeding::slider_count(is_classic ? genome::Genome::Classic : genome::Genome::Full));
+    }
     return timings;
 }
 
@@ -53,42 +67,78 @@ Show::Show(const Configuration& configuration, ShowOptions options, exhibit::Arc
       breeder_options_(breeder_options_of(configuration)),
       options_(std::move(options)),
       visit_(std::make_shared<std::int64_t>(0)),
+      school_(std::make_shared<School>(options_.state)),
       keeper_([&]() -> exhibit::Archive {
           if (const auto latest = archive.latest(); latest && archive.is_open(latest->visit)) interrupted_ = latest;
           return std::move(archive);
       }()),
       grower_(options_.growing),
+      is_in_fleet_(!configuration.fleet.broker.empty()),
       language_(configuration.visit.language) {
+    breeder_options_.map = school_->map();
     for (const std::string& name : configuration.breeding.locked) locked_.push_back(genome::aspect_named(name).value());
 }
 
 void Show::open(Instant now) {
+    study();
     if (interrupted_ && resume(*interrupted_, now)) return;
     step(exhibit::opening(now), now);
 }
 
-bool Show::resume(const exhibit::Generation& kept, Instant now) {
+// Beside the first visit, which has the map of before.
+void Show::study() {
+    studied_night_ = night_of(options_.local_time());
+    study_ = keeper_.post([school = school_](const exhibit::Archive& archive) -> exhibit::Trouble {
+        school->begin(archive.word_answers());
+        return std::nullopt;
+    });
+}
+
+void Show::study_at_night() {
+    if (school_->take()) breeder_options_.map = school_->map();
+    if (state_.screen == Screen::Attract && night_of(options_.local_time()) != studied_night_) study();
+}
+
+// What is wrong; "" when the session is the one that was interrupted.
+std::string Show::why_not_resumed(const exhibit::Generation& kept, const breeding::WordMap& map) {
+    session_.reset();
     try {
-        breeding::Breeder breeder(breeder_options_);
+        breeding::BreederOptions options = breeder_options_;
+        options.map = map;
+        breeding::Breeder breeder(options);
         if (breeder.name() != kept.breeder)
-            throw base::InputError(fmt::format("the breeder is {} now, and was {}", breeder.name(), kept.breeder));
+            return fmt::format("the breeder is {} now, and was {}", breeder.name(), kept.breeder);
         breeder.believe(kept.belief, "state");
         session_.emplace(std::move(breeder), kept.seed);
-        if (session_->offer() != kept.offer)
-            throw base::InputError("the breeding is tuned differently now, so the four would not be the same");
     } catch (const base::InputError& error) {
-        base::log::warn("the interrupted visit is not taken up: {}", error.what());
-        session_.reset();
+        return error.what();
+    }
+    if (session_->offer() == kept.offer) return "";
+    session_.reset();
+    return "the breeding is tuned differently now, so the four would not be the same";
+}
+
+bool Show::resume(const exhibit::Generation& kept, Instant now) {
+    std::string why_not = why_not_resumed(kept, school_->map());
+    // The visit may have begun before the last lesson.
+    if (const auto before = why_not.empty() ? std::nullopt : school_->map_before())
+        if (why_not_resumed(kept, *before).empty()) why_not.clear();
+    if (!why_not.empty()) {
+        base::log::warn("the interrupted visit is not taken up: {}", why_not);
         return false;
     }
     *visit_ = kept.visit;
     base::log::info("taking up visit {} at round {}, which was interrupted", kept.visit, kept.offer.round);
-    step({exhibit::resumed(kept.offer.round - 1, kept.answers, now), {}}, now);
+    const int done = kept.offer.round - 1;
+    step({is_sliding() ? exhibit::resumed_sliding(done, now) : exhibit::resumed(done, kept.answers, now), {}}, now);
     grow_offer(state_.generation, 0);
     return true;
 }
 
-void Show::happen(const exhibit::Event& event, Instant now) { step(exhibit::next(state_, event, now, timings_), now); }
+void Show::happen(const exhibit::Event& event, Instant now) {
+    step(exhibit::next(state_, event, now, timings_), now);
+    study_at_night();
+}
 
 void Show::step(exhibit::Step step, Instant now) {
     const Screen before = state_.screen;
@@ -104,13 +154,17 @@ breeding::Session Show::fresh_session() {
 }
 
 void Show::grow_offer(int generation, Keeper::Ticket kept) {
-    const auto& candidates = session_->offer().candidates;
+    std::vector<genome::Candidate> candidates;
+    if (is_sliding())
+        candidates = {session_->favourite()};
+    else
+        candidates.assign(session_->offer().candidates.begin(), session_->offer().candidates.end());
     waiting_.emplace();
     waiting_->generation = generation;
     waiting_->kept = kept;
     for (const genome::Candidate& candidate : candidates)
         waiting_->recipes.push_back(genome::recipe_of(candidate, session_->flight()));
-    grower_.order({candidates.begin(), candidates.end()}, session_->flight());
+    grower_.order(std::move(candidates), session_->flight());
 }
 
 exhibit::Generation Show::generation_of(const genome::Pick& answers) const {
@@ -145,6 +199,7 @@ void Show::carry_out(const exhibit::PrepareVisit& wish, Instant /*now*/) {
 
 void Show::carry_out(const exhibit::BeginVisit& /*wish*/, Instant now) {
     offered_.arrived = now;  // the four grow in before the visitor's eyes
+    caption_.clear();        // the last visitor's
     visit_ = std::make_shared<std::int64_t>(0);
     keeper_.post([visit = visit_, at = options_.wall_time()](exhibit::Archive& archive) {
         const auto begun = archive.begin_visit(at);
@@ -206,6 +261,7 @@ void Show::carry_out(const exhibit::GrowFinale& wish, Instant /*now*/) {
         session_->next(wish.answers);
     }
     const genome::Candidate favourite = session_->favourite();
+    bred_ = {genome::recipe_of(favourite, flight), favourite.words, words_to_ask()};
     caption_ = favourite.words ? genome::language(language_).describe(*favourite.words) : "";
     if (!caption_.empty()) base::log::info("the landscape they bred: {}", caption_);
     waiting_.emplace();
@@ -215,8 +271,47 @@ void Show::carry_out(const exhibit::GrowFinale& wish, Instant /*now*/) {
     grower_.order({favourite}, flight);
 }
 
+// One of each aspect in turn, by the chance of this visit; none twice. More than are asked now: the settings may change
+// while they are.
+std::vector<genome::WordId> Show::words_to_ask() const {
+    base::RandomStream chance(session_->seed().child("describe"));
+    const std::uint32_t first = chance.below(static_cast<std::uint32_t>(genome::kAspects.size()));
+    std::vector<genome::WordId> asked;
+    while (asked.size() < kMostWordsAsked) {
+        const auto words = genome::vocabulary(genome::kAspects[(first + asked.size()) % genome::kAspects.size()]);
+        const genome::WordId id = words[chance.below(static_cast<std::uint32_t>(words.size()))].id;
+        if (std::ranges::find(asked, id) == asked.end()) asked.push_back(id);
+    }
+    return asked;
+}
+
+void Show::carry_out(const exhibit::TurnSlider& wish, Instant /*now*/) {
+    session_->slide(static_cast<std::size_t>(wish.slider), wish.direction);
+    grow_offer(wish.generation, keep_generation({}));
+}
+
+void Show::carry_out(const exhibit::UndoTurn& wish, Instant /*now*/) {
+    session_->undo();
+    grow_offer(wish.generation, keep_generation({}));
+}
+
+void Show::carry_out(const exhibit::KeepWord& wish, Instant /*now*/) {
+    const genome::WordAnswer answer{bred_.recipe, bred_.words, bred_.asked.at(static_cast<std::size_t>(wish.which)),
+                                    wish.answer};
+    base::log::info("it was called {}", genome::language("en").answers(answer.word).at(answer.step));
+    keeper_.post(
+        [answer, at = options_.wall_time()](exhibit::Archive& archive) { return archive.keep_word(answer, at); });
+}
+
 void Show::carry_out(const exhibit::EndVisit& wish, Instant /*now*/) {
     ++visits_ended_;
+    if (is_in_fleet_) {
+        constexpr const char* kNames[] = {"finished", "left", "stuck"};
+        keeper_.post([text = fmt::format(R"({{"ended_ms":{},"ending":"{}","rounds":{}}})",
+                                         options_.wall_time().time_since_epoch().count(),
+                                         kNames[static_cast<std::size_t>(wish.ending)], wish.rounds)](
+                         exhibit::Archive& archive) { return archive.post("visits", text); });
+    }
     keeper_.post([visit = visit_, wish, at = options_.wall_time()](exhibit::Archive& archive) {
         return archive.end_visit(*visit, wish.ending, wish.rounds, at);
     });
@@ -225,7 +320,7 @@ void Show::carry_out(const exhibit::EndVisit& wish, Instant /*now*/) {
 }
 
 const Act* Show::waiting_for_upload() {
-    if (!waiting_ || !keeper_.is_done(waiting_->kept)) return nullptr;
+    if (!waiting_ || (!keeper_.is_done(waiting_->kept) && keeper_.waited_for() < kDiskPatience)) return nullptr;
     if (!waiting_->act) {
         auto scenes = grower_.take();
         if (!scenes) return nullptr;
@@ -238,7 +333,8 @@ void Show::uploaded(Instant now) {
     if (waiting_for_upload() == nullptr) return;
     Waiting done = std::move(*waiting_);
     waiting_.reset();
-    done.act->arrived = now;
+    // A landscape that is turned stays where the eye is; four new ones grow in.
+    done.act->arrived = state_.screen == Screen::Slide ? offered_.arrived : now;
     if (done.is_finale) {
         finale_ = *done.act;
         gallery_.scenes.insert(gallery_.scenes.begin(), finale_.scenes.begin(), finale_.scenes.end());
@@ -246,18 +342,43 @@ void Show::uploaded(Instant now) {
         gallery_.number = finale_.number;
     } else {
         offered_ = std::move(*done.act);
+        base::log::info("the four of round {} are on the screen", session_->offer().round);
     }
     happen(exhibit::GenerationReady{done.generation}, now);
 }
 
 void Show::finish_growing() {
+    keeper_.wait(study_);
+    school_->wait();
     if (!waiting_) return;
     keeper_.wait(waiting_->kept);
     if (!waiting_->act) grower_.wait();
 }
 
+void Show::follow(const Configuration& configuration) {
+    // The breeder is that of the start, and with it how it is spoken to.
+    const exhibit::Asking asking = timings_.asking;
+    const int sliders = timings_.sliders;
+    timings_ = timings_of(configuration);
+    timings_.asking = asking;
+    timings_.sliders = sliders;
+    if (breeder_options_.genome == genome::Genome::Classic) timings_.describe_words = 0;
+    language_ = configuration.visit.language;
+}
+
+void Show::remember(const std::string& name, std::string text) {
+    keeper_.post([name, text = std::move(text)](exhibit::Archive& archive) { return archive.remember(name, text); });
+}
+
+std::string Show::state_trouble() const {
+    const auto waited = keeper_.waited_for();
+    if (waited < kDiskPatience) return keeper_.trouble();
+    return fmt::format("the disk has not answered for {} s",
+                       std::chrono::duration_cast<std::chrono::seconds>(waited).count());
+}
+
 const Act& Show::on_stage() const {
-    if (state_.screen == Screen::Finale) return finale_;
+    if (state_.screen == Screen::Finale || state_.screen == Screen::Describe) return finale_;
     if (state_.screen == Screen::Attract && !gallery_.scenes.empty()) return gallery_;
     return offered_;
 }
@@ -265,8 +386,32 @@ const Act& Show::on_stage() const {
 std::vector<const Act*> Show::in_use() const { return {&offered_, &finale_, &gallery_}; }
 
 bool Show::can_go_back() const {
-    if (state_.screen != Screen::Ask) return false;
-    return state_.question != genome::Aspect::Trees || (session_ && session_->can_undo());
+    switch (state_.screen) {
+        case Screen::Ask:
+            return state_.question != genome::Aspect::Trees || (session_ && session_->can_undo());
+        case Screen::Slide:
+            return state_.turns_to_undo > 0;
+        case Screen::Describe:
+            return true;
+        default:
+            return false;
+    }
+}
+
+std::optional<Asked> Show::asked() const {
+    const genome::Language& language = genome::language(language_);
+    if (state_.screen == Screen::Describe) {
+        const genome::WordId id = bred_.asked.at(static_cast<std::size_t>(state_.described));
+        return Asked{fmt::format("describe.{}", name_of(word(id).aspect)), language.answers(id), std::nullopt};
+    }
+    if (state_.screen != Screen::Slide || !session_) return std::nullopt;
+    const auto slider = session_->breeder().slider(static_cast<std::size_t>(state_.slider));
+    if (!slider) return std::nullopt;
+    ShownSlider shown{"", std::string(slider->name), static_cast<float>(slider->share)};
+    if (slider->word)
+        shown = {std::string(language.end(*slider->word, false)), std::string(language.end(*slider->word, true)),
+                 shown.share};
+    return Asked{"slide", {"←", "→", "−", "+"}, shown};
 }
 
 }  // namespace quadrat::kiosk

@@ -8,10 +8,12 @@
 #include "breeding/session.hpp"
 #include "exhibit/archive.hpp"
 #include "exhibit/visit.hpp"
+#include "kiosk/asked.hpp"
 #include "kiosk/clock.hpp"
 #include "kiosk/configuration.hpp"
 #include "kiosk/growing.hpp"
 #include "kiosk/keeper.hpp"
+#include "kiosk/school.hpp"
 
 namespace quadrat::kiosk {
 
@@ -29,7 +31,9 @@ struct Act {
 struct ShowOptions {
     base::Seed seed;  // names all chance of this run
     GrowerOptions growing;
-    std::function<exhibit::WallTime()> wall_time;  // for the archive's rows; never decides anything
+    std::function<exhibit::WallTime()> wall_time;   // for the archive's rows
+    std::function<exhibit::WallTime()> local_time;  // on the site's own clock: when it is night
+    std::filesystem::path state;                    // the folder of the word map, beside the archive's file
 };
 
 // Landscapes on their way to the screen.
@@ -41,7 +45,15 @@ struct Waiting {
     std::unique_ptr<Act> act;  // once it has grown
 };
 
-// Carries out what the exhibit wishes: breeds, keeps, grows. Knows nothing of GL, of displays and of where presses
+// A landscape that was bred, while it is asked about.
+struct Bred {
+    genome::Recipe recipe;
+    std::optional<genome::Description> words;
+    std::vector<genome::WordId> asked;  // one after another
+};
+
+// Carries out what the exhibit wishes: breeds, keeps, grows; at its start and every night, has the word map trained on
+// what visitors said, for the visits to come. Knows nothing of GL, of displays and of where presses
 // come from. One thread; no call waits, but finish_growing().
 class Show {
   public:
@@ -63,6 +75,7 @@ class Show {
     const exhibit::Timings& timings() const { return timings_; }
     const Act& on_stage() const;             // may be empty, before the very first four have grown
     std::vector<const Act*> in_use() const;  // whose landscapes must stay on the GPU
+    bool is_growing() { return grower_.stock().is_busy; }
     float growing_progress() { return waiting_ ? grower_.progress() : 0.0F; }
     std::optional<exhibit::Choice> last_press() const { return last_press_; }
     Instant last_press_at() const { return last_press_at_; }
@@ -70,6 +83,14 @@ class Show {
     // In words, "" where the genome has none: after a round what the next four lean toward, at the end what was bred.
     const std::string& caption() const { return caption_; }
     bool can_go_back() const;
+    // In Describe and Slide.
+    std::optional<Asked> asked() const;
+
+    // What the site has changed while we run: timings, rounds and language.
+    void follow(const Configuration& configuration);
+    // Keeps a short text for the next run, in place of the one under the same name.
+    void remember(const std::string& name, std::string text);
+    std::string state_trouble() const;  // why what visitors do is not being kept, or ""
 
   private:
     void step(exhibit::Step step, Instant now);
@@ -80,11 +101,19 @@ class Show {
     void carry_out(const exhibit::GrowNext& wish, Instant now);
     void carry_out(const exhibit::UndoRound& wish, Instant now);
     void carry_out(const exhibit::GrowFinale& wish, Instant now);
+    void carry_out(const exhibit::TurnSlider& wish, Instant now);
+    void carry_out(const exhibit::UndoTurn& wish, Instant now);
+    void carry_out(const exhibit::KeepWord& wish, Instant now);
     void carry_out(const exhibit::EndVisit& wish, Instant now);
 
     std::string heredity(const genome::Description& before, const genome::Description& now,
                          const genome::Pick& answers) const;
     bool resume(const exhibit::Generation& kept, Instant now);
+    std::string why_not_resumed(const exhibit::Generation& kept, const breeding::WordMap& map);
+    std::vector<genome::WordId> words_to_ask() const;
+    void study();
+    void study_at_night();
+    bool is_sliding() const { return timings_.asking == exhibit::Asking::Sliders; }
     breeding::Session fresh_session();
     void grow_offer(int generation, Keeper::Ticket kept);
     void keep_answers(const genome::Pick& answers);
@@ -108,8 +137,13 @@ class Show {
     int visits_ended_ = 0;
     std::optional<exhibit::Choice> last_press_;
     Instant last_press_at_{0};
-    Keeper keeper_;
+    Bred bred_;
+    std::shared_ptr<School> school_;
+    std::int64_t studied_night_ = 0;
+    Keeper::Ticket study_ = 0;
+    mutable Keeper keeper_;
     Grower grower_;
+    bool is_in_fleet_;  // visits are kept for whoever publishes them
     std::string language_;
     std::string caption_;
 };

@@ -52,6 +52,12 @@ SignWriter::Written SignWriter::badge(std::size_t quarter_index, int size_px) {
     return keep(key, render::badge(q.shape, q.letter, q.colour, size_px));
 }
 
+std::shared_ptr<const render::Texture> SignWriter::picture(const mesh::Image& image) {
+    if (pictured_ != &image) picture_ = renderer_.texture(image);
+    pictured_ = &image;
+    return picture_;
+}
+
 std::vector<render::Sign> SignWriter::badges(int width, int height) {
     const auto places = quarters(width, height);
     const int size = std::max(20, height / 13);

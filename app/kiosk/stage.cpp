@@ -16,7 +16,6 @@ using exhibit::Screen;
 constexpr float kGrowInSeconds = 2.0F;
 constexpr float kFlashSeconds = 0.4F;
 constexpr float kAttractSceneSeconds = 24.0F;  // then the next of the four
-constexpr glm::vec4 kPlate{0.05F, 0.06F, 0.07F, 0.72F};
 constexpr glm::vec4 kQuiet{1, 1, 1, 0.28F};
 constexpr glm::vec4 kDone{1, 1, 1, 0.95F};
 
@@ -39,12 +38,6 @@ float dimming(const StageView& view) {
     return 0;
 }
 
-// How bright the acknowledgement of the last press still is: 1 on its first frame, 0 when it is over.
-float flash_left(const StageView& view) {
-    if (!view.flash) return 0;
-    return 1 - smooth(seconds_of(view.now - view.flash->at) / kFlashSeconds);
-}
-
 // Back has no quarter; it is white.
 glm::vec3 flash_colour(exhibit::Choice button) {
     return button == exhibit::Choice::Back ? glm::vec3{1} : glm::vec3(quarter(static_cast<std::size_t>(button)).colour);
@@ -61,8 +54,13 @@ std::size_t attract_index(const StageView& view) {
 
 }  // namespace
 
+float flash_left(const StageView& view) {
+    if (!view.flash) return 0;
+    return 1 - smooth(seconds_of(view.now - view.flash->at) / kFlashSeconds);
+}
+
 std::string words(const StageView& view, const Configuration& configuration) {
-    if (view.cast.scenes.empty()) return text(configuration, "first");
+    if (view.cast.scenes.empty() && view.backdrop == nullptr) return text(configuration, "first");
     switch (exhibit::prompt_of(view.state)) {
         case exhibit::Prompt::PressAnyButton:
             return text(configuration, "attract");
@@ -77,6 +75,9 @@ std::string words(const StageView& view, const Configuration& configuration) {
         case exhibit::Prompt::StillThere:
             return fmt::format("{}  {}", text(configuration, "still-there"),
                                exhibit::countdown_s(view.state, view.now, view.timings).value_or(0));
+        case exhibit::Prompt::WhichWords:
+        case exhibit::Prompt::TurnWords:
+            return text(configuration, view.asked != nullptr ? view.asked->prompt : "finale");
         case exhibit::Prompt::YourLandscape:
             break;
     }
@@ -90,9 +91,19 @@ render::Frame Stage::frame(const StageView& view, const display::Canvas& canvas)
     frame.framebuffer = canvas.framebuffer;
     frame.seconds = seconds_of(view.now);
     frame.detail.alpha = static_cast<float>(configuration_.picture.alpha);
-    add_views(frame, view);
+    const bool is_covered = view.board != nullptr && view.board->covers_all;
+    if (!is_covered && view.backdrop != nullptr)
+        add_backdrop(frame, *view.backdrop);
+    else if (!is_covered)
+        add_views(frame, view);
+    if (view.board != nullptr) {
+        add_board(frame, *view.board);
+        return frame;
+    }
     if (shows_four(view)) add_quarter_signs(frame, view);
     add_plate(frame, view);
+    if (view.asked != nullptr) add_labels(frame, view);
+    if (view.asked != nullptr && view.asked->slider) add_slider(frame, *view.asked->slider);
     return frame;
 }
 
@@ -132,6 +143,53 @@ void Stage::add_quarter_signs(render::Frame& frame, const StageView& view) {
     for (auto& sign : writer_.badges(frame.size.x, frame.size.y)) frame.signs.push_back(std::move(sign));
 }
 
+void Stage::add_backdrop(render::Frame& frame, const mesh::Image& picture) {
+    // As much of it as fills the screen, in the middle.
+    const float scale = std::max(static_cast<float>(frame.size.x) / static_cast<float>(picture.width),
+                                 static_cast<float>(frame.size.y) / static_cast<float>(picture.height));
+    render::Sign sign;
+    sign.texture = writer_.picture(picture);
+    sign.place.width = static_cast<int>(std::ceil(static_cast<float>(picture.width) * scale));
+    sign.place.height = static_cast<int>(std::ceil(static_cast<float>(picture.height) * scale));
+    sign.place.x = (frame.size.x - sign.place.width) / 2;
+    sign.place.y = (frame.size.y - sign.place.height) / 2;
+    frame.signs.push_back(sign);
+}
+
+// The title large; the lines below it, small enough that all of them are on the screen.
+void Stage::add_board(render::Frame& frame, const staff::Board& board) {
+    const int margin = frame.size.y / 20;
+    render::Sign back;
+    back.place = {0, 0, frame.size.x, frame.size.y};
+    back.colour = board.covers_all ? glm::vec4{0.05F, 0.06F, 0.07F, 1} : kPlate;
+    frame.signs.push_back(back);
+    const int most_width = frame.size.x - 2 * margin;
+    const float title_em = static_cast<float>(frame.size.y) / (board.lines.empty() ? 9.0F : 16.0F);
+    const auto title = writer_.text(board.title, title_em, true, most_width);
+    render::Sign sign;
+    sign.texture = title.texture;
+    sign.place = {margin, frame.size.y - margin - title.height, title.width, title.height};
+    if (board.lines.empty())
+        sign.place = {(frame.size.x - title.width) / 2, (frame.size.y - title.height) / 2, title.width, title.height};
+    frame.signs.push_back(sign);
+    const float room = static_cast<float>(sign.place.y - 2 * margin);
+    const float leading = std::min(room / static_cast<float>(std::max<std::size_t>(board.lines.size(), 1)),
+                                   static_cast<float>(frame.size.y) / 20.0F);
+    float top = static_cast<float>(sign.place.y) - static_cast<float>(margin) / 2;
+    for (const std::string& line : board.lines) {
+        const auto written = writer_.text(line, leading * 0.62F);
+        // A line that is too wide is drawn smaller, not cut.
+        const float shrink = std::min(1.0F, static_cast<float>(most_width) / static_cast<float>(written.width));
+        sign.texture = written.texture;
+        sign.place.width = static_cast<int>(static_cast<float>(written.width) * shrink);
+        sign.place.height = static_cast<int>(static_cast<float>(written.height) * shrink);
+        sign.place.x = margin;
+        sign.place.y = static_cast<int>(top) - sign.place.height;
+        frame.signs.push_back(sign);
+        top -= leading;
+    }
+}
+
 void Stage::add_plate(render::Frame& frame, const StageView& view) {
     const bool is_four = shows_four(view);
     const float em = static_cast<float>(frame.size.y) / (is_four ? 22.0F : 17.0F);
@@ -145,7 +203,9 @@ void Stage::add_plate(render::Frame& frame, const StageView& view) {
     const int widest = std::max(written.width, caption ? caption->width : 0);
     render::Rect plate{0, 0, widest + 2 * pad, written.height + below + pad + steps};
     plate.x = (frame.size.x - plate.width) / 2;
-    plate.y = is_four ? (frame.size.y - plate.height) / 2 : frame.size.y / 16;
+    plate.y = is_four                 ? (frame.size.y - plate.height) / 2
+              : view.asked != nullptr ? frame.size.y - plate.height - frame.size.y / 16
+                                      : frame.size.y / 16;
     render::Sign back;
     back.place = plate;
     back.colour = kPlate;

@@ -8,9 +8,11 @@
 
 #include "display/display.hpp"
 #include "exhibit/visit.hpp"
+#include "kiosk/asked.hpp"
 #include "kiosk/clock.hpp"
 #include "kiosk/configuration.hpp"
 #include "kiosk/signs.hpp"
+#include "kiosk/staff/service_screen.hpp"
 #include "render/renderer.hpp"
 
 namespace quadrat::kiosk {
@@ -40,7 +42,10 @@ struct StageView {
     const std::optional<Flash>& flash;
     float growing_progress = 0;  // of what Breed waits for, 0 to 1
     Instant now{0};
-    std::string_view caption = {};  // below the prompt of Breed and of the finale; may be empty
+    std::string_view caption = {};          // below the prompt of Breed and of the finale; may be empty
+    const Asked* asked = nullptr;           // in Describe and Slide
+    const staff::Board* board = nullptr;    // over everything, or null
+    const mesh::Image* backdrop = nullptr;  // a picture of an earlier landscape in place of what is not there, or null
 };
 
 // From the visit's state to a frame: which views, how dim, which words. Holds rasterised words, nothing else.
@@ -55,12 +60,19 @@ class Stage {
   private:
     void add_views(render::Frame& frame, const StageView& view);
     void add_quarter_signs(render::Frame& frame, const StageView& view);
+    void add_board(render::Frame& frame, const staff::Board& board);
+    void add_backdrop(render::Frame& frame, const mesh::Image& picture);
     void add_plate(render::Frame& frame, const StageView& view);
     void add_progress(render::Frame& frame, const StageView& view, const render::Rect& plate);
+    void add_labels(render::Frame& frame, const StageView& view);
+    void add_slider(render::Frame& frame, const ShownSlider& slider);
 
     SignWriter writer_;
     const Configuration& configuration_;
 };
+
+// How bright the acknowledgement of the last press still is: 1 on its first frame, 0 when it is over.
+float flash_left(const StageView& view);
 
 // The words of the moment, in the site's language.
 std::string words(const StageView& view, const Configuration& configuration);

@@ -28,7 +28,7 @@ bool Theatre::prepare(const Act& act, std::size_t budget_bytes) {
             uploading_scene_ = scene.get();
         }
         if (!uploading_->advance(budget_bytes)) return false;
-        uploaded_[scene.get()] = uploading_->take();
+        uploaded_[scene.get()] = {scene, uploading_->take()};
         uploading_.reset();
         if (budget_bytes != static_cast<std::size_t>(-1)) return false;  // one scene's end is enough for a frame
     }
@@ -50,18 +50,29 @@ Cast Theatre::cast_of(const Act& act) const {
     for (const auto& scene : act.scenes) {
         const auto found = uploaded_.find(scene.get());
         if (found == uploaded_.end()) return {{}, act.arrived};  // not whole yet: the stage stays dark
-        cast.scenes.push_back({scene, found->second});
+        cast.scenes.push_back({scene, found->second.gpu});
     }
     return cast;
 }
 
-render::Drawn Theatre::draw(const Show& show, float growing_progress, Instant now, const display::Canvas& canvas) {
+render::Drawn Theatre::draw(const Show& show, float growing_progress, Instant now, const display::Canvas& canvas,
+                            const Over& over) {
     if (!has_gpu()) return {};
     const Cast cast = cast_of(show.on_stage());
     std::optional<Flash> flash;
     if (show.last_press()) flash = Flash{*show.last_press(), show.last_press_at()};
-    return renderer_->draw(
-        stage_->frame({show.state(), show.timings(), cast, flash, growing_progress, now, show.caption()}, canvas));
+    const std::optional<Asked> asked = show.asked();
+    render::Frame frame = stage_->frame({show.state(), show.timings(), cast, flash, growing_progress, now,
+                                               show.caption(), asked ? &*asked : nullptr, over.board, over.backdrop},
+                                              canvas);
+    if (alpha_) frame.detail.alpha = *alpha_;
+    drawn_ = {frame.size, frame.hanging, frame.framebuffer, frame.seconds, {}, {}, frame.detail, {}};
+    return renderer_->draw(frame);
+}
+
+mesh::Image Theatre::read_back() {
+    if (!has_gpu() || drawn_.size.x == 0) return {};
+    return renderer_->read_pixels(drawn_);
 }
 
 mesh::Image Theatre::photograph(const Act& act, const Picture& picture, const display::Canvas& canvas) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "display/display.hpp"
 #include "kiosk/album.hpp"
@@ -25,7 +26,21 @@ class Theatre {
     // Frees what no act needs.
     void keep_only(const std::vector<const Act*>& acts);
 
-    render::Drawn draw(const Show& show, float growing_progress, Instant now, const display::Canvas& canvas);
+    // What lies over the show, and what is shown in place of landscapes that are not there; both may be null.
+    struct Over {
+        const staff::Board* board = nullptr;
+        const mesh::Image* backdrop = nullptr;
+    };
+    render::Drawn draw(const Show& show, float growing_progress, Instant now, const display::Canvas& canvas,
+                       const Over& over);
+    // What was drawn last, as the panel has it; an empty image where nothing was.
+    mesh::Image read_back();
+    // The detail to draw with; what is configured, until somebody governs it. Pictures that are kept have that.
+    void set_alpha(float alpha) { alpha_ = alpha; }
+    // Waits so long at most for the last frame to be drawn; true when it is.
+    bool is_drawn_within(std::chrono::nanoseconds patience) {
+        return !has_gpu() || renderer_->is_done_within(patience);
+    }
     // The act as a picture, grown, without words: drawn over the canvas, before the frame itself is.
     mesh::Image photograph(const Act& act, const Picture& picture, const display::Canvas& canvas);
 
@@ -36,7 +51,14 @@ class Theatre {
     std::uint32_t context_ = 0;
     std::unique_ptr<render::Renderer> renderer_;
     std::unique_ptr<Stage> stage_;
-    std::map<const scene::Scene*, std::shared_ptr<const render::GpuScene>> uploaded_;
+    std::optional<float> alpha_;
+    render::Frame drawn_;  // last, without its views and signs
+    // A scene is held as long as what was made of it: its address stays its own.
+    struct Uploaded {
+        std::shared_ptr<const scene::Scene> scene;
+        std::shared_ptr<const render::GpuScene> gpu;
+    };
+    std::map<const scene::Scene*, Uploaded> uploaded_;
     const scene::Scene* uploading_scene_ = nullptr;
     std::unique_ptr<render::Upload> uploading_;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <thread>
 
 namespace quadrat::kiosk::benches {
@@ -13,6 +14,12 @@ double milliseconds_of(const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+double least_ms(int runs, const std::function<void()>& work) {
+    double least = std::numeric_limits<double>::max();
+    for (int i = 0; i < runs; ++i) least = std::min(least, milliseconds_of(work));
+    return least;
 }
 
 int cores() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }

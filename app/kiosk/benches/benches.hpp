@@ -27,10 +27,14 @@ void trees(Results& results);
 void land(Results& results);
 void sky(Results& results);
 void breeding(Results& results);
+void detail(Results& results);
 
 // Shared by the groups.
 double milliseconds_of(const std::function<void()>& work);
 int cores();
+
+// The least of several runs on the clock: what the work needs when nothing else runs.
+double least_ms(int runs, const std::function<void()>& work);
 
 // The median over scenes seed:1 to seed:N: one landscape says little about the next.
 double median_over_scenes(int scenes, const std::function<void(const genome::Recipe&)>& work);

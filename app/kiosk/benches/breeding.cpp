@@ -2,7 +2,6 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "breeding/session.hpp"
@@ -39,12 +38,6 @@ std::vector<DescribedScene> described(std::size_t of_each) {
         scenes.insert(scenes.end(), own.begin(), own.end());
     }
     return scenes;
-}
-
-double least_ms(int runs, const std::function<void()>& work) {
-    double least = std::numeric_limits<double>::max();
-    for (int i = 0; i < runs; ++i) least = std::min(least, milliseconds_of(work));
-    return least;
 }
 
 }  // namespace

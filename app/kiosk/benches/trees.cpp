@@ -23,13 +23,6 @@ namespace {
 
 using namespace synthesis::trees;
 
-// The least of several runs on all cores: what the work needs when nothing else runs.
-double least_ms(int runs, const std::function<void()>& work) {
-    double least = std::numeric_limits<double>::max();
-    for (int i = 0; i < runs; ++i) least = std::min(least, milliseconds_of(work));
-    return least;
-}
-
 // Of this thread's own time, which other programs do not lengthen as they do the clock's.
 double own_ms(int runs, const std::function<void()>& work) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);

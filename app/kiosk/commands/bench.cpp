@@ -28,7 +28,8 @@ int bench(const Options& options) {
                                     {"trees", benches::trees},
                                     {"land", benches::land},
                                     {"sky", benches::sky},
-                                    {"breeding", benches::breeding}};
+                                    {"breeding", benches::breeding},
+                                    {"detail", benches::detail}};
     benches::Results results;
     for (const Group& group : groups) {
         if (options.group != "all" && options.group != group.name) continue;
@@ -47,8 +48,8 @@ int bench(const Options& options) {
 void add_bench(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("bench", "Measure this machine: growing, frames, memory");
-    command->add_option("group", options->group, "all, frame, generation, trees, land, sky or breeding")
-        ->check(CLI::IsMember({"all", "frame", "generation", "trees", "land", "sky", "breeding"}))
+    command->add_option("group", options->group, "all, frame, generation, trees, land, sky, breeding or detail")
+        ->check(CLI::IsMember({"all", "frame", "generation", "trees", "land", "sky", "breeding", "detail"}))
         ->capture_default_str();
     command->add_flag("--json", options->is_json, "One JSON object instead of a table");
     command->add_option("--size", options->how.size, "Pixels of the frames")->capture_default_str();

@@ -5,8 +5,10 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "breeding/stdio_protocol.hpp"
 #include "kiosk/commands/commands.hpp"
+#include "kiosk/school.hpp"
 
 namespace quadrat::kiosk::commands {
 namespace {
@@ -20,12 +22,15 @@ struct Options {
     double mutation = breeding::PbilOptions{}.mutation;
     std::string mutation_form = "toward-half";
     std::vector<std::string> locked;
+    std::vector<std::string> own_words;
+    std::string state;
 };
 
 breeding::Session session_for(const Options& options) {
     breeding::BreederOptions breeder;
     const bool is_classic = options.genome == "classic";
     breeder.kind = breeding::breeder_named(!options.breeder.empty() ? options.breeder : is_classic ? "pbil" : "belief");
+    if (!options.state.empty()) breeder.map = site_words(options.state).map;
     breeder.genome = is_classic ? genome::Genome::Classic : genome::Genome::Full;
     breeder.pbil.learning_rate = options.learning_rate;
     breeder.pbil.mutation = options.mutation;
@@ -51,7 +56,11 @@ bool read_line(std::string& line) {
 int breed(const Options& options) {
     if (!options.is_stdio)
         throw base::InputError("breed: say how to speak to it: quadrat breed --stdio (one JSON object a line)");
-    breeding::StdioProtocol protocol(session_for(options));
+    breeding::Session session = session_for(options);
+    std::vector<breeding::OwnWord> own;
+    for (const std::string& file : options.own_words)
+        own.push_back(breeding::own_word_from(base::read_file(file), file, session.breeder().word_map()));
+    breeding::StdioProtocol protocol(std::move(session), std::move(own));
     std::cout << protocol.hello() << '\n' << protocol.offer() << std::endl;
     for (std::string line; read_line(line);) {
         const auto answer = protocol.answer(line);
@@ -74,9 +83,10 @@ void add_breed(CLI::App& app, Action& chosen) {
         ->check(CLI::IsMember({"words", "classic"}))
         ->capture_default_str();
     command
-        ->add_option("--breeder", options->breeder,
-                     "belief (default in words), pbil (default in the classic genome), pbil-gaussian or random")
-        ->check(CLI::IsMember({"belief", "pbil", "pbil-gaussian", "random"}));
+        ->add_option(
+            "--breeder", options->breeder,
+            "belief (default in words), pbil (default in the classic genome), pbil-gaussian, random, or sliders")
+        ->check(CLI::IsMember({"belief", "pbil", "pbil-gaussian", "random", "sliders"}));
     command->add_option("--seed", options->seed, "Names all chance")->capture_default_str();
     command->add_option("--learning-rate", options->learning_rate, "Weight of the best candidate's bits, 0 to 1")
         ->check(CLI::Range(0.0, 1.0))
@@ -89,6 +99,9 @@ void add_breed(CLI::App& app, Action& chosen) {
         ->capture_default_str();
     command->add_option("--lock", options->locked, "An aspect that keeps what it knows: trees, land, sky; repeatable")
         ->check(CLI::IsMember({"trees", "land", "sky"}));
+    command->add_option("--own-word", options->own_words,
+                        "A word of one's own that scenes may be described with: FILE.json, see words own; repeatable");
+    command->add_option("--state", options->state, "The exhibit's state folder, for the map that its site has trained");
     command->callback([options, &chosen] { chosen = [options] { return breed(*options); }; });
 }
 

@@ -19,5 +19,8 @@ void add_simulate(CLI::App& app, Action& chosen);
 void add_words(CLI::App& app, Action& chosen);
 void add_bench(CLI::App& app, Action& chosen);
 void add_doctor(CLI::App& app, Action& chosen);
+void add_shot(CLI::App& app, Action& chosen);
+void add_state(CLI::App& app, Action& chosen);
+void add_publish(CLI::App& app, Action& chosen);
 
 }  // namespace quadrat::kiosk::commands

@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <malloc.h>
+
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
+#include <thread>
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "base/log.hpp"
 #include "firmware-io/input_spec.hpp"
 #include "firmware-io/merged_buttons.hpp"
 #include "kiosk/commands/commands.hpp"
+#include "kiosk/detail/memory.hpp"
 #include "kiosk/run_loop.hpp"
 #include "kiosk/service.hpp"
+#include "kiosk/staff/machine.hpp"
 #include "kiosk/state_folder.hpp"
 #include "kiosk/visitor.hpp"
 
@@ -29,9 +38,15 @@ struct Options {
     std::string capture;
     std::optional<std::uint64_t> seed;
     std::string log_file;
+    double speed = 1;
 };
 
-constexpr int kDisplayFault = 75;  // EX_TEMPFAIL: the service starts us again
+namespace fs = std::filesystem;
+
+constexpr double kSafeAlpha = 0.5;
+constexpr int kSafeLand = 129;
+constexpr std::chrono::seconds kBreather{10};  // between starts that keep failing
+constexpr int kDisplayFault = 75;              // EX_TEMPFAIL: the service starts us again
 
 std::atomic<bool>& stop_flag() {
     static std::atomic<bool> stop{false};
@@ -113,53 +128,147 @@ exhibit::WallTime wall_time() {
     return std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now());
 }
 
-int run(const Options& options) {
-    if (!options.log_file.empty()) base::open_log(base::LogDetail::Normal, options.log_file);
-    const Configuration asked = configuration_for(options);
-    const auto screen = display::open_display(display_options(asked));
+// The same moment as the site's clocks show it.
+exhibit::WallTime local_time() {
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    std::tm local{};
+    ::localtime_r(&now, &local);
+    return wall_time() + std::chrono::seconds(local.tm_gmtoff);
+}
 
-    Configuration configuration = asked;
-    const bool is_demonstration = needs_a_visitor(asked, *screen);
-    const base::Seed seed = seed_for(options);
+void wait_unless_stopped(std::chrono::seconds span) {
+    const auto until = std::chrono::steady_clock::now() + span;
+    while (!stop_flag() && std::chrono::steady_clock::now() < until)
+        std::this_thread::sleep_for(std::chrono::milliseconds{50});
+}
+
+// Where the service keeps what a reboot forgets; "" when we are not its.
+fs::path service_folder() {
+    const char* folder = std::getenv("RUNTIME_DIRECTORY");
+    return folder != nullptr ? folder : "";
+}
+
+// What the failures so far call for, before anything is opened.
+void climb(staff::Ladder& ladder, Configuration& configuration) {
+    const staff::Rung& rung = ladder.rung();
+    if (rung.mode == staff::Mode::Usual) return;
+    base::log::error("safe mode: {} failures in ten minutes; low detail, no pictures are kept", rung.failures);
+    configuration.picture.alpha = std::min(configuration.picture.alpha, kSafeAlpha);
+    configuration.picture.land_samples = std::min(configuration.picture.land_samples, kSafeLand);
+    if (rung.remedy == staff::Remedy::Reboot) {
+        if (ladder.note_reboot()) {
+            base::log::error("safe mode: it goes on failing; asking for a reboot");
+            base::write_file(service_folder() / staff::kPowerAsked, "reboot\n");
+        } else {
+            base::log::error("safe mode: a reboot could not be written down, so none is asked for");
+        }
+    }
+    if (rung.failures >= staff::kFailuresToReboot) wait_unless_stopped(kBreather);
+}
+
+std::unique_ptr<Clock> clock_for(const Options& options, bool is_simulated) {
+    if (options.speed != 1) return std::make_unique<HastyClock>(options.speed);
+    if (is_simulated) return std::make_unique<SimulatedClock>();
+    return std::make_unique<SteadyClock>();
+}
+
+Buttons buttons_for(Configuration& configuration, const display::Display& screen, base::Seed seed,
+                    bool is_demonstration) {
     Buttons buttons;
     if (is_demonstration) {
         buttons.source = scripted_visitor(configuration.visit.rounds, seed);
-    } else {
-        if (configuration.inputs.empty()) configuration.inputs = default_inputs(*screen);
-        buttons = open_buttons(configuration.inputs);
+        return buttons;
     }
+    if (configuration.inputs.empty()) configuration.inputs = default_inputs(screen);
+    return open_buttons(configuration.inputs);
+}
+
+exhibit::Archive open_archive(const fs::path& state) {
+    using Condition = exhibit::Archive::Condition;
+    auto opened = exhibit::Archive::open(state, wall_time());
+    const bool is_trouble = opened.condition == Condition::Replaced || opened.condition == Condition::MemoryOnly;
+    base::log::log(is_trouble ? base::log::level::warn : base::log::level::info, "state: {}", opened.message);
+    return std::move(opened.archive);
+}
+
+int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const fs::path& state) {
+    Configuration configuration = configuration_for(options);
+    climb(ladder, configuration);
+    const bool is_safe = ladder.rung().mode == staff::Mode::Safe;
+    const auto screen = display::open_display(display_options(configuration));
+    const bool is_demonstration = needs_a_visitor(configuration, *screen);
+    const base::Seed seed = seed_for(options);
+    Buttons buttons = buttons_for(configuration, *screen, seed, is_demonstration);
+
     const std::string folder = options.capture.empty() && is_demonstration ? "quadrat-pictures" : options.capture;
     std::unique_ptr<Album> album;
-    if (!folder.empty()) album = std::make_unique<Album>(folder);
+    if (!folder.empty() && !is_safe) album = std::make_unique<Album>(folder);
     if (is_demonstration)
         base::log::info("no screen and no buttons here: a visitor of {} rounds is played, pictures go to {}",
                         configuration.visit.rounds, folder);
 
-    const std::filesystem::path state = state_folder(options.state);
-    auto opened = exhibit::Archive::open(state, wall_time());
-    if (opened.condition == exhibit::Archive::Condition::Replaced ||
-        opened.condition == exhibit::Archive::Condition::MemoryOnly)
-        base::log::warn("state: {}", opened.message);
-    else
-        base::log::info("state: {}", opened.message);
-
-    std::unique_ptr<Clock> clock;
-    if (screen->kind() == "headless" && buttons.is_all_scripted)
-        clock = std::make_unique<SimulatedClock>();
-    else
-        clock = std::make_unique<SteadyClock>();
+    exhibit::Archive archive = open_archive(state);
+    Panel panel(*buttons.source, health_memory_from(archive.remembered("buttons")));
+    const std::string remembered_detail = archive.remembered("detail");
+    const auto clock = clock_for(options, screen->kind() == "headless" && buttons.is_all_scripted);
     const GrowerOptions growing{0, fineness_of(configuration.picture.land_samples)};
-    Show show(configuration, {seed, growing, wall_time}, std::move(opened.archive));
-    stop_on_signals();
-    const RunEnd end = run_loop({configuration, *clock, *screen, *buttons.source, show, album.get(),
-                                 options.rounds.has_value() || is_demonstration, &stop_flag()});
+    Show show(configuration, {seed, growing, wall_time, local_time, state}, std::move(archive));
+    std::optional<staff::Caretaker> caretaker;
+    std::optional<staff::Keepsakes> keepsakes;
+    if (!clock->is_simulated()) {
+        keepsakes.emplace(state);
+        caretaker.emplace(staff::CaretakerParts{configuration, options.configuration, staff::runtime_folder(state),
+                                                state, ladder, screen->description()});
+    }
+    std::optional<DetailGovernor> governor;
+    if (!clock->is_simulated())
+        governor.emplace(options_for(static_cast<float>(configuration.picture.alpha), remembered_detail,
+                                     screen->description()));
+    RunLoopParts parts{configuration, *clock, *screen, panel, *buttons.source, show};
+    parts.caretaker = caretaker ? &*caretaker : nullptr;
+    parts.keepsakes = keepsakes ? &*keepsakes : nullptr;
+    parts.mode = ladder.rung().mode;
+    parts.governor = governor ? &*governor : nullptr;
+    parts.album = album.get();
+    parts.ends_after_visit = options.rounds.has_value() || is_demonstration;
+    parts.stop = &stop_flag();
+    const RunEnd end = run_loop(parts);
     announce_stopping();
+    show.remember("buttons", to_text(panel.health().memory()));
+    if (governor) show.remember("detail", to_text(*governor, screen->description()));
+    if (end != RunEnd::DisplayFault) ladder.note_end();
     if (album) {
         album->finish();
         std::printf("%zu pictures and contact-sheet.png are in %s\n", album->count(),
-                    std::filesystem::absolute(album->folder()).lexically_normal().c_str());
+                    fs::absolute(album->folder()).lexically_normal().c_str());
     }
     return status_of(end);
+}
+
+// For months, what is freed must go back to the system: with an arena for each thread that grows landscapes, glibc's
+// allocator holds on to ten times what is in use.
+void give_memory_back() {
+    constexpr int kArenas = 2;
+    constexpr int kAloneFrom_bytes = 128 << 10;
+    ::mallopt(M_ARENA_MAX, kArenas);
+    ::mallopt(M_MMAP_THRESHOLD, kAloneFrom_bytes);
+    ::mallopt(M_TRIM_THRESHOLD, kAloneFrom_bytes);
+}
+
+int run(const Options& options) {
+    give_memory_back();
+    if (!options.log_file.empty()) base::open_log(base::LogDetail::Normal, options.log_file);
+    stop_on_signals();
+    const fs::path state = state_folder(options.state);
+    staff::Ladder ladder(service_folder(), state, staff::uptime());
+    try {
+        return exhibit_until_the_end(options, ladder, state);
+    } catch (const base::InputError&) {
+        // A wrong configuration is no failure of the machine; and a service that starts us at once again need not spin.
+        ladder.note_end();
+        if (!service_folder().empty()) wait_unless_stopped(kBreather);
+        throw;
+    }
 }
 
 }  // namespace
@@ -180,6 +289,9 @@ void add_run(CLI::App& app, Action& chosen) {
                         "Folder for one PNG a generation, the finale and a contact sheet");
     command->add_option("--seed", options->seed, "Names all chance; without it, every start is another");
     command->add_option("--log-file", options->log_file, "Write the log there too");
+    command
+        ->add_option("--speed", options->speed, "How many times as fast the clock runs, 1 to 100: for endurance tests")
+        ->check(CLI::Range(1.0, 100.0));
     command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

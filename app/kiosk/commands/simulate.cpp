@@ -45,15 +45,18 @@ class Progress {
 };
 
 std::vector<breeding::Standing> standings_of(const breeding::Tournament& tournament, Progress& progress) {
-    std::vector<breeding::Standing> standings;
-    for (const breeding::Method method : breeding::all_methods()) {
-        std::vector<breeding::Played> played(static_cast<std::size_t>(tournament.visitors));
-        tbb::parallel_for(0, tournament.visitors, [&](int visitor) {
-            played[static_cast<std::size_t>(visitor)] = breeding::play(tournament, visitor, method);
+    const auto methods = breeding::all_methods();
+    const auto visitors = static_cast<std::size_t>(tournament.visitors);
+    std::vector<std::vector<breeding::Played>> played(methods.size(), std::vector<breeding::Played>(visitors));
+    tbb::parallel_for(0, tournament.visitors, [&](int number) {
+        const breeding::SimulatedVisitor visitor = breeding::visitor_of(tournament, number);
+        for (std::size_t m = 0; m < methods.size(); ++m) {
+            played[m][static_cast<std::size_t>(number)] = breeding::play(tournament, visitor, number, methods[m]);
             progress.step();
-        });
-        standings.push_back(breeding::standing_of(method, played));
-    }
+        }
+    });
+    std::vector<breeding::Standing> standings;
+    for (std::size_t m = 0; m < methods.size(); ++m) standings.push_back(breeding::standing_of(methods[m], played[m]));
     return standings;
 }
 
@@ -83,7 +86,8 @@ int simulate(const Options& options) {
     Progress progress(tournaments.size() * breeding::all_methods().size() * static_cast<std::size_t>(options.visitors));
     for (std::size_t i = 0; i < tournaments.size(); ++i) {
         const auto standings = standings_of(tournaments[i], progress);
-        std::cout << (i > 0 ? "\n" : "") << breeding::table_of(tournaments[i], standings) << std::flush;
+        std::cout << (i > 0 ? "\n" : "") << breeding::table_of(tournaments[i], standings)
+                  << breeding::text_of(breeding::figures_of(standings)) << std::flush;
         if (options.plot.empty()) continue;
         const std::filesystem::path path = options.plot;
         const auto name = i == 0 ? path

@@ -5,24 +5,39 @@
 #include <iostream>
 
 #include "base/error.hpp"
-#include "breeding/words/word_map.hpp"
+#include "base/file.hpp"
+#include "breeding/words/own_word.hpp"
+#include "exhibit/word_answers.hpp"
 #include "genome/speech.hpp"
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/easel.hpp"
+#include "kiosk/school.hpp"
+#include "kiosk/state_folder.hpp"
 
 namespace quadrat::kiosk::commands {
 namespace {
 
 struct Options {
     std::string language = "en";
+    std::string state;
     std::string output;
+    std::vector<std::string> files;
+    bool is_anyway = false;
+    double value = 1;
     std::string size = "320x180";
     int steps = 5;
     std::uint64_t seed = 1;
 };
 
+constexpr std::size_t kLargest = 64U << 20U;
+
+// With --state the site's own; otherwise the one that the program brings along.
+breeding::WordMap map_for(const Options& options) {
+    return options.state.empty() ? breeding::default_word_map() : site_words(options.state).map;
+}
+
 int show(const Options& options) {
-    const breeding::WordMap& map = breeding::default_word_map();
+    const breeding::WordMap map = map_for(options);
     const genome::Language& language = genome::language(options.language);
     for (const genome::Aspect aspect : genome::kAspects) {
         int scenes = 0;
@@ -45,6 +60,7 @@ int draw_sheet(const Options& options) {
     Picture picture;
     picture.width = size.width;
     picture.height = size.height;
+    const breeding::WordMap map = map_for(options);
     Easel easel(picture.width, picture.height);
     const genome::Language& language = genome::language(options.language);
     const genome::Recipe seeds = genome::random_recipe(base::Seed{options.seed});
@@ -55,7 +71,7 @@ int draw_sheet(const Options& options) {
             genome::Description words;
             words.set(word.id, value);
             genome::Recipe recipe = seeds;
-            recipe.values = breeding::default_word_map()(words);
+            recipe.values = map(words);
             picture.scenes = {recipe};
             entries.push_back(
                 {easel.draw(picture), fmt::format("{} {:+.1f}", language.end(word.id, value > 0), value)});
@@ -68,14 +84,98 @@ int draw_sheet(const Options& options) {
     return 0;
 }
 
+void write_or_refuse(const std::string& output, std::string_view bytes) {
+    if (std::filesystem::is_directory(output))
+        throw base::InputError(fmt::format("--output: {} is a folder; name a file", output));
+    base::write_file(output, bytes);
+    std::cout << output << '\n';
+}
+
+// A site without a state file has no answers yet.
+exhibit::WordAnswers answers_of(const std::filesystem::path& folder) {
+    if (!std::filesystem::exists(folder / "quadrat.db")) return {};
+    return exhibit::word_answers_in(folder);
+}
+
+// What is in the files replaces what the curator taught before; what visitors said is read again.
+int train(const Options& options) {
+    const std::filesystem::path folder = state_folder(options.state);
+    const SiteWords before = site_words(folder);
+    breeding::Lessons wanted{before.lessons.curator, {}};
+    if (!options.files.empty()) wanted.curator.clear();
+    for (const std::string& file : options.files) {
+        const breeding::Lessons read = breeding::word_lessons_from(base::read_file(file, kLargest), file);
+        wanted.curator.insert(wanted.curator.end(), read.curator.begin(), read.curator.end());
+    }
+    const exhibit::WordAnswers answers = answers_of(folder);
+    wanted.visitors = breeding::lessons_from(answers.readable);
+    if (answers.unreadable > 0)
+        std::cerr << fmt::format("words: {} answers speak of what this program does not know, and are left out\n",
+                                 answers.unreadable);
+    const breeding::Training training = breeding::train(
+        wanted, before.lessons, before.map, options.is_anyway ? breeding::Worse::Take : breeding::Worse::Refuse);
+    for (const std::string& line : training.said) std::cerr << fmt::format("words: {}\n", line);
+    if (training.lessons != before.lessons) keep_site_words(folder, training.lessons);
+    for (const genome::Aspect aspect : genome::kAspects)
+        fmt::print("{}: a scene told from the others is off by {:.2f} % of a range; before, by {:.2f} %\n",
+                   name_of(aspect), 100 * training.map.leave_one_out(aspect), 100 * before.map.leave_one_out(aspect));
+    fmt::print("{}\n", training.lessons == before.lessons ? "the map stays" : "the map is another");
+    return 0;
+}
+
+// What a word of one's own means in words; with --output, the scene it asks for.
+int tell_own(const Options& options) {
+    const breeding::WordMap map = map_for(options);
+    const std::string& file = options.files.front();
+    const breeding::OwnWord own = breeding::own_word_from(base::read_file(file, kLargest), file, map);
+    fmt::print("{}, of the {}: told from the other scenes, one is off by {:.2f}; without words, by {:.2f}\n", own.name,
+               name_of(own.aspect), own.leave_one_out, own.spread_of_said);
+    const auto vocabulary = genome::vocabulary(own.aspect);
+    for (std::size_t i = 0; i < vocabulary.size(); ++i)
+        fmt::print("  {:<14} {:+.2f}\n", vocabulary[i].name, own.direction.weights[i]);
+    const genome::Description words = map.completed({}, std::vector{own.at(options.value)});
+    fmt::print("{:+.2f} is {}\n", options.value, genome::language(options.language).describe(words, own.aspect));
+    if (own.leave_one_out >= own.spread_of_said)
+        std::cerr << fmt::format("words: {}: the words of the {} do not tell what it is\n", own.name,
+                                 name_of(own.aspect));
+    if (options.output.empty()) return 0;
+    genome::Recipe recipe = genome::random_recipe(base::Seed{options.seed});
+    recipe.values = map(words);
+    write_or_refuse(options.output, genome::to_json(recipe) + "\n");
+    return 0;
+}
+
+int export_lessons(const Options& options) {
+    const std::filesystem::path folder = state_folder(options.state);
+    const exhibit::WordAnswers answers = exhibit::word_answers_in(folder);
+    write_or_refuse(options.output, to_json(breeding::Lessons{site_words(folder).lessons.curator,
+                                                              breeding::lessons_from(answers.readable)}));
+    return 0;
+}
+
+int forget(const Options& options) {
+    const std::filesystem::path folder = state_folder(options.state);
+    const int count = exhibit::forget_word_answers_in(folder);
+    const breeding::Lessons lessons = site_words(folder).lessons;
+    if (!lessons.visitors.empty()) keep_site_words(folder, {lessons.curator, {}});
+    // The map of before knows them too.
+    std::error_code ignored;
+    std::filesystem::remove(folder / "words.previous.json", ignored);
+    fmt::print("{} answers are forgotten; {}\n", count,
+               lessons.curator.empty() ? "the map is the default one" : "the map keeps what its curator taught");
+    return 0;
+}
+
 }  // namespace
 
 void add_words(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("words", "The words that wishes are held in, and what they look like");
     command->require_subcommand(1);
+    command->fallthrough();  // its options may stand after a subcommand too
     command->add_option("--language", options->language, "Of their ends: ar, de, en, es, fr, xh")
         ->capture_default_str();
+    command->add_option("--state", options->state, "The exhibit's state folder, for the map that its site has trained");
     CLI::App* shown = command->add_subcommand("show", "Every word with its two ends, and how well the map knows them");
     shown->callback([options, &chosen] { chosen = [options] { return show(*options); }; });
     CLI::App* sheet = command->add_subcommand("sheet", "A picture with a row a word, from one end to the other");
@@ -84,6 +184,25 @@ void add_words(CLI::App& app, Action& chosen) {
     sheet->add_option("--steps", options->steps, "Pictures a row")->check(CLI::Range(2, 21))->capture_default_str();
     sheet->add_option("--seed", options->seed, "Names the places")->capture_default_str();
     sheet->callback([options, &chosen] { chosen = [options] { return draw_sheet(*options); }; });
+    CLI::App* trained = command->add_subcommand("train", "Learn from what visitors said, and from files");
+    trained->add_option("FILE", options->files, "Scenes described by a curator, instead of those taught before");
+    trained->add_flag("--anyway", options->is_anyway, "Also where scenes could be told from one another less well");
+    trained->callback([options, &chosen] { chosen = [options] { return train(*options); }; });
+    CLI::App* own = command->add_subcommand("own", "What a word of one's own means, told by ten scenes or more");
+    own->footer(
+        "FILE is {\"quadrat\":\"own word\",\"version\":1,\"name\":\"spooky\",\"aspect\":\"sky\",\"scenes\":[…]} with "
+        "ten "
+        "scenes or more,\neach {\"value\":0.8,\"words\":{\"misty\":0.5,…}} or "
+        "{\"value\":-0.4,\"parameters\":{\"haze.distance_m\":900,…}}; values from -1 to 1.");
+    own->add_option("FILE", options->files, "Scenes, and how far the word suits each")->required()->expected(1);
+    own->add_option("--value", options->value, "How much of it")->check(CLI::Range(-1.0, 1.0))->capture_default_str();
+    own->add_option("-o,--output", options->output, "SCENE.json, the scene it then asks for");
+    own->callback([options, &chosen] { chosen = [options] { return tell_own(*options); }; });
+    CLI::App* exported = command->add_subcommand("export", "Write what visitors and the curator taught, to train from");
+    exported->add_option("-o,--output", options->output, "FILE.json")->required();
+    exported->callback([options, &chosen] { chosen = [options] { return export_lessons(*options); }; });
+    CLI::App* forgotten = command->add_subcommand("forget", "Delete what visitors said, and what was learnt of it");
+    forgotten->callback([options, &chosen] { chosen = [options] { return forget(*options); }; });
 }
 
 }  // namespace quadrat::kiosk::commands

@@ -4,7 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "base/error.hpp"
+#include "base/file.hpp"
+#include "genome/speech.hpp"
 #include "kiosk/show.hpp"
 
 namespace quadrat::kiosk {
@@ -39,8 +43,30 @@ TEST(Configuration, TheFileThatIsDeliveredSaysTheDefaults) {
     EXPECT_EQ(delivered.breeding.mutation, standard.breeding.mutation);
     EXPECT_EQ(delivered.picture.alpha, standard.picture.alpha);
     EXPECT_EQ(delivered.picture.land_samples, standard.picture.land_samples);
-    for (const auto& [key, words] : delivered.texts) EXPECT_EQ(words, text(standard, key)) << key;
-    EXPECT_EQ(delivered.texts.size(), 8U);
+    EXPECT_EQ(delivered.visit.describe_words, standard.visit.describe_words);
+    EXPECT_EQ(delivered.visit.describe_every, standard.visit.describe_every);
+    EXPECT_EQ(delivered.visit.describe_s, standard.visit.describe_s);
+    EXPECT_EQ(delivered.hours, standard.hours);
+    EXPECT_EQ(delivered.closing.card, standard.closing.card);
+    EXPECT_EQ(delivered.closing.overtime, standard.closing.overtime);
+    EXPECT_EQ(delivered.closing.awake, standard.closing.awake);
+    EXPECT_EQ(delivered.closing.wakes_by_button, standard.closing.wakes_by_button);
+    EXPECT_TRUE(delivered.texts.empty()) << "they would hide what the screen says in the site's language";
+}
+
+TEST(Configuration, TheFileThatIsDeliveredShowsEveryPromptInEnglish) {
+    std::string shown = base::read_file(QUADRAT_SOURCE_DIR "/deploy/quadrat.toml");
+    shown = std::regex_replace(shown.substr(shown.find("[text]")), std::regex("\n# "), "\n");
+    const Configuration uncommented = configuration_from(shown, "quadrat.toml");
+    EXPECT_EQ(uncommented.texts.size(), genome::kPrompts.size());
+    for (const auto& [key, words] : uncommented.texts) EXPECT_EQ(words, text(Configuration{}, key)) << key;
+}
+
+TEST(Configuration, TheScreenSpeaksTheSitesLanguageAndItsOwnWordsFirst) {
+    const Configuration c =
+        configuration_from("[visit]\nlanguage = \"es\"\n[text]\n\"ask.sky\" = \"¿Qué cielo?\"\n", "site.toml");
+    EXPECT_EQ(text(c, "ask.sky"), "¿Qué cielo?");
+    EXPECT_EQ(text(c, "ask.trees"), "¿Dónde están los mejores árboles?");
 }
 
 TEST(Configuration, ReadsWhatTheSiteDecides) {
@@ -74,6 +100,24 @@ TEST(Configuration, BreedsInWordsWithinTheSitesRanges) {
     EXPECT_THAT(refusal_of("[words]\nwet = [0.5, 0]\n"), HasSubstr("site.toml:2: words.wet is not a range"));
     EXPECT_THAT(refusal_of("[words]\nnice = [0, 1]\n"), HasSubstr("words.nice is not known"));
     EXPECT_THAT(refusal_of("[visit]\nlanguage = \"tlh\"\n"), HasSubstr("visit.language is \"tlh\""));
+}
+
+TEST(Configuration, ReadsOpeningHours) {
+    const Configuration c = configuration_from(
+        "[hours]\ntuesday = \"09:00-17:00\"\ncard_s = 5\nwakes_by_button = false\n"
+        "[hours.exceptions]\n2026-12-24 = \"closed\"\n",
+        "site.toml");
+    EXPECT_FALSE(c.hours.is_always_open);
+    EXPECT_EQ(c.hours.week[1], (std::vector<staff::OpenSpan>{{540, 1020}}));
+    EXPECT_TRUE(c.hours.week[0].empty());
+    EXPECT_EQ(c.hours.exceptions.size(), 1U);
+    EXPECT_EQ(c.closing.card, std::chrono::seconds{5});
+    EXPECT_FALSE(c.closing.wakes_by_button);
+    const Configuration only = configuration_from("[hours.exceptions]\n2026-12-24 = \"closed\"\n", "site.toml");
+    EXPECT_EQ(only.hours.week[3], (std::vector<staff::OpenSpan>{{0, 1440}})) << "open but for the exceptions";
+    EXPECT_THAT(refusal_of("[hours]\nmonday = \"nine to five\"\n"), HasSubstr("site.toml:2: hours.monday"));
+    EXPECT_THAT(refusal_of("[hours]\nmoonday = \"closed\"\n"), HasSubstr("hours.moonday is not known"));
+    EXPECT_THAT(refusal_of("[hours.exceptions]\n2026-02-30 = \"closed\"\n"), HasSubstr("is no date"));
 }
 
 TEST(Configuration, RefusesInOneLineWithTheLineTheKeyAndWhatWouldBeRight) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <thread>
 #include <tuple>
 
 namespace quadrat::kiosk {
@@ -72,6 +74,26 @@ TEST(Threads, AnOrderReplacesTheOneBeforeAndHeadStartsAreShared) {
     grower.order(first, base::Seed{77});
     grower.wait();
     EXPECT_EQ(grower.take()->front()->land.get(), scenes->front()->land.get());
+}
+
+TEST(Threads, WhatIsGrownAndNeverComposedDoesNotPileUp) {
+    Grower grower({2, kCoarse});
+    std::size_t most = 0;
+    for (std::uint64_t i = 0; i < 12; ++i) {
+        genome::Offer offer;
+        const auto four = candidates(i);
+        std::copy(four.begin(), four.end(), offer.candidates.begin());
+        grower.begin(genome::Aspect::Sky, offer);
+        while (grower.stock().to_grow > 0) std::this_thread::yield();
+        most = std::max(most, grower.stock().kept);
+    }
+    EXPECT_LE(most, 2 * genome::kCandidates * genome::kAspects.size());
+    EXPECT_GE(most, genome::kCandidates * genome::kAspects.size());
+    // What was forgotten grows again.
+    const auto first = candidates(0);
+    grower.order(first, base::Seed{3});
+    grower.wait();
+    EXPECT_TRUE(are_same(*grower.take()->front(), *grow(genome::recipe_of(first.front(), base::Seed{3}), kCoarse)));
 }
 
 TEST(Threads, AGrowerThatIsNotWaitedForEndsQuietly) {

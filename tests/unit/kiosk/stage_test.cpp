@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kiosk/stage.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "genome/speech.hpp"
 #include "kiosk/easel.hpp"
 
 namespace quadrat::kiosk {
@@ -20,7 +22,9 @@ class AStage : public testing::Test {
         state_.screen = exhibit::Screen::Ask;
     }
     render::Frame frame(Instant now) {
-        return stage_.frame({state_, timings_, cast_, flash_, 0.5F, now}, easel_.display().begin_frame());
+        return stage_.frame(
+            {state_, timings_, cast_, flash_, 0.5F, now, caption_, asked_ ? &*asked_ : nullptr, board_, backdrop_},
+            easel_.display().begin_frame());
     }
     mesh::Image drawn(Instant now) {
         const render::Frame f = frame(now);
@@ -35,7 +39,38 @@ class AStage : public testing::Test {
     exhibit::Timings timings_;
     Cast cast_;
     std::optional<Flash> flash_;
+    const staff::Board* board_ = nullptr;
+    const mesh::Image* backdrop_ = nullptr;
+    std::string_view caption_;
+    std::optional<Asked> asked_;
 };
+
+TEST_F(AStage, ABoardCoversEverythingOrIsReadOverThePicture) {
+    staff::Board board{"Quadrat", {"one", "two", std::string(400, 'w')}, true};
+    board_ = &board;
+    EXPECT_TRUE(frame(3s).views.empty());
+    for (const render::Sign& sign : frame(3s).signs) {
+        EXPECT_GE(sign.place.x, 0);
+        EXPECT_GE(sign.place.y, 0);
+        EXPECT_LE(sign.place.x + sign.place.width, 320);
+        EXPECT_LE(sign.place.y + sign.place.height, 180);
+    }
+    board = {"Closed", {}, false};
+    EXPECT_EQ(frame(3s).views.size(), 4U);
+    EXPECT_EQ(frame(3s).signs.size(), 2U) << "the board alone, and its ground";
+}
+
+TEST_F(AStage, AnEarlierLandscapeStandsInForWhatHasNotGrown) {
+    cast_.scenes.clear();
+    state_.screen = exhibit::Screen::Attract;
+    mesh::Image picture(32, 18, 4);
+    std::fill(picture.bytes.begin(), picture.bytes.end(), std::uint8_t{200});
+    backdrop_ = &picture;
+    const render::Frame f = frame(3s);
+    EXPECT_TRUE(f.views.empty());
+    EXPECT_EQ(f.signs.front().place, (render::Rect{0, 0, 320, 180}));
+    EXPECT_NEAR(drawn(3s).pixel(5, 5)[0], 200, 12);
+}
 
 TEST_F(AStage, ShowsFourWhileItAsksAndOneOtherwise) {
     EXPECT_EQ(frame(3s).views.size(), 4U);
@@ -46,6 +81,18 @@ TEST_F(AStage, ShowsFourWhileItAsksAndOneOtherwise) {
     cast_.scenes.clear();
     EXPECT_TRUE(frame(3s).views.empty());
     EXPECT_FALSE(frame(3s).signs.empty()) << "the words are there before the first landscapes are";
+}
+
+TEST_F(AStage, CaptionsBreedAndTheFinaleAlone) {
+    using exhibit::Screen;
+    for (const Screen screen : {Screen::Ask, Screen::Attract, Screen::StillThere, Screen::Breed, Screen::Finale}) {
+        state_.screen = screen;
+        caption_ = "";
+        const std::size_t plain = frame(3s).signs.size();
+        caption_ = "tall trees";
+        const bool has_caption = screen == Screen::Breed || screen == Screen::Finale;
+        EXPECT_EQ(frame(3s).signs.size(), plain + (has_caption ? 1 : 0)) << static_cast<int>(screen);
+    }
 }
 
 TEST_F(AStage, EveryButtonIsAcknowledgedOnTheNextFrameWhateverIsShown) {
@@ -83,6 +130,58 @@ TEST_F(AStage, CountsDownInTheSitesOwnWords) {
     state_.screen = exhibit::Screen::StillThere;
     state_.since = 10s;
     EXPECT_EQ(words({state_, timings_, cast_, flash_, 0, 13s}, configuration_), "Noch da?  7");
+}
+
+TEST_F(AStage, LabelsTheFourButtonsBesideOneLandscape) {
+    cast_.scenes.resize(1);
+    for (const auto screen : {exhibit::Screen::Describe, exhibit::Screen::Slide}) {
+        state_.screen = screen;
+        asked_.reset();
+        const std::size_t plain = frame(3s).signs.size();
+        asked_ = Asked{"describe.sky", {"a", "b", "c", "d"}, std::nullopt};
+        if (screen == exhibit::Screen::Slide) asked_->slider = ShownSlider{"dry", "wet", 0.75F};
+        const render::Frame labelled = frame(3s);
+        EXPECT_EQ(labelled.views.size(), 1U);
+        EXPECT_EQ(labelled.signs.size(), plain + 4 * 3 + (asked_->slider ? 5U : 0U));
+        for (const render::Sign& sign : labelled.signs) {
+            EXPECT_GE(sign.place.x, 0);
+            EXPECT_GE(sign.place.y, 0);
+            EXPECT_LE(sign.place.x + sign.place.width, 320);
+            EXPECT_LE(sign.place.y + sign.place.height, 180);
+        }
+    }
+}
+
+TEST_F(AStage, FindsRoomForTheLabelsOfEveryLanguage) {
+    cast_.scenes.resize(1);
+    state_.screen = exhibit::Screen::Describe;
+    for (const std::string_view code : genome::language_codes())
+        for (const genome::Word& word : genome::vocabulary()) {
+            configuration_.visit.language = std::string(code);
+            asked_ = Asked{fmt::format("describe.{}", name_of(word.aspect)), genome::language(code).answers(word.id),
+                           std::nullopt};
+            const render::Frame labelled = frame(3s);
+            const std::size_t first = labelled.signs.size() - 12;
+            const auto top = [&](std::size_t label) {
+                const render::Rect& plate = labelled.signs[first + 3 * label].place;
+                return plate.y + plate.height;
+            };
+            EXPECT_LE(top(2), labelled.signs[first].place.y) << code << " " << word.name << ": A stands on C";
+            for (const render::Sign& sign : labelled.signs) {
+                EXPECT_GE(sign.place.x, 0) << code << " " << word.name;
+                EXPECT_LE(sign.place.x + sign.place.width, 320) << code << " " << word.name;
+                EXPECT_LE(sign.place.y + sign.place.height, 180) << code << " " << word.name;
+            }
+        }
+}
+
+TEST_F(AStage, ALabelLightsUpInItsButtonsColour) {
+    cast_.scenes.resize(1);
+    state_.screen = exhibit::Screen::Describe;
+    asked_ = Asked{"describe.sky", {"a", "b", "c", "d"}, std::nullopt};
+    const std::size_t quiet = frame(3s).signs.size();
+    flash_ = Flash{exhibit::Choice::C, 3s};
+    EXPECT_EQ(frame(3s).signs.size(), quiet + 2) << "the label and the plate of the question";
 }
 
 }  // namespace

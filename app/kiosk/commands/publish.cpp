@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <atomic>
+#include <csignal>
+
+#include "base/log.hpp"
+#include "kiosk/commands/commands.hpp"
+#include "kiosk/fleet/publisher.hpp"
+#include "kiosk/staff/machine.hpp"
+#include "kiosk/state_folder.hpp"
+
+namespace quadrat::kiosk::commands {
+namespace {
+
+struct Options {
+    std::string configuration;
+    std::string state;
+    std::string runtime;
+};
+
+std::atomic<bool>& stop_flag() {
+    static std::atomic<bool> stop{false};
+    return stop;
+}
+
+int publish(const Options& options) {
+    const Configuration configuration = read_configuration(options.configuration);
+    if (configuration.fleet.broker.empty()) {
+        base::log::info("fleet: no broker is named in {}, so nothing is published", options.configuration);
+        return 0;
+    }
+    struct sigaction action {};
+    action.sa_handler = [](int) { stop_flag() = true; };
+    ::sigaction(SIGTERM, &action, nullptr);
+    ::sigaction(SIGINT, &action, nullptr);
+    const auto state = state_folder(options.state);
+    fleet::Publisher publisher(
+        configuration.fleet, state,
+        options.runtime.empty() ? staff::runtime_folder(state) : std::filesystem::path(options.runtime));
+    while (!stop_flag()) publisher.look();
+    return 0;
+}
+
+}  // namespace
+
+void add_publish(CLI::App& app, Action& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "publish", "Tell a broker by MQTT how the exhibit beside us is and what visitors did, until told to stop");
+    command->add_option("--config", options->configuration, "The site's settings; [fleet] names the broker")
+        ->required();
+    command->add_option("--state", options->state, "The exhibit's state folder");
+    command->add_option("--runtime", options->runtime, "Where the exhibit writes its health, as /run/quadrat");
+    command->callback([options, &chosen] { chosen = [options] { return publish(*options); }; });
+}
+
+}  // namespace quadrat::kiosk::commands

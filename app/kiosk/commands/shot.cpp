@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "kiosk/commands/commands.hpp"
+#include "kiosk/staff/watch.hpp"
+#include "kiosk/state_folder.hpp"
+
+namespace quadrat::kiosk::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    std::string output;
+    std::string state;
+};
+
+constexpr std::chrono::seconds kPatience{10};
+
+// The folder that a running exhibit watches: the service's, unless another is named.
+fs::path watched_folder(const std::string& state) {
+    fs::path service = "/run/quadrat";
+    std::error_code error;
+    if (state.empty() && fs::exists(service, error)) return service;
+    return staff::runtime_folder(state_folder(state));
+}
+
+int shoot(const Options& options) {
+    const fs::path folder = watched_folder(options.state);
+    const fs::path asked = folder / staff::kPictureAsked;
+    base::write_file(asked, "");
+    const auto until = std::chrono::steady_clock::now() + kPatience;
+    std::error_code error;
+    while (fs::exists(asked, error)) {
+        if (std::chrono::steady_clock::now() > until) {
+            fs::remove(asked, error);
+            throw base::InputError(
+                fmt::format("no exhibit answers in {}: is it running? systemctl status quadrat; "
+                            "started by hand, name its --state",
+                            folder.string()));
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds{20});
+    }
+    base::write_file(options.output, base::read_file(folder / staff::kPicture));
+    std::printf("%s\n", fs::absolute(options.output).lexically_normal().c_str());
+    return 0;
+}
+
+}  // namespace
+
+void add_shot(CLI::App& app, Action& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("shot", "A picture of what a running exhibit shows just now, as PNG");
+    command->add_option("-o,--output", options->output, "Where to")->required();
+    command->add_option("--state", options->state, "The exhibit's state folder, when it is not the service");
+    command->callback([options, &chosen] { chosen = [options] { return shoot(*options); }; });
+}
+
+}  // namespace quadrat::kiosk::commands

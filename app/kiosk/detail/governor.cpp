@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/detail/governor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace quadrat::kiosk {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::size_t kTooManyLate = 3;  // of a window's frames
+constexpr float kOneMore = 1.12F;        // of alpha: too little to be seen
+constexpr auto kSettling = 400ms;        // until a change can be judged
+constexpr auto kBlame = 5s;              // lateness so soon after a raise is the raise's
+constexpr auto kLongestPatience = std::chrono::nanoseconds{10min};
+constexpr auto kHopeless = 3s;  // late with the least detail: a frame in two periods
+constexpr float kLeastGrowing = 0.25F;
+constexpr float kRoomShare = 0.95F;  // of the frames must have had room before more is tried
+
+float seconds(std::chrono::nanoseconds t) { return std::chrono::duration<float>(t).count(); }
+
+}  // namespace
+
+DetailGovernor::DetailGovernor(const GovernorOptions& options)
+    : most_(options.most),
+      target_(std::clamp(options.start, std::min(GovernorOptions::kLeast, options.most), options.most)),
+      shown_(target_),
+      periods_(options.periods) {}
+
+void DetailGovernor::follow(float most) {
+    if (most == most_) return;
+    most_ = most;
+    target_ = std::min(target_, most);
+    patience_ = 4s;
+}
+
+bool DetailGovernor::is_late(const FrameTold& told) const {
+    return told.period.count() > 0 && told.took > told.period * periods_ + told.period / 2;
+}
+
+void DetailGovernor::frame(const FrameTold& told) {
+    if (!last_now_) begin_anew(told.now);
+    glide(told);
+    late_ <<= 1U;
+    late_[0] = is_late(told);
+    if (late_[0]) {
+        late_took_ = std::max(late_took_, told.took);
+        calm_since_ = told.now;
+        frames_calm_ = frames_with_room_ = 0;
+    }
+    ++frames_calm_;
+    frames_with_room_ += told.had_room;
+    if (late_[0])
+        give_way(told);
+    else
+        try_more(told);
+}
+
+// Down within a tenth of a second, up over several.
+void DetailGovernor::glide(const FrameTold& told) {
+    const float passed_s = std::min(seconds(told.now - last_now_.value_or(told.now)), 0.25F);
+    last_now_ = told.now;
+    const float ratio = target_ / shown_;
+    shown_ *= std::clamp(ratio, std::exp2(-7.0F * passed_s), std::exp2(0.4F * passed_s));
+    is_growing_ = told.is_growing;
+    recovered_ = is_growing_ ? growing_share_ : std::min(recovered_ * std::exp2(0.4F * passed_s), 1.0F);
+}
+
+void DetailGovernor::give_way(const FrameTold& told) {
+    if (late_.count() < kTooManyLate || told.now - changed_at_ < kSettling) return;
+    const float before = target_;
+    if (told.is_growing && growing_share_ > kLeastGrowing) {
+        // Another generation will grow in a minute: that is its share, not the picture's.
+        growing_share_ = std::max(0.8F * growing_share_, kLeastGrowing);
+        say("late while landscapes grow", before, told);
+    } else if (target_ > GovernorOptions::kLeast) {
+        const float in_time = seconds(told.period * periods_) / seconds(late_took_);
+        target_ = std::max(target_ * std::clamp(in_time, 0.5F, 0.85F), GovernorOptions::kLeast);
+        if (raised_at_ && told.now - *raised_at_ < kBlame) {
+            target_ = std::min(target_, before_raise_);
+            patience_ = std::min(2 * patience_, kLongestPatience);
+        }
+        raised_at_.reset();
+        say("late", before, told);
+    } else if (periods_ == 1 && told.now - at_least_since_ > kHopeless) {
+        periods_ = 2;
+        say("late with the least detail: from now on a frame in two of the screen's periods", before, told);
+    } else {
+        return;
+    }
+    if (before > GovernorOptions::kLeast) at_least_since_ = told.now;
+    begin_anew(told.now);
+}
+
+void DetailGovernor::try_more(const FrameTold& told) {
+    if (told.is_growing || target_ >= most_ || told.now - calm_since_ < patience_) return;
+    const bool had_room = static_cast<float>(frames_with_room_) >= kRoomShare * static_cast<float>(frames_calm_);
+    calm_since_ = told.now;
+    frames_calm_ = frames_with_room_ = 0;
+    if (!had_room) return;
+    before_raise_ = target_;
+    target_ = std::min(target_ * kOneMore, most_);
+    raised_at_ = told.now;
+    say("in time, with room", before_raise_, told);
+}
+
+void DetailGovernor::begin_anew(Instant now) {
+    late_.reset();
+    late_took_ = 0ns;
+    changed_at_ = calm_since_ = now;
+    frames_calm_ = frames_with_room_ = 0;
+}
+
+void DetailGovernor::say(const char* why, float before, const FrameTold& told) {
+    const auto ms = [](Instant t) { return 1e3F * seconds(t); };
+    if (late_.any())
+        reason_ = fmt::format("detail {:.2f}, was {:.2f}: {} of {} frames {} ({:.0f} ms for {:.0f})", target_, before,
+                              late_.count(), kWindow, why, ms(late_took_), ms(told.period * periods_));
+    else
+        reason_ = fmt::format("detail {:.2f}, was {:.2f}: {} for {:.0f} s", target_, before, why, seconds(patience_));
+}
+
+std::optional<std::string> DetailGovernor::take_reason() {
+    if (reason_.empty()) return std::nullopt;
+    return std::exchange(reason_, {});
+}
+
+}  // namespace quadrat::kiosk

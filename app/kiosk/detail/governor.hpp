@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <bitset>
+#include <chrono>
+#include <optional>
+#include <string>
+
+// Detail that holds the frame: watches whether frames reach the screen in time, never how long a GPU says it took (a
+// Raspberry Pi's clock follows its load), and turns one knob, alpha.
+namespace quadrat::kiosk {
+
+struct GovernorOptions {
+    float most = 1;  // alpha; what the site asks for
+    float start = 1;
+    int periods = 1;  // of the screen's a frame, at the start
+    static constexpr float kLeast = 0.04F;
+};
+
+class DetailGovernor {
+  public:
+    using Instant = std::chrono::nanoseconds;
+
+    explicit DetailGovernor(const GovernorOptions& options);
+
+    struct FrameTold {
+        Instant now{0};
+        Instant took{0};          // since the frame before it
+        Instant period{0};        // the screen's
+        bool had_room = false;    // its drawing was done well before its time
+        bool is_growing = false;  // landscapes grow meanwhile, on the same cores
+    };
+    void frame(const FrameTold& told);
+    void follow(float most);  // the site changed its mind
+
+    // For the next frame. Moves without steps that could be seen; gives way at once while something grows.
+    float alpha() const { return shown_ * (is_growing_ ? growing_share_ : recovered_); }
+    // How many of the screen's periods a frame is meant to take: 1, or 2 on a machine that cannot do better.
+    int periods() const { return periods_; }
+    // To start with another time.
+    float settled() const { return target_; }
+    // Why it changed its mind last; once.
+    std::optional<std::string> take_reason();
+
+  private:
+    static constexpr std::size_t kWindow = 32;  // frames
+
+    bool is_late(const FrameTold& told) const;
+    void glide(const FrameTold& told);
+    void give_way(const FrameTold& told);
+    void try_more(const FrameTold& told);
+    void say(const char* why, float before, const FrameTold& told);
+    void begin_anew(Instant now);
+
+    float most_;
+    float target_;
+    float shown_;                 // follows target_
+    float growing_share_ = 0.6F;  // of it, while landscapes grow
+    float recovered_ = 1;         // comes back from growing_share_
+    bool is_growing_ = false;
+    int periods_ = 1;
+    std::bitset<kWindow> late_;  // the last frames, the newest first
+    Instant late_took_{0};       // the longest of them
+    std::optional<Instant> last_now_;
+    Instant calm_since_{0};
+    Instant changed_at_{0};
+    int frames_with_room_ = 0;
+    int frames_calm_ = 0;
+    std::optional<Instant> raised_at_;
+    float before_raise_ = 1;
+    Instant patience_{std::chrono::seconds{4}};
+    Instant at_least_since_{0};
+    std::string reason_;
+};
+
+}  // namespace quadrat::kiosk

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/school.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/log.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargest = 64U << 20U;
+
+fs::path words_file(const fs::path& folder) { return folder / "words.json"; }
+fs::path previous_file(const fs::path& folder) { return folder / "words.previous.json"; }
+
+SiteWords words_in(const fs::path& file) {
+    breeding::Lessons lessons = breeding::word_lessons_from(base::read_file(file, kLargest), file.string());
+    breeding::WordMap map = breeding::map_of(lessons);
+    return {std::move(lessons), std::move(map)};
+}
+
+// The whole lesson, on a thread of its own.
+std::optional<SiteWords> learnt(const fs::path& folder, const SiteWords& known, const exhibit::WordAnswers& answers) {
+    if (answers.unreadable > 0)
+        base::log::warn("words: {} answers speak of what this program does not know, and are left out",
+                        answers.unreadable);
+    // Answers that are gone, with a damaged state file say, are no reason to forget what was learnt from them.
+    if (answers.readable.empty()) return std::nullopt;
+    const breeding::Lessons wanted{known.lessons.curator, breeding::lessons_from(answers.readable)};
+    if (wanted == known.lessons) return std::nullopt;
+    breeding::Training training = breeding::train(wanted, known.lessons, known.map, breeding::Worse::Refuse);
+    for (const std::string& line : training.said) base::log::warn("words: {}", line);
+    if (training.lessons == known.lessons) return std::nullopt;
+    try {
+        keep_site_words(folder, training.lessons);
+    } catch (const base::InputError& error) {
+        base::log::error("words: {}; what was learnt holds until the program ends", error.what());
+    }
+    base::log::info("words: learnt from {} answers", answers.readable.size());
+    return SiteWords{std::move(training.lessons), std::move(training.map)};
+}
+
+}  // namespace
+
+SiteWords site_words(const fs::path& folder) {
+    std::error_code ignored;
+    const fs::path file = words_file(folder);
+    if (!fs::exists(file, ignored)) return {{}, breeding::default_word_map()};
+    try {
+        return words_in(file);
+    } catch (const base::InputError& error) {
+        base::log::warn("words: {}; the default map is used", error.what());
+        return {{}, breeding::default_word_map()};
+    }
+}
+
+std::optional<SiteWords> previous_site_words(const fs::path& folder) {
+    std::error_code ignored;
+    if (!fs::exists(previous_file(folder), ignored)) return std::nullopt;
+    try {
+        return words_in(previous_file(folder));
+    } catch (const base::InputError&) {
+        return std::nullopt;
+    }
+}
+
+void keep_site_words(const fs::path& folder, const breeding::Lessons& lessons) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    // Nothing before the first lesson is a map too: the default one.
+    const std::string before = fs::exists(words_file(folder), error) ? base::read_file(words_file(folder), kLargest)
+                                                                     : to_json(breeding::Lessons{});
+    base::write_file(previous_file(folder), before);
+    base::write_file(words_file(folder), to_json(lessons));
+}
+
+std::int64_t night_of(exhibit::WallTime local) {
+    return std::chrono::floor<std::chrono::days>(local - std::chrono::hours{3}).time_since_epoch().count();
+}
+
+std::optional<breeding::WordMap> School::map_before() const {
+    const auto before = previous_site_words(folder_);
+    if (!before) return std::nullopt;
+    return before->map;
+}
+
+void School::begin(exhibit::WordAnswers answers) {
+    const std::scoped_lock lock(mutex_);
+    if (lesson_.valid()) return;
+    lesson_ = std::async(std::launch::async, [folder = folder_, known = known_, answers = std::move(answers)] {
+        return learnt(folder, known, answers);
+    });
+}
+
+bool School::take() {
+    const std::scoped_lock lock(mutex_);
+    using std::chrono::seconds;
+    if (!lesson_.valid() || lesson_.wait_for(seconds{0}) != std::future_status::ready) return false;
+    auto words = lesson_.get();
+    if (!words) return false;
+    known_ = std::move(*words);
+    return true;
+}
+
+void School::wait() {
+    const std::scoped_lock lock(mutex_);
+    if (lesson_.valid()) lesson_.wait();
+}
+
+}  // namespace quadrat::kiosk

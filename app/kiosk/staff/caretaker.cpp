@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/staff/caretaker.hpp"
+
+#include <fmt/format.h>
+#include <malloc.h>
+
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/log.hpp"
+#include "kiosk/image_file.hpp"
+
+namespace quadrat::kiosk::staff {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Instant kLookEvery = 500ms;
+constexpr Instant kReportEvery = 60s;
+constexpr Instant kFirstReport = 3s;  // after the first frame: then there is something to tell
+constexpr Instant kRememberEvery = 1h;
+constexpr Instant kServiceEvery = 250ms;  // the service screen's figures
+constexpr Instant kFaultPictureEvery = 600s;
+constexpr int kFaultPictures = 4;
+
+bool is_due(std::optional<Instant>& last, Instant every, Instant now) {
+    if (last && now - *last < every) return false;
+    last = now;
+    return true;
+}
+
+// Health that cannot be written is no reason to say so every minute: whoever collects it notices that it is old.
+void write_quietly(const std::filesystem::path& file, const std::string& text) {
+    try {
+        base::write_file(file, text);
+    } catch (const base::InputError& error) {
+        base::log::debug("health: {}", error.what());
+    }
+}
+
+}  // namespace
+
+Caretaker::Caretaker(const CaretakerParts& parts)
+    : parts_(parts), watch_(parts.configuration_file, parts.runtime, parts.state) {
+    doorkeeper_.follow(parts_.configuration.hours, parts_.configuration.closing);
+    seen_.wall.is_trusted = false;  // until it was looked at
+    faults_ = base::recent_warnings().count;
+}
+
+void Caretaker::look(Panel& panel, Show& show, Instant now) {
+    look_outside(now);
+    if (auto fresh = [&] {
+            const std::scoped_lock lock(mutex_);
+            return std::exchange(fresh_, std::nullopt);
+        }())
+        take_over(std::move(*fresh), show);
+    if (panel.take_chord()) {
+        base::log::info("staff: the service screen is opened");
+        service_.open(now);
+    }
+    raise_curtain(show, now);
+    watch_faults(now);
+    const bool has_news = has_looked_ && shown_since_ && now >= *shown_since_ + kFirstReport;
+    const bool is_reporting = has_news && is_due(reported_at_, kReportEvery, now);
+    const bool is_drawing = service_.is_open(now) && is_due(drawn_at_, kServiceEvery, now);
+    if (is_reporting || is_drawing) vitals_ = vitals(panel, show, now);
+    if (is_reporting) report(now);
+    if (is_due(remembered_at_, kRememberEvery, now)) show.remember("buttons", to_text(panel.health().memory()));
+    if (service_.is_open(now))
+        board_ = service_.board(vitals_, now);
+    else if (curtain_ == Curtain::Card)
+        board_ = Board{text(parts_.configuration, "closed"), {}, false};
+    else
+        board_.reset();
+    climb(show, now);
+}
+
+void Caretaker::look_outside(Instant now) {
+    if (!is_due(looked_at_, kLookEvery, now)) return;
+    errands_.send([this] {
+        Seen seen = watch_.look();
+        const std::scoped_lock lock(mutex_);
+        // A look that nobody has taken up yet may have seen what this one does not see any more.
+        if (fresh_ && !seen.configuration) seen.configuration = std::move(fresh_->configuration);
+        fresh_ = std::move(seen);
+    });
+}
+
+void Caretaker::take_over(Seen seen, Show& show) {
+    seen_ = std::move(seen);
+    has_looked_ = true;
+    if (seen_.is_picture_asked && picture_wishes_.empty()) picture_wishes_.emplace_back(kPicture);
+    if (!seen_.configuration_trouble.empty())
+        base::log::error("configuration: {}; the exhibit goes on as it was", seen_.configuration_trouble);
+    if (!seen_.configuration) return;
+    const std::string later = apply(*seen_.configuration, parts_.configuration);
+    seen_.configuration.reset();
+    show.follow(parts_.configuration);
+    doorkeeper_.follow(parts_.configuration.hours, parts_.configuration.closing);
+    base::log::info("configuration: read anew{}", later.empty() ? "" : "; after a restart also: " + later);
+}
+
+void Caretaker::raise_curtain(const Show& show, Instant now) {
+    const bool has_visitor = show.state().screen != exhibit::Screen::Attract;
+    const Curtain before = std::exchange(curtain_, doorkeeper_.look(now, seen_.wall, has_visitor));
+    if (before == curtain_) return;
+    constexpr const char* kWords[] = {"open", "closing: the card is shown", "closed: the screen is switched off"};
+    base::log::info("hours: {}", kWords[static_cast<std::size_t>(curtain_)]);
+}
+
+bool Caretaker::hear(const firmware_io::ButtonEdge& edge, Instant now) {
+    if (edge.motion == firmware_io::Motion::Down) doorkeeper_.pressed(now);
+    if (service_.is_open(now)) {
+        if (edge.motion == firmware_io::Motion::Down)
+            if (const auto wish = service_.press(edge.button, now)) carry_out(*wish);
+        drawn_at_.reset();
+        return true;
+    }
+    return curtain_ != Curtain::Open;
+}
+
+void Caretaker::carry_out(StaffWish wish) {
+    switch (wish) {
+        case StaffWish::Picture:
+            picture_wishes_.emplace_back("staff.png");
+            break;
+        case StaffWish::Restart:
+            base::log::info("staff: restart");
+            wants_restart_ = true;
+            break;
+        case StaffWish::ShutDown:
+            base::log::info("staff: shut down");
+            ask_for_power("poweroff");
+            break;
+    }
+}
+
+void Caretaker::ask_for_power(const char* what) {
+    errands_.send(
+        [file = parts_.runtime / kPowerAsked, word = std::string(what)] { write_quietly(file, word + "\n"); });
+}
+
+void Caretaker::framed(const display::Presented& presented, Instant now, float alpha) {
+    alpha_ = alpha;
+    frames_.frame(now, presented.period);
+    if (!shown_since_) shown_since_ = now;
+    const bool is_fine = presented.outcome == display::Outcome::Shown || presented.outcome == display::Outcome::Off;
+    screen_trouble_ = is_fine ? "" : presented.reason;
+}
+
+std::optional<firmware_io::Lamps> Caretaker::lamps(Instant now) const {
+    if (board_ && board_->covers_all) return service_.lamps(now);
+    if (curtain_ != Curtain::Open) return firmware_io::Lamps{};
+    return std::nullopt;
+}
+
+void Caretaker::watch_faults(Instant now) {
+    const std::size_t faults = base::recent_warnings().count;
+    if (faults == std::exchange(faults_, faults)) return;
+    reported_at_.reset();
+    if (faulted_at_ && now - *faulted_at_ < kFaultPictureEvery) return;
+    faulted_at_ = now;
+    picture_wishes_.push_back(fmt::format("fault-{}.png", fault_pictures_++ % kFaultPictures + 1));
+}
+
+std::string Caretaker::take_picture_wish() {
+    if (picture_wishes_.empty()) return {};
+    std::string wish = std::move(picture_wishes_.front());
+    picture_wishes_.pop_front();
+    return wish;
+}
+
+void Caretaker::keep_picture(mesh::Image picture, const std::filesystem::path& file) {
+    // What the screen's buffer says of transparency is nobody's business.
+    for (std::size_t i = 3; i < picture.bytes.size(); i += 4) picture.bytes[i] = 255;
+    errands_.send([runtime = parts_.runtime, file, picture = std::move(picture)] {
+        try {
+            write_image_file(runtime / file, file.string(), picture, "");
+        } catch (const base::InputError& error) {
+            base::log::info("picture: {}", error.what());
+        }
+        std::error_code ignored;
+        if (file == kPicture) std::filesystem::remove(runtime / kPictureAsked, ignored);
+    });
+}
+
+Vitals Caretaker::vitals(const Panel& panel, const Show& show, Instant now) const {
+    Vitals vitals;
+    vitals.version = QUADRAT_VERSION;
+    vitals.mode = parts_.ladder.rung().mode;
+    vitals.failures = parts_.ladder.rung().failures;
+    vitals.running = std::chrono::duration_cast<std::chrono::seconds>(now);
+    vitals.machine = seen_.machine;
+    vitals.display = parts_.display;
+    vitals.screen_trouble = screen_trouble_;
+    vitals.frames = frames_;
+    vitals.alpha = alpha_;
+    vitals.buttons = panel.status();
+    vitals.presses = panel.presses();
+    vitals.findings = panel.health().findings();
+    vitals.ailments = panel.health().counts();
+    for (std::size_t i = 0; i < vitals.is_closed.size(); ++i) vitals.is_closed[i] = panel.contacts()[i].is_closed;
+    vitals.visits = show.visits_ended();
+    vitals.state_trouble = show.state_trouble();
+    vitals.free_mb = seen_.free_mb;
+    vitals.faults = base::recent_warnings().lines;
+    return vitals;
+}
+
+void Caretaker::report(Instant) {
+    errands_.send([runtime = parts_.runtime, json = to_json(vitals_), metrics = to_prometheus(vitals_)] {
+        write_quietly(runtime / "health.json", json);
+        write_quietly(runtime / "quadrat.prom", metrics);
+        ::malloc_trim(0);  // what was freed in the midst of what is not
+    });
+}
+
+// A good hour forgets the reboots; out of safe mode leads a restart, when nobody is there to see it.
+void Caretaker::climb(const Show& show, Instant now) {
+    if (is_good_ || now < kGoodRun) return;
+    if (parts_.ladder.rung().mode == Mode::Safe && show.state().screen != exhibit::Screen::Attract) return;
+    is_good_ = true;
+    errands_.send([&ladder = parts_.ladder] { ladder.note_good_run(); });
+    if (parts_.ladder.rung().mode == Mode::Safe) {
+        base::log::info("safe mode: an hour went well; starting again as usual");
+        wants_restart_ = true;
+    }
+}
+
+}  // namespace quadrat::kiosk::staff

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <deque>
+#include <mutex>
+#include <optional>
+
+#include "display/display.hpp"
+#include "kiosk/panel.hpp"
+#include "kiosk/show.hpp"
+#include "kiosk/staff/errands.hpp"
+#include "kiosk/staff/hours.hpp"
+#include "kiosk/staff/ladder.hpp"
+#include "kiosk/staff/service_screen.hpp"
+#include "kiosk/staff/vitals.hpp"
+#include "kiosk/staff/watch.hpp"
+#include "mesh/image.hpp"
+
+namespace quadrat::kiosk::staff {
+
+struct CaretakerParts {
+    Configuration& configuration;              // follows its file, as far as a running exhibit can
+    std::filesystem::path configuration_file;  // "" for none
+    std::filesystem::path runtime;  // health, requests and pictures; memory, not disk, where there is a service
+    std::filesystem::path state;
+    Ladder& ladder;
+    std::string display;  // GPU, driver and mode, for people
+};
+
+// Everything about the exhibit that is not the visit: opening hours, the service screen, health, requests, a changed
+// configuration, pictures of faults. No call waits for a disk.
+class Caretaker {
+  public:
+    explicit Caretaker(const CaretakerParts& parts);
+
+    // Once a frame, after the panel was polled.
+    void look(Panel& panel, Show& show, Instant now);
+    // A press or a release; true: it was meant for staff, or woke the exhibit, and is no part of a visit.
+    bool hear(const firmware_io::ButtonEdge& edge, Instant now);
+    void framed(const display::Presented& presented, Instant now, float alpha);
+
+    Curtain curtain() const { return curtain_; }
+    const Board* board() const { return board_ ? &*board_ : nullptr; }  // what lies over the picture, or null
+    std::optional<firmware_io::Lamps> lamps(Instant now) const;         // instead of the visit's
+    bool wants_restart() const { return wants_restart_; }
+
+    // The file that a picture of the screen is wished for in, or "".
+    std::string take_picture_wish();
+    // A file that is not absolute lies in the runtime folder.
+    void keep_picture(mesh::Image picture, const std::filesystem::path& file);
+
+  private:
+    void look_outside(Instant now);
+    void take_over(Seen seen, Show& show);
+    void raise_curtain(const Show& show, Instant now);
+    void watch_faults(Instant now);
+    void report(Instant now);
+    void climb(const Show& show, Instant now);
+    Vitals vitals(const Panel& panel, const Show& show, Instant now) const;
+    void carry_out(StaffWish wish);
+    void ask_for_power(const char* what);
+
+    CaretakerParts parts_;
+    Watch watch_;  // used by the errands' thread alone
+    Doorkeeper doorkeeper_;
+    ServiceScreen service_;
+    FrameCount frames_;
+    Seen seen_;
+    Vitals vitals_;
+    Curtain curtain_ = Curtain::Open;
+    std::optional<Board> board_;
+    std::string screen_trouble_;
+    std::deque<std::string> picture_wishes_;  // names of files
+    std::size_t faults_ = 0;                  // warnings seen so far
+    std::optional<Instant> faulted_at_;       // when a picture of a fault was last kept
+    int fault_pictures_ = 0;
+    std::optional<Instant> looked_at_, shown_since_, reported_at_, remembered_at_, drawn_at_;
+    bool has_looked_ = false;
+    float alpha_ = 1;  // detail, of the last frame
+    bool is_good_ = false;
+    bool wants_restart_ = false;
+    std::mutex mutex_;
+    std::optional<Seen> fresh_;  // from the errands' thread
+    Errands errands_;            // last: it ends before what it uses
+};
+
+}  // namespace quadrat::kiosk::staff

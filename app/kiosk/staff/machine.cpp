@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/staff/machine.hpp"
+
+#include <arpa/inet.h>
+#include <ifaddrs.h>
+#include <net/if.h>
+#include <sys/timex.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace quadrat::kiosk::staff {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::year kBuilt{2025};
+constexpr std::chrono::year kTooLate{2100};
+
+std::string word_in(const fs::path& file) {
+    std::ifstream stream(file);
+    std::string word;
+    stream >> word;
+    return word;
+}
+
+// The value behind a key such as "write_bytes:" in one of the kernel's tables.
+std::uint64_t number_after(const fs::path& file, const std::string& key) {
+    std::ifstream stream(file);
+    for (std::string word; stream >> word;) {
+        std::uint64_t value = 0;
+        if (word == key && stream >> value) return value;
+    }
+    return 0;
+}
+
+template <typename Each>
+void for_each_entry(const fs::path& folder, const Each& each) {
+    std::error_code error;
+    for (fs::directory_iterator entry{folder, error}, end; !error && entry != end; entry.increment(error))
+        each(entry->path());
+}
+
+std::optional<double> warmest(const fs::path& sys) {
+    std::optional<double> most;
+    for_each_entry(sys / "class/thermal", [&](const fs::path& zone) {
+        if (!zone.filename().string().starts_with("thermal_zone")) return;
+        const double degrees = std::atof(word_in(zone / "temp").c_str()) / 1000;
+        if (degrees > 0) most = std::max(degrees, most.value_or(degrees));
+    });
+    return most;
+}
+
+std::vector<std::string> addresses() {
+    std::vector<std::string> found;
+    ifaddrs* list = nullptr;
+    if (::getifaddrs(&list) != 0) return found;
+    for (const ifaddrs* one = list; one != nullptr; one = one->ifa_next) {
+        if (one->ifa_addr == nullptr || one->ifa_addr->sa_family != AF_INET || (one->ifa_flags & IFF_LOOPBACK) != 0)
+            continue;
+        std::array<char, INET_ADDRSTRLEN> text{};
+        const auto* address = reinterpret_cast<const sockaddr_in*>(one->ifa_addr);
+        if (::inet_ntop(AF_INET, &address->sin_addr, text.data(), text.size()) != nullptr)
+            found.emplace_back(text.data());
+    }
+    ::freeifaddrs(list);
+    return found;
+}
+
+}  // namespace
+
+WallClock read_wall_clock(const fs::path& sys) {
+    const std::time_t now = ::time(nullptr);
+    std::tm local{};
+    ::localtime_r(&now, &local);
+    WallClock wall;
+    wall.date = std::chrono::year_month_day{std::chrono::year{local.tm_year + 1900},
+                                            std::chrono::month(static_cast<unsigned>(local.tm_mon + 1)),
+                                            std::chrono::day(static_cast<unsigned>(local.tm_mday))};
+    wall.minute = local.tm_hour * 60 + local.tm_min;
+    struct timex state {};
+    const bool is_synchronised = ::adjtimex(&state) >= 0 && (state.status & STA_UNSYNC) == 0;
+    bool is_kept = false;
+    for_each_entry(sys / "class/rtc", [&](const fs::path& rtc) { is_kept |= word_in(rtc / "hctosys") == "1"; });
+    wall.is_trusted = (is_synchronised || is_kept) && wall.date.year() >= kBuilt && wall.date.year() < kTooLate;
+    return wall;
+}
+
+MachineFacts read_machine(const fs::path& sys, const fs::path& proc) {
+    MachineFacts facts;
+    std::array<char, 65> name{};
+    if (::gethostname(name.data(), name.size() - 1) == 0) facts.name = name.data();
+    facts.addresses = addresses();
+    facts.temperature_c = warmest(sys);
+    // Bits of what happens now: under voltage, frequency capped, throttled, soft temperature limit.
+    const std::string throttled = word_in(sys / "devices/platform/soc/soc:firmware/get_throttled");
+    facts.is_throttled = (std::strtoul(throttled.c_str(), nullptr, 16) & 0xfU) != 0;
+    facts.memory_mb = static_cast<double>(number_after(proc / "self/status", "VmRSS:")) / 1024;
+    facts.written_bytes = number_after(proc / "self/io", "write_bytes:");
+    for_each_entry(proc / "self/fd", [&](const fs::path&) { ++facts.descriptors; });
+    return facts;
+}
+
+std::optional<double> free_mb(const fs::path& folder) {
+    std::error_code error;
+    const auto space = fs::space(folder, error);
+    if (error) return std::nullopt;
+    return static_cast<double>(space.available) / (1 << 20);
+}
+
+std::chrono::seconds uptime() {
+    timespec now{};
+    ::clock_gettime(CLOCK_BOOTTIME, &now);
+    return std::chrono::seconds{now.tv_sec};
+}
+
+fs::path runtime_folder(const fs::path& state) {
+    if (const char* directory = std::getenv("RUNTIME_DIRECTORY")) return directory;
+    return state;
+}
+
+}  // namespace quadrat::kiosk::staff

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kiosk/staff/hours.hpp"
+
+// What the machine tells about itself. Nothing here waits, throws or writes; what cannot be read is left out.
+namespace quadrat::kiosk::staff {
+
+// The wall clock in the site's time. Trusted if it was set by the network or kept by a clock with a battery, and shows
+// a year that can be.
+WallClock read_wall_clock(const std::filesystem::path& sys = "/sys");
+
+struct MachineFacts {
+    std::string name;                     // of the host
+    std::vector<std::string> addresses;   // of its networks, without the loopback
+    std::optional<double> temperature_c;  // the warmest
+    bool is_throttled = false;            // by heat or for want of voltage, as a Raspberry Pi tells
+    double memory_mb = 0;                 // resident, of this program
+    std::uint64_t written_bytes = 0;      // by this program, to any disk
+    int descriptors = 0;                  // open, of this program
+};
+MachineFacts read_machine(const std::filesystem::path& sys = "/sys", const std::filesystem::path& proc = "/proc");
+
+std::optional<double> free_mb(const std::filesystem::path& folder);
+
+// Seconds since the machine was switched on, asleep or awake.
+std::chrono::seconds uptime();
+
+// Where requests, health and pictures of faults lie, gone with the power: the service's runtime folder, else `state`.
+std::filesystem::path runtime_folder(const std::filesystem::path& state);
+
+}  // namespace quadrat::kiosk::staff

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firmware-io/button_health.hpp"
+#include "kiosk/staff/ladder.hpp"
+#include "kiosk/staff/machine.hpp"
+
+// How the exhibit is: what staff see on the screen, and what a fleet collects.
+namespace quadrat::kiosk::staff {
+
+// Frames of the running program. A frame is late when it came more than half a frame after it should have.
+class FrameCount {
+  public:
+    // A frame was handed over; `period` is the screen's, 0 where it has none.
+    void frame(std::chrono::nanoseconds now, std::chrono::nanoseconds period);
+
+    std::uint64_t frames = 0;
+    std::uint64_t late = 0;
+    double longest_ms = 0;
+    double per_second = 0;  // over about the last second
+
+  private:
+    std::optional<std::chrono::nanoseconds> last_;
+    std::chrono::nanoseconds second_began_{0};
+    int in_second_ = 0;
+};
+
+struct Vitals {
+    std::string version;
+    Mode mode = Mode::Usual;
+    int failures = 0;  // of the last ten minutes
+    std::chrono::seconds running{0};
+    MachineFacts machine;
+    std::string display;         // GPU, driver and mode
+    std::string screen_trouble;  // "" while it shows
+    FrameCount frames;
+    double alpha = 1;  // detail
+    firmware_io::SourceStatus buttons;
+    std::uint64_t presses = 0;
+    std::vector<firmware_io::Finding> findings;
+    firmware_io::AilmentCounts ailments{};
+    std::array<bool, firmware_io::kButtons.size()> is_closed{};
+    int visits = 0;
+    std::string state_trouble;  // "" while everything is kept
+    std::optional<double> free_mb;
+    std::vector<std::string> faults;  // the last warnings, oldest first
+};
+
+enum class Verdict { Good, Doubtful, Bad };
+Verdict verdict_of(const Vitals& vitals);
+
+// One JSON object; and Prometheus' text format, for its node exporter's folder of text files.
+std::string to_json(const Vitals& vitals);
+std::string to_prometheus(const Vitals& vitals);
+
+}  // namespace quadrat::kiosk::staff

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Set-ups that are broken, each in one way: the doctor names the cause and what mends it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "kiosk/diagnosis.hpp"
+#include "kiosk/staff/vitals.hpp"
+#include "support/process.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+struct Broken {
+    std::string name;
+    std::vector<Finding> (*examine)(const tests::TemporaryFolder& machine);
+    Health health;
+    std::string cause, remedy;
+};
+
+void add_connector(const tests::TemporaryFolder& machine, const std::string& status, const std::string& edid) {
+    fs::create_directories(machine / "sys/card0");
+    fs::create_directories(machine / "sys/card0-HDMI-A-1");
+    fs::create_directories(machine / "dev");
+    machine.write("dev/card0", "");
+    machine.write("sys/card0-HDMI-A-1/status", status + "\n");
+    machine.write("sys/card0-HDMI-A-1/modes", edid.empty() ? "" : "1920x1080\n");
+    machine.write("sys/card0-HDMI-A-1/edid", edid);
+}
+
+std::vector<Finding> screen_of(const tests::TemporaryFolder& machine) {
+    return examine_screen(machine / "sys", machine / "dev");
+}
+
+std::vector<Finding> buttons_of(const std::string& input) {
+    Configuration configuration;
+    configuration.inputs = {input};
+    return examine_buttons(configuration);
+}
+
+std::vector<Finding> service_that_says(const tests::TemporaryFolder& machine, const staff::Vitals& vitals) {
+    machine.write("health.json", staff::to_json(vitals));
+    return examine_service(machine.path());
+}
+
+std::vector<Finding> configured(const tests::TemporaryFolder& machine, const std::string& toml) {
+    return examine_configuration(machine.write("quadrat.toml", toml)).findings;
+}
+
+const std::vector<Broken>& broken_machines() {
+    static const std::vector<Broken> all{
+        {"NoGraphicsCard", screen_of, Health::Doubtful, "no graphics card", "vc4-kms-v3d"},
+        {"NoCardNode",
+         [](const tests::TemporaryFolder& m) {
+             add_connector(m, "connected", "edid");
+             fs::remove(m / "dev/card0");
+             return screen_of(m);
+         },
+         Health::Bad, "card0 is missing", "systemctl status systemd-udevd"},
+        {"NothingPluggedIn",
+         [](const tests::TemporaryFolder& m) {
+             add_connector(m, "disconnected", "");
+             return screen_of(m);
+         },
+         Health::Doubtful, "HDMI-A-1: nothing is plugged in", "check both ends of the cable"},
+        {"NoEdid",
+         [](const tests::TemporaryFolder& m) {
+             add_connector(m, "connected", "");
+             return screen_of(m);
+         },
+         Health::Doubtful, "no EDID", "screen.mode"},
+        {"NoSuchLine", [](const tests::TemporaryFolder&) { return buttons_of("gpio:A=NO_SUCH_LINE"); }, Health::Bad,
+         "gpio:A=NO_SUCH_LINE", "plug it in"},
+        {"MisspeltInput", [](const tests::TemporaryFolder&) { return buttons_of("telepathy:"); }, Health::Bad,
+         "telepathy", "buttons.inputs"},
+        {"DamagedState",
+         [](const tests::TemporaryFolder& m) {
+             m.write("quadrat.db", "no database any more");
+             return examine_state(m.path());
+         },
+         Health::Doubtful, "is not a database any more", "sets it aside"},
+        {"FullDisk", [](const tests::TemporaryFolder& m) { return examine_state(m.path(), 3.0); }, Health::Doubtful,
+         "3 MB left", "make room"},
+        {"StateBehindAFile", [](const tests::TemporaryFolder&) { return examine_state("/proc/version/state", 1000.0); },
+         Health::Bad, "cannot be written", "--state"},
+        {"UntrustedClock",
+         [](const tests::TemporaryFolder&) {
+             return examine_clock({staff::parse_date("1970-01-01"), 0, false}, true);
+         },
+         Health::Doubtful, "shows the year 1970", "timedatectl set-ntp true"},
+        {"BrokenSettings", [](const tests::TemporaryFolder& m) { return configured(m, "[visit]\nrounds = 900\n"); },
+         Health::Bad, "quadrat.toml:2: visit.rounds is 900", "correct that line"},
+        {"StoppedService",
+         [](const tests::TemporaryFolder& m) {
+             m.write("health.json", "{}");
+             fs::last_write_time(m / "health.json", fs::file_time_type::clock::now() - std::chrono::hours{1});
+             return examine_service(m.path());
+         },
+         Health::Bad, "the exhibit has stopped", "journalctl -u quadrat"},
+        {"SafeMode",
+         [](const tests::TemporaryFolder& m) {
+             staff::Vitals vitals;
+             vitals.mode = staff::Mode::Safe;
+             return service_that_says(m, vitals);
+         },
+         Health::Doubtful, "safe mode", "journalctl -u quadrat -p err"},
+        {"StuckButton",
+         [](const tests::TemporaryFolder& m) {
+             staff::Vitals vitals;
+             vitals.findings = {{firmware_io::Ailment::Stuck, firmware_io::Button::C, firmware_io::Instant{0}}};
+             return service_that_says(m, vitals);
+         },
+         Health::Doubtful, "button C is stuck", "look at the button and its cable"},
+        {"UnpluggedPanel",
+         [](const tests::TemporaryFolder& m) {
+             staff::Vitals vitals;
+             vitals.buttons = {firmware_io::Presence::Absent, "HID device was unplugged"};
+             return service_that_says(m, vitals);
+         },
+         Health::Bad, "HID device was unplugged", "plug them in"},
+        {"ThrottledMachine",
+         [](const tests::TemporaryFolder& m) {
+             staff::Vitals vitals;
+             vitals.machine.is_throttled = true;
+             return service_that_says(m, vitals);
+         },
+         Health::Doubtful, "heat or low voltage", "power supply"},
+    };
+    return all;
+}
+
+class EveryBrokenMachine : public testing::TestWithParam<Broken> {};
+
+TEST_P(EveryBrokenMachine, HasItsCauseNamedAndItsRemedy) {
+    const tests::TemporaryFolder machine;
+    const auto findings = GetParam().examine(machine);
+    EXPECT_EQ(worst_of(findings), GetParam().health) << report_of(findings);
+    EXPECT_THAT(report_of(findings), HasSubstr(GetParam().cause));
+    EXPECT_THAT(report_of(findings), HasSubstr(GetParam().remedy));
+}
+
+INSTANTIATE_TEST_SUITE_P(Doctor, EveryBrokenMachine, testing::ValuesIn(broken_machines()),
+                         [](const auto& broken) { return broken.param.name; });
+
+TEST(Doctor, FindsNothingWrongWithAnExhibitThatRuns) {
+    const tests::TemporaryFolder machine;
+    const auto findings = service_that_says(machine, {});
+    EXPECT_EQ(worst_of(findings), Health::Good) << report_of(findings);
+    machine.write("health.json", "[1, 2");
+    EXPECT_EQ(worst_of(examine_service(machine.path())), Health::Doubtful);
+    machine.write("health.json", R"({"buttons": [], "mode": 3, "throttled": false})");
+    EXPECT_EQ(worst_of(examine_service(machine.path())), Health::Good) << "another program's file harms nobody";
+}
+
+}  // namespace
+}  // namespace quadrat::kiosk

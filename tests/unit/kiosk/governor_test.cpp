@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// The governor on machines whose speed is known: what they take for a frame is a part that is always there and one that
+// follows the detail, and a screen shows what is ready at its next period.
+#include "kiosk/detail/governor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/seed.hpp"
+#include "kiosk/detail/memory.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+using namespace std::chrono_literals;
+using Instant = DetailGovernor::Instant;
+
+constexpr Instant kPeriod{16'666'667};
+
+struct Machine {
+    float always_ms = 5;
+    float for_detail_ms = 20;  // at alpha 1
+    float noise = 0.04F;
+    base::RandomStream random{base::Seed{7}};
+
+    Instant work(float alpha, float slower) {
+        const float ms = (always_ms + for_detail_ms * alpha) * slower * (1 + noise * (2 * random.unit_f() - 1));
+        return Instant{static_cast<std::int64_t>(ms * 1e6F)};
+    }
+};
+
+struct Watched {
+    int frames = 0;
+    int late = 0;
+    int turns = 0;  // from more to less or back
+    float least = 1e9F;
+    float most = 0;
+    int longest_run_late = 0;
+};
+
+// slower(now): how much longer everything takes; is_growing(now).
+template <typename Slower, typename Growing>
+Watched watch(DetailGovernor& governor, Machine& machine, Instant from, Instant to, const Slower& slower,
+              const Growing& is_growing) {
+    Watched seen;
+    float settled = governor.settled();
+    int direction = 0;
+    int run = 0;
+    for (Instant now = from; now < to;) {
+        const Instant work = machine.work(governor.alpha(), slower(now));
+        const auto periods =
+            std::max<std::int64_t>(governor.periods(), (work.count() + kPeriod.count() - 1) / kPeriod.count());
+        const Instant took = kPeriod * periods;
+        const bool is_late = periods > governor.periods();
+        run = is_late ? run + 1 : 0;
+        seen.longest_run_late = std::max(seen.longest_run_late, run);
+        ++seen.frames;
+        seen.late += is_late;
+        now += took;
+        governor.frame({now, took, kPeriod, work < kPeriod * governor.periods() * 7 / 10, is_growing(now)});
+        seen.least = std::min(seen.least, governor.alpha());
+        seen.most = std::max(seen.most, governor.alpha());
+        if (governor.settled() == settled) continue;
+        const int way = governor.settled() > settled ? 1 : -1;
+        seen.turns += direction != 0 && way != direction;
+        direction = way;
+        settled = governor.settled();
+    }
+    return seen;
+}
+
+const auto kSteady = [](Instant) { return 1.0F; };
+const auto kNothingGrows = [](Instant) { return false; };
+
+TEST(Governor, LeavesAFastMachineAlone) {
+    DetailGovernor governor({});
+    Machine machine{3, 5};
+    const Watched seen = watch(governor, machine, 0s, 120s, kSteady, kNothingGrows);
+    EXPECT_EQ(seen.late, 0);
+    EXPECT_EQ(governor.alpha(), 1.0F);
+    EXPECT_FALSE(governor.take_reason().has_value());
+}
+
+TEST(Governor, FindsWhatASlowMachineCanDoAndStaysThere) {
+    DetailGovernor governor({});
+    Machine machine{5, 30};  // in time up to 0.39
+    const Watched finding = watch(governor, machine, 0s, 20s, kSteady, kNothingGrows);
+    EXPECT_LT(finding.late, 60);
+    const Watched seen = watch(governor, machine, 20s, 20min, kSteady, kNothingGrows);
+    EXPECT_LE(seen.late, seen.frames / 1000);
+    EXPECT_LE(seen.turns, 4);
+    EXPECT_GT(governor.settled(), 0.15F);
+    EXPECT_LT(governor.settled(), 0.39F);
+    EXPECT_EQ(governor.periods(), 1);
+}
+
+TEST(Governor, GivesWayWithinATenthOfASecondWhenTheMachineSlowsDown) {
+    DetailGovernor governor({});
+    Machine machine{4, 8};
+    watch(governor, machine, 0s, 30s, kSteady, kNothingGrows);
+    EXPECT_EQ(governor.alpha(), 1.0F);
+    const auto throttled = [](Instant) { return 1.8F; };
+    const Watched seen = watch(governor, machine, 30s, 60s, throttled, kNothingGrows);
+    EXPECT_LT(seen.late, 40);
+    EXPECT_LT(seen.longest_run_late, 25);
+    EXPECT_LT(governor.alpha(), 0.65F);
+    // Cooled down again, it comes back.
+    const Watched after = watch(governor, machine, 60s, 10min, kSteady, kNothingGrows);
+    EXPECT_GT(governor.alpha(), 0.9F);
+    EXPECT_LE(after.late, 3);
+}
+
+TEST(Governor, DrawsLessWhileLandscapesGrowAndAsMuchAsBeforeAfterwards) {
+    DetailGovernor governor({});
+    Machine machine{4, 8};
+    // Growing for a second in every twenty makes all of it slower.
+    const auto grows = [](Instant now) { return now % 20s < 1s; };
+    const auto slower = [&](Instant now) { return grows(now) ? 1.7F : 1.0F; };
+    const Watched seen = watch(governor, machine, 10s, 10min, slower, grows);
+    EXPECT_LE(seen.late, seen.frames / 1000 + 4);
+    EXPECT_EQ(governor.settled(), 1.0F);
+    EXPECT_LT(seen.least, 0.7F);
+}
+
+TEST(Governor, ShowsAFrameInTwoPeriodsWhereOneIsHopeless) {
+    DetailGovernor governor({});
+    Machine machine{20, 20};
+    watch(governor, machine, 0s, 60s, kSteady, kNothingGrows);
+    EXPECT_EQ(governor.periods(), 2);
+    const Watched seen = watch(governor, machine, 60s, 5min, kSteady, kNothingGrows);
+    EXPECT_LE(seen.late, seen.frames / 1000 + 2);
+    EXPECT_GT(governor.settled(), 0.06F);
+}
+
+TEST(Governor, NeverStepsSoThatItShows) {
+    DetailGovernor governor({});
+    Machine machine{5, 30};
+    float before = governor.alpha();
+    for (Instant now{0}; now < 60s;) {
+        const Instant work = machine.work(governor.alpha(), 1);
+        const Instant took = work > kPeriod ? 2 * kPeriod : kPeriod;
+        now += took;
+        governor.frame({now, took, kPeriod, work < kPeriod * 7 / 10, false});
+        EXPECT_LT(governor.alpha(), before * 1.02F);
+        EXPECT_GT(governor.alpha(), before * 0.82F);
+        before = governor.alpha();
+    }
+}
+
+TEST(Governor, SaysWhy) {
+    DetailGovernor governor({});
+    Machine machine{5, 30};
+    watch(governor, machine, 0s, 1s, kSteady, kNothingGrows);
+    const auto reason = governor.take_reason();
+    ASSERT_TRUE(reason.has_value());
+    EXPECT_NE(reason->find("frames late"), std::string::npos) << *reason;
+    EXPECT_FALSE(governor.take_reason().has_value());
+}
+
+TEST(Governor, StartsWhereItEndedOnTheSameGpuOnly) {
+    DetailGovernor governor({});
+    Machine machine{5, 30};
+    watch(governor, machine, 0s, 60s, kSteady, kNothingGrows);
+    const std::string text = to_text(governor, "V3D 4.2, 1920x1080");
+    EXPECT_NEAR(options_for(1, text, "V3D 4.2, 1920x1080").start, governor.settled(), 1e-3F);
+    EXPECT_EQ(options_for(1, text, "V3D 7.1, 1920x1080").start, 1.0F);
+    for (const char* broken : {"", "1", "1 ", "1 x V3D 4.2, 1920x1080", "9 0.5 V3D 4.2, 1920x1080",
+                               "1 nan V3D 4.2, 1920x1080", "1 -3 V3D 4.2, 1920x1080", "1 0.5"})
+        EXPECT_EQ(options_for(0.7F, broken, "V3D 4.2, 1920x1080").start, 0.7F) << broken;
+}
+
+}  // namespace
+}  // namespace quadrat::kiosk

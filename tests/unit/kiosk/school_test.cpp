@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/school.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "genome/speech.hpp"
+#include "kiosk/show.hpp"
+#include "support/process.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+using exhibit::WallTime;
+using genome::Aspect;
+using genome::WordId;
+using namespace std::chrono_literals;
+
+const WallTime kNoon{std::chrono::sys_days{std::chrono::year{2031} / 2 / 3} + 12h};
+
+// What a visitor says who sees scenes as the map of now means them.
+exhibit::WordAnswers sensible_answers(int count) {
+    exhibit::WordAnswers answers;
+    base::RandomStream chance{base::Seed{8}};
+    for (int i = 0; i < count; ++i) {
+        genome::WordAnswer answer;
+        answer.made_of.emplace();
+        for (const genome::Word& word : genome::vocabulary()) answer.made_of->set(word.id, chance.between(-0.9F, 0.9F));
+        answer.word = WordId::wet;
+        answer.step = static_cast<std::size_t>(((*answer.made_of)[WordId::wet] + 1) * 1.99F);
+        answer.made_of->set(WordId::wet, answer.value());
+        answer.scene.values = breeding::default_word_map()(*answer.made_of);
+        answer.scene.flight = base::Seed{static_cast<std::uint64_t>(i)};
+        answers.readable.push_back(answer);
+    }
+    return answers;
+}
+
+bool learn(School& school, const exhibit::WordAnswers& answers) {
+    school.begin(answers);
+    school.wait();
+    return school.take();
+}
+
+TEST(School, HasTheDefaultMapWhereNothingWasTaught) {
+    const tests::TemporaryFolder folder;
+    School school(folder.path());
+    EXPECT_EQ(school.map(), breeding::default_word_map());
+    EXPECT_FALSE(learn(school, {}));
+    EXPECT_FALSE(std::filesystem::exists(folder / "words.json")) << "nothing to keep";
+}
+
+TEST(School, LearnsKeepsTheMapOnDiskAndTheOneBeforeBesideIt) {
+    const tests::TemporaryFolder folder;
+    School school(folder.path());
+    ASSERT_TRUE(learn(school, sensible_answers(30)));
+    EXPECT_EQ(site_words(folder.path()).lessons.visitors.size(), 30U);
+    genome::Description words;
+    words.set(WordId::wet, 0.7F);
+    EXPECT_EQ(site_words(folder.path()).map(words), school.map()(words));
+    ASSERT_TRUE(school.map_before());
+    EXPECT_EQ((*school.map_before())(words), breeding::default_word_map()(words));
+    const auto first = school.map()(words);
+    ASSERT_TRUE(learn(school, sensible_answers(40)));
+    EXPECT_EQ((*school.map_before())(words), first);
+    EXPECT_FALSE(learn(school, sensible_answers(40))) << "nothing new was said";
+}
+
+TEST(School, KeepsItsMapWhenAnswersWouldMakeItWorseAndSaysSo) {
+    const tests::TemporaryFolder folder;
+    School school(folder.path());
+    auto nonsense = sensible_answers(60);
+    for (std::size_t i = 0; i < nonsense.readable.size(); ++i) {
+        genome::WordAnswer& answer = nonsense.readable[i];
+        for (const genome::ParameterId id : parameters_of(Aspect::Land, genome::Genome::Full))
+            answer.scene.values.set(id, i % 2 == 0 ? parameter(id).min : parameter(id).max);
+    }
+    testing::internal::CaptureStderr();
+    EXPECT_FALSE(learn(school, nonsense));
+    EXPECT_EQ(school.map(), breeding::default_word_map());
+    EXPECT_FALSE(std::filesystem::exists(folder / "words.json"));
+    const auto training =
+        breeding::train({{}, breeding::lessons_from(nonsense.readable)}, {}, school.map(), breeding::Worse::Refuse);
+    EXPECT_THAT(training.said, testing::Contains(testing::HasSubstr("land: told from the others")));
+    testing::internal::GetCapturedStderr();
+}
+
+TEST(School, OpensWithTheDefaultMapWhenItsFileIsDamagedOrOfAnotherVersion) {
+    for (const char* text : {"{", R"({"quadrat":"word map","version":7,"curator":[],"visitors":[]})",
+                             R"({"quadrat":"described","version":1,"aspect":"land","scenes":[{"words":{"nice":1},)"
+                             R"("parameters":{}}]})"}) {
+        const tests::TemporaryFolder folder;
+        folder.write("words.json", text);
+        School school(folder.path());
+        EXPECT_EQ(school.map(), breeding::default_word_map()) << text;
+        EXPECT_TRUE(learn(school, sensible_answers(30))) << "and goes on learning";
+    }
+}
+
+TEST(School, RemembersWhatItLearntWhenTheAnswersAreLost) {
+    const tests::TemporaryFolder folder;
+    School school(folder.path());
+    ASSERT_TRUE(learn(school, sensible_answers(30)));
+    EXPECT_FALSE(learn(school, {}));
+    EXPECT_EQ(site_words(folder.path()).lessons.visitors.size(), 30U);
+}
+
+TEST(Night, ChangesAtThreeInTheMorning) {
+    const WallTime midnight{std::chrono::sys_days{std::chrono::year{2031} / 2 / 3}};
+    EXPECT_EQ(night_of(midnight + 3h), night_of(midnight + 26h + 59min));
+    EXPECT_EQ(night_of(midnight + 2h + 59min) + 1, night_of(midnight + 3h));
+}
+
+// An exhibit on a small land, with clocks to turn.
+class ShowAtNight : public testing::Test {
+  protected:
+    ShowAtNight() {
+        configuration_.visit.rounds = 1;
+        configuration_.visit.describe_every = 1;
+    }
+    std::unique_ptr<Show> opened() {
+        ShowOptions options;
+        options.seed = base::Seed{4};
+        options.growing = {1, {65, 64, 128}};
+        options.wall_time = [] { return kNoon; };
+        options.local_time = [this] { return local_; };
+        options.state = folder_.path();
+        auto show =
+            std::make_unique<Show>(configuration_, options, exhibit::Archive::open(folder_.path(), kNoon).archive);
+        show->open(now_);
+        settle(*show);
+        return show;
+    }
+    void settle(Show& show) {
+        show.finish_growing();
+        if (show.waiting_for_upload() != nullptr) show.uploaded(now_);
+        show.happen(exhibit::Tick{}, now_);
+    }
+    void press(Show& show, exhibit::Choice button) {
+        now_ += 2s;
+        show.happen(exhibit::Pressed{button}, now_);
+        show.happen(exhibit::Released{button}, now_);
+        settle(show);
+    }
+    void visit_describing(Show& show, exhibit::Choice answer) {
+        using exhibit::Choice;
+        for (const Choice button : {Choice::A, Choice::A, Choice::B, Choice::C}) press(show, button);
+        ASSERT_EQ(show.state().screen, exhibit::Screen::Finale);
+        press(show, Choice::A);
+        for (int word = 0; word < configuration_.visit.describe_words; ++word) {
+            ASSERT_EQ(show.state().screen, exhibit::Screen::Describe);
+            ASSERT_TRUE(show.asked());
+            EXPECT_TRUE(show.asked()->prompt.starts_with("describe."));
+            press(show, answer);
+        }
+        ASSERT_EQ(show.state().screen, exhibit::Screen::Attract);
+    }
+    std::size_t taught() { return site_words(folder_.path()).lessons.visitors.size(); }
+
+    tests::TemporaryFolder folder_;
+    Configuration configuration_;
+    WallTime local_ = kNoon;
+    Instant now_{0};
+};
+
+TEST_F(ShowAtNight, AsksForOneWordOfEachAspectAndKeepsTheAnswers) {
+    auto show = opened();
+    visit_describing(*show, exhibit::Choice::D);
+    show.reset();  // all is kept
+    const auto answers = exhibit::Archive::open(folder_.path(), kNoon).archive.word_answers().readable;
+    ASSERT_EQ(answers.size(), 3U);
+    std::set<Aspect> asked;
+    for (const genome::WordAnswer& answer : answers) {
+        EXPECT_EQ(answer.value(), 1);
+        EXPECT_EQ(answer.scene, answers[0].scene);
+        EXPECT_TRUE(answer.made_of);
+        asked.insert(word(answer.word).aspect);
+    }
+    EXPECT_EQ(asked.size(), 3U);
+}
+
+TEST_F(ShowAtNight, SettingsMayChangeWhileItAsks) {
+    auto show = opened();
+    using exhibit::Choice;
+    for (const Choice button : {Choice::A, Choice::A, Choice::B, Choice::C, Choice::A}) press(*show, button);
+    ASSERT_EQ(show->state().screen, exhibit::Screen::Describe);
+    configuration_.visit.describe_words = 10;
+    configuration_.visit.language = "de";
+    configuration_.breeding.breeder = "sliders";  // holds from the next start
+    show->follow(configuration_);
+    for (int word = 0; word < 10; ++word) {
+        ASSERT_EQ(show->state().screen, exhibit::Screen::Describe) << word;
+        ASSERT_TRUE(show->asked());
+        press(*show, Choice::B);
+    }
+    EXPECT_EQ(show->state().screen, exhibit::Screen::Attract);
+    press(*show, Choice::A);
+    EXPECT_EQ(show->state().screen, exhibit::Screen::Ask);
+}
+
+TEST_F(ShowAtNight, TrainsAtItsStartAndEveryNightButNotByDay) {
+    {
+        exhibit::Archive archive = exhibit::Archive::open(folder_.path(), kNoon).archive;
+        for (const auto& answer : sensible_answers(20).readable)
+            EXPECT_EQ(archive.keep_word(answer, kNoon), std::nullopt);
+    }
+    auto show = opened();
+    EXPECT_EQ(taught(), 20U) << "at its start";
+    exhibit::Archive beside = exhibit::Archive::open(folder_.path(), kNoon).archive;
+    for (const auto& answer : sensible_answers(30).readable) EXPECT_EQ(beside.keep_word(answer, kNoon), std::nullopt);
+    local_ += 14h;  // two in the night
+    settle(*show);
+    EXPECT_EQ(taught(), 20U);
+    local_ += 1h;
+    settle(*show);  // is told
+    settle(*show);  // has learnt
+    EXPECT_EQ(taught(), 50U);
+}
+
+TEST_F(ShowAtNight, GoesOnWithAnInterruptedVisitThatBeganWithTheMapOfBefore) {
+    auto show = opened();
+    press(*show, exhibit::Choice::A);
+    press(*show, exhibit::Choice::C);
+    show.reset();  // the plug is pulled
+    School school(folder_.path());
+    ASSERT_TRUE(learn(school, sensible_answers(30)));
+    testing::internal::CaptureStdout();
+    show = opened();
+    testing::internal::GetCapturedStdout();
+    EXPECT_EQ(show->state().screen, exhibit::Screen::Ask);
+    EXPECT_EQ(show->state().question, Aspect::Land);
+}
+
+TEST_F(ShowAtNight, SlidersAreTurnedTakenBackAndTakenUpAfterAPowerCut) {
+    configuration_.breeding.breeder = "sliders";
+    auto show = opened();
+    using exhibit::Choice;
+    press(*show, Choice::A);
+    ASSERT_EQ(show->state().screen, exhibit::Screen::Slide);
+    ASSERT_TRUE(show->asked() && show->asked()->slider);
+    EXPECT_EQ(show->asked()->slider->share, 0.5F);
+    EXPECT_EQ(show->on_stage().scenes.size(), 1U);
+    const genome::Recipe before = show->on_stage().recipes.front();
+    press(*show, Choice::D);
+    EXPECT_EQ(show->asked()->slider->share, 0.75F);
+    const genome::Recipe turned = show->on_stage().recipes.front();
+    EXPECT_NE(turned.values, before.values);
+    EXPECT_EQ(turned.seeds, before.seeds);
+    EXPECT_EQ(turned.flight, before.flight) << "seen from the same place";
+    press(*show, Choice::D);
+    press(*show, Choice::Back);
+    EXPECT_EQ(show->on_stage().recipes.front(), turned);
+    show.reset();  // the plug is pulled
+    show = opened();
+    EXPECT_EQ(show->state().screen, exhibit::Screen::Slide);
+    EXPECT_EQ(show->on_stage().recipes.front(), turned);
+    press(*show, Choice::B);
+    const std::string high = show->asked()->slider->high;
+    EXPECT_EQ(high, genome::language("en").end(WordId::sparse, true));
+    press(*show, Choice::C);
+    press(*show, Choice::C);
+    EXPECT_EQ(show->state().screen, exhibit::Screen::Finale) << "three actions are a round";
+}
+
+}  // namespace
+}  // namespace quadrat::kiosk

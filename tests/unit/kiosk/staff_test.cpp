@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <future>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "kiosk/image_file.hpp"
+#include "kiosk/staff/errands.hpp"
+#include "kiosk/staff/keepsakes.hpp"
+#include "kiosk/staff/service_screen.hpp"
+#include "kiosk/staff/watch.hpp"
+#include "support/process.hpp"
+
+namespace quadrat::kiosk::staff {
+namespace {
+
+using namespace std::chrono_literals;
+using firmware_io::Button;
+using testing::HasSubstr;
+
+Vitals ailing() {
+    Vitals vitals;
+    vitals.version = "1.2.3";
+    vitals.machine.name = "hall-2";
+    vitals.machine.addresses = {"192.0.2.7"};
+    vitals.machine.temperature_c = 71.4;
+    vitals.mode = Mode::Safe;
+    vitals.buttons = {firmware_io::Presence::Absent, "a device that calls itself \xff\"\\"};
+    vitals.findings = {{firmware_io::Ailment::Chattering, Button::B, 1s}};
+    vitals.ailments[2][1] = 4;
+    vitals.faults = {"10:00:00 buttons: gone"};
+    vitals.free_mb = 512;
+    return vitals;
+}
+
+TEST(Vitals, AreJsonWhateverADeviceCallsItself) {
+    const auto json = nlohmann::json::parse(to_json(ailing()));
+    EXPECT_EQ(json["verdict"], "bad");
+    EXPECT_EQ(json["mode"], "safe");
+    EXPECT_EQ(json["buttons"]["counts"]["chattering"]["B"], 4);
+    EXPECT_EQ(json["buttons"]["findings"][0]["is"], "chattering");
+    EXPECT_EQ(nlohmann::json::parse(to_json(Vitals{}))["verdict"], "good");
+}
+
+TEST(Vitals, AreMetricsThatPrometheusReads) {
+    std::istringstream lines{to_prometheus(ailing())};
+    int samples = 0;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("# HELP quadrat_") || line.starts_with("# TYPE quadrat_")) continue;
+        EXPECT_THAT(line, testing::MatchesRegex("quadrat_[a-z_]+(\\{[a-zA-Z_=\", ]+\\})? -?[0-9.e+]+"));
+        ++samples;
+    }
+    EXPECT_GT(samples, 40);
+    EXPECT_THAT(to_prometheus(ailing()),
+                HasSubstr("quadrat_button_ailments_total{button=\"B\",ailment=\"chattering\"} 4"));
+}
+
+TEST(Vitals, CountLateFrames) {
+    FrameCount count;
+    for (int i = 0; i < 120; ++i) count.frame(i * 16ms + (i >= 60 ? 40ms : 0ms), 16ms);
+    EXPECT_EQ(count.frames, 120U);
+    EXPECT_EQ(count.late, 1U);
+    EXPECT_NEAR(count.longest_ms, 56, 1);
+    EXPECT_NEAR(count.per_second, 60, 3);
+}
+
+TEST(ServiceScreen, ShowsWhatStaffAskOnTheTelephone) {
+    ServiceScreen service;
+    service.open(0s);
+    const Board board = service.board(ailing(), 1s);
+    EXPECT_THAT(board.title, HasSubstr("Quadrat 1.2.3 · hall-2 · SAFE MODE"));
+    std::string all;
+    for (const std::string& line : board.lines) all += line + "\n";
+    for (const char* what : {"address 192.0.2.7", "71 °C", "disk 512 MB", "BUTTONS MISSING", "button B is chattering",
+                             "buttons: gone", "A: lamp test", "late"})
+        EXPECT_THAT(all, HasSubstr(what));
+}
+
+TEST(ServiceScreen, RestartsAndShutsDownOnlyWhenAskedTwice) {
+    ServiceScreen service;
+    service.open(0s);
+    EXPECT_EQ(service.press(Button::D, 1s), std::nullopt);
+    EXPECT_EQ(service.press(Button::B, 2s), std::nullopt) << "another button is no confirmation";
+    EXPECT_EQ(service.press(Button::B, 8s), std::nullopt) << "too late";
+    EXPECT_EQ(service.press(Button::B, 9s), StaffWish::Restart);
+    EXPECT_EQ(service.press(Button::D, 10s), std::nullopt);
+    EXPECT_EQ(service.press(Button::D, 11s), StaffWish::ShutDown);
+    EXPECT_EQ(service.press(Button::C, 12s), StaffWish::Picture);
+}
+
+TEST(ServiceScreen, TestsEachLampAndLeavesByBackOrByItself) {
+    ServiceScreen service;
+    EXPECT_FALSE(service.is_open(0s));
+    service.open(0s);
+    service.press(Button::A, 1s);
+    std::set<std::size_t> lit;
+    for (std::chrono::milliseconds now = 1s; now < 10s; now += 300ms)
+        for (std::size_t i = 0; i < 5; ++i)
+            if (service.lamps(now + 100ms)[i] != firmware_io::LampPattern::Off) lit.insert(i);
+    EXPECT_EQ(lit.size(), 5U);
+    service.press(Button::Back, 11s);
+    EXPECT_FALSE(service.is_open(11s));
+    service.open(20s);
+    EXPECT_TRUE(service.is_open(139s));
+    EXPECT_FALSE(service.is_open(140s));
+}
+
+TEST(Watch, TellsOfAChangedConfigurationOnceAndOfOneThatCannotBeUsed) {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.write("quadrat.toml", "[visit]\nrounds = 3\n");
+    Watch watch(file, folder.path(), folder.path());
+    EXPECT_FALSE(watch.look().configuration.has_value());
+    const auto touch = [&](const char* text, std::chrono::seconds later) {
+        folder.write("quadrat.toml", text);
+        std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now() + later);
+    };
+    touch("[visit]\nrounds = 4\n", 10s);
+    Seen seen = watch.look();
+    ASSERT_TRUE(seen.configuration.has_value());
+    EXPECT_EQ(seen.configuration->visit.rounds, 4);
+    EXPECT_FALSE(watch.look().configuration.has_value());
+    touch("[visit]\nrounds = 400\n", 20s);
+    seen = watch.look();
+    EXPECT_FALSE(seen.configuration.has_value());
+    EXPECT_THAT(seen.configuration_trouble, HasSubstr("visit.rounds is 400"));
+    folder.write(kPictureAsked, "");
+    EXPECT_TRUE(watch.look().is_picture_asked);
+    EXPECT_GT(watch.look().machine.memory_mb, 1);
+    EXPECT_GT(watch.look().free_mb.value_or(0), 1);
+}
+
+TEST(Watch, AppliesAtOnceWhatARunningExhibitMayChangeAndNamesTheRest) {
+    Configuration running, changed;
+    changed.visit.patience_s = 60;
+    changed.texts["attract"] = "Los!";
+    changed.hours.is_always_open = false;
+    EXPECT_EQ(apply(changed, running), "");
+    EXPECT_EQ(running.visit.patience_s, 60);
+    EXPECT_EQ(text(running, "attract"), "Los!");
+    EXPECT_FALSE(running.hours.is_always_open);
+    changed.screen.mode = "1280x720";
+    changed.inputs = {"hid:"};
+    EXPECT_EQ(apply(changed, running), "screen, buttons.inputs");
+    EXPECT_EQ(running.screen.mode, "");
+}
+
+TEST(Machine, TellsAPiThatIsThrottledAndTheWarmestSensor) {
+    const tests::TemporaryFolder sys;
+    std::filesystem::create_directories(sys / "devices/platform/soc/soc:firmware");
+    std::filesystem::create_directories(sys / "class/thermal/thermal_zone0");
+    std::filesystem::create_directories(sys / "class/thermal/thermal_zone1");
+    std::filesystem::create_directories(sys / "class/rtc/rtc0");
+    sys.write("devices/platform/soc/soc:firmware/get_throttled", "50005\n");
+    sys.write("class/thermal/thermal_zone0/temp", "48000\n");
+    sys.write("class/thermal/thermal_zone1/temp", "61500\n");
+    MachineFacts facts = read_machine(sys.path());
+    EXPECT_TRUE(facts.is_throttled);
+    EXPECT_EQ(facts.temperature_c, 61.5);
+    sys.write("devices/platform/soc/soc:firmware/get_throttled", "50000\n");
+    EXPECT_FALSE(read_machine(sys.path()).is_throttled) << "it was once, and is not now";
+    EXPECT_FALSE(read_machine("/nowhere", "/nowhere").temperature_c.has_value());
+    sys.write("class/rtc/rtc0/hctosys", "1\n");
+    EXPECT_TRUE(read_wall_clock(sys.path()).is_trusted);
+}
+
+TEST(Errands, NeverKeepTheirSenderWaitingAndAreRefusedWhenTooManyWait) {
+    Errands errands;
+    std::promise<void> disk;
+    const auto answers = disk.get_future().share();
+    std::atomic<int> done{0};
+    int taken = 0;
+    const auto begun = std::chrono::steady_clock::now();
+    for (int i = 0; i < 100; ++i)
+        taken += errands.send([&, answers] {
+            answers.wait();
+            ++done;
+        });
+    EXPECT_LT(std::chrono::steady_clock::now() - begun, 1s);
+    EXPECT_LT(taken, 40);
+    EXPECT_GE(taken, 8);
+    disk.set_value();
+    while (done < taken) std::this_thread::yield();
+}
+
+TEST(Keepsakes, AreFewAndSeldomAndTheOldestGoes) {
+    const tests::TemporaryFolder state;
+    mesh::Image picture(8, 6, 4);
+    std::fill(picture.bytes.begin(), picture.bytes.end(), std::uint8_t{100});
+    EXPECT_EQ(Keepsakes(state.path()).at(0s), nullptr);
+    for (int i = 0; i < 5; ++i) {
+        Keepsakes keepsakes(state.path());
+        EXPECT_TRUE(keepsakes.wants_another(1s));
+        const auto file = keepsakes.keep(1s);
+        EXPECT_FALSE(keepsakes.wants_another(2h));
+        EXPECT_TRUE(keepsakes.wants_another(4h));
+        write_image_file(file, file.string(), halved(picture), "");
+        std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now() + std::chrono::seconds{i});
+    }
+    const Keepsakes keepsakes(state.path());
+    ASSERT_NE(keepsakes.at(0s), nullptr);
+    EXPECT_EQ(keepsakes.at(0s)->width, 4);
+    EXPECT_EQ(keepsakes.at(0s)->pixel(0, 0)[0], 100);
+    EXPECT_NE(keepsakes.at(0s), keepsakes.at(30s));
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(state / "earlier"), {}), 3);
+}
+
+}  // namespace
+}  // namespace quadrat::kiosk::staff
