@@ -30,6 +30,16 @@ void make_inputs(const TemporaryFolder& folder) {
     folder.write("range.json", R"({"quadrat":"scene","version":1,"parameters":{"tree.branch_angle_deg":200}})");
     folder.write("version.json", R"({"quadrat":"scene","version":99,"parameters":{}})");
     folder.write("bare.png", std::string("\x89PNG\r\n\x1a\n", 8));
+    folder.write(
+        "nice.json",
+        R"({"quadrat":"described","version":1,"aspect":"land","scenes":[{"words":{"nice":1},"parameters":{}}]})");
+    folder.write(
+        "loud.json",
+        R"({"quadrat":"described","version":1,"aspect":"land","scenes":[{"words":{"wet":1.5},"parameters":{}}]})");
+    folder.write(
+        "few.json",
+        R"({"quadrat":"own word","version":1,"name":"Irish","aspect":"land","scenes":[{"value":1,"words":{}}]})");
+    folder.write("map.json", R"({"quadrat":"word map","version":3,"curator":[],"visitors":[]})");
     folder.write("nan.txt", "# heights\n3 4 nan\n");
     folder.write("far.txt", "600 3 0.5\n");
     folder.write("up.txt", "river 10 10 0 20 20 1\n");
@@ -102,6 +112,19 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"BreedGenome", {"breed", "--stdio", "--genome", "mouse"}, {"mouse"}},
         BadInput{"BreedLock", {"breed", "--stdio", "--lock", "sea"}, {"sea"}},
         BadInput{"BreedRate", {"breed", "--stdio", "--learning-rate", "2"}, {"2"}},
+        BadInput{"WordsUnknown",
+                 {"words", "--state", "state", "train", "nice.json"},
+                 {"nice.json", "scenes[0].words", "nice", "wet"}},
+        BadInput{"WordsOutside",
+                 {"words", "--state", "state", "train", "loud.json"},
+                 {"loud.json", "wet", "1.5", "from -1 to 1"}},
+        BadInput{"WordsVersion", {"words", "--state", "state", "train", "map.json"}, {"map.json", "version is 3"}},
+        BadInput{"WordsMissing", {"words", "--state", "state", "train", "none.json"}, {"none.json"}},
+        BadInput{"WordsNoState", {"words", "--state", "state", "forget"}, {"state", "quadrat.db", "--state"}},
+        BadInput{"WordsNothingToExport", {"words", "--state", "state", "export", "-o", "out.json"}, {"quadrat.db"}},
+        BadInput{"OwnWordTooFew", {"words", "own", "few.json"}, {"few.json", "at least 10", "it has 1"}},
+        BadInput{"OwnWordInBreed", {"breed", "--stdio", "--own-word", "few.json"}, {"few.json", "at least 10"}},
+        BadInput{"OwnWordValue", {"words", "own", "few.json", "--value", "2"}, {"--value"}},
         BadInput{"Subcommand", {"dance"}, {"dance"}}, BadInput{"NoSubcommand", {}, {"subcommand"}}),
     [](const auto& bad) { return std::string(bad.param.name); });
 

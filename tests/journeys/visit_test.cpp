@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "journeys/quadrat_program.hpp"
+#include "journeys/state_database.hpp"
 
 namespace {
 
@@ -38,28 +38,6 @@ std::string lively_visit() {
            round_of("A", "B", "C") +                         // 26-28
            "after 1500ms press D\nafter 1500ms press D\n";   // 29, 30; then they walk away
 }
-
-class Database {
-  public:
-    explicit Database(const std::filesystem::path& file) {
-        sqlite3_open_v2(file.c_str(), &db_, SQLITE_OPEN_READONLY, nullptr);
-    }
-    ~Database() { sqlite3_close(db_); }
-    Database(const Database&) = delete;
-    Database& operator=(const Database&) = delete;
-    int number(const std::string& sql) {
-        sqlite3_stmt* statement = nullptr;
-        int value = -1;
-        if (sqlite3_prepare_v2(db_, sql.c_str(), -1, &statement, nullptr) == SQLITE_OK &&
-            sqlite3_step(statement) == SQLITE_ROW)
-            value = sqlite3_column_int(statement, 0);
-        sqlite3_finalize(statement);
-        return value;
-    }
-
-  private:
-    sqlite3* db_ = nullptr;
-};
 
 Ended play(const TemporaryFolder& folder, const std::vector<std::string>& more) {
     folder.write("visit.script", lively_visit());
@@ -119,6 +97,28 @@ TEST(Visit, WithoutScreenAndButtonsAVisitorIsPlayedAndPicturesAreLeft) {
     for (const char* name : {"generation-01.png", "generation-02.png", "finale-01.png", "contact-sheet.png"})
         EXPECT_TRUE(std::filesystem::exists(folder / "quadrat-pictures" / name)) << name;
     EXPECT_NE(ended.out.find("quadrat-pictures"), std::string::npos);
+}
+
+TEST(Visit, BySlidersChoosesTurnsTakesBackAndEndsInTheFinale) {
+    const TemporaryFolder folder;
+    folder.write("sliders.toml",
+                 "[picture]\nland_samples = 129\n[visit]\nrounds = 1\n[breeding]\nbreeder = \"sliders\"\n");
+    folder.write("visit.script",
+                 "at 2s press A\n"            // wakes the exhibit
+                 "after 1500ms press B\n"     // the next slider
+                 "after 1500ms press D\n"     // turned up
+                 "after 1500ms press Back\n"  // taken back
+                 "after 1500ms press C\nafter 1500ms press C\nafter 1500ms press D\n");
+    const Ended ended =
+        run(program({"run", "--config", "sliders.toml", "--display", "headless", "--size", "320x180", "--input",
+                     "script:visit.script", "--state", "state", "--capture", "pictures", "--seed", "3"}),
+            folder);
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_EQ(count_of(ended.err, "the visit ends with its finale, after 1 rounds"), 1U) << ended.err;
+    const std::string first = contents_of(folder / "pictures" / "generation-01.png");
+    EXPECT_GT(first.size(), 5000U);
+    EXPECT_NE(contents_of(folder / "pictures" / "generation-02.png"), first) << "what was turned is seen";
+    EXPECT_GT(std::filesystem::file_size(folder / "pictures" / "finale-01.png"), 5000U);
 }
 
 }  // namespace

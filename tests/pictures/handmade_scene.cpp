@@ -187,6 +187,19 @@ Palette palette(Hour hour) {
                     {0.04F, 0.05F, 0.085F},
                     {0.06F, 0.07F, 0.10F},
                     {0.5F, 0.55F, 0.65F}};
+        case Hour::Storm:
+        case Hour::Snow:
+            return {30,
+                    {0.22F, 0.22F, 0.22F},
+                    {0.42F, 0.43F, 0.46F},
+                    {0.34F, 0.35F, 0.38F},
+                    {0.12F, 0.12F, 0.11F},
+                    {0.38F, 0.40F, 0.44F},
+                    {0.42F, 0.43F, 0.45F},
+                    {0.42F, 0.43F, 0.45F},
+                    {0.46F, 0.46F, 0.46F},
+                    {0.6F, 0.6F, 0.6F}};
+        case Hour::Fog:
         case Hour::Noon:
         default:
             return {46,
@@ -227,26 +240,71 @@ scene::CloudLayer clouds(float tile_m, float height_m, float cover, const Palett
     return layer;
 }
 
+mesh::Image disc() {
+    mesh::Image picture(32, 32, 1);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x)
+            *picture.pixel(x, y) =
+                byte_of((14 - std::hypot(static_cast<float>(x) - 15.5F, static_cast<float>(y) - 15.5F)) / 2);
+    return picture;
+}
+
+void add_weather(scene::Sky& sky, Hour hour) {
+    using Kind = scene::Precipitation::Kind;
+    if (hour == Hour::Storm) {
+        sky.precipitation = {Kind::Rain, 1, {6, -9.5F, 2}, 0.006F, 0.08F, {0.5F, 0.5F, 0.52F}, 0.3F};
+        sky.clouds[0].density.bytes.assign(sky.clouds[0].density.bytes.size(), 250);
+        sky.haze_distance_m = 1100;
+    }
+    if (hour == Hour::Snow) {
+        sky.precipitation = {Kind::Snow, 1, {1, -1.2F, 0.4F}, 0.03F, 0, {0.9F, 0.9F, 0.95F}, 0.85F};
+        sky.haze_distance_m = 900;
+    }
+    if (hour == Hour::Fog) sky.mist = {0.012F, 6, 9};
+    if (hour == Hour::Night) {
+        RandomStream stream{Seed{41}};
+        for (int i = 0; i < 500; ++i) {
+            const float turn = 2 * kPi * stream.unit_f();
+            const float y = stream.unit_f();
+            const float flat = std::sqrt(1 - y * y);
+            const float light = stream.unit_f();
+            sky.stars.push_back({{flat * std::cos(turn), y, flat * std::sin(turn)}, light * light});
+        }
+    }
+    // A bow opposite a low sun.
+    if (hour == Hour::Sunset) sky.bow = 1;
+}
+
 std::shared_ptr<scene::Sky> sky(Hour hour) {
     auto s = std::make_shared<scene::Sky>();
     const Palette p = palette(hour);
     const float up = p.sun_elevation_deg / 180 * kPi;
     s->sun_direction = {std::cos(up) * 0.5F, std::sin(up), -std::cos(up) * 0.8660254F};
     s->sunlight = p.sunlight;
-    s->light_above = p.above;
-    s->light_around = p.around;
+    s->glow_direction = s->sun_direction;
     s->light_below = p.below;
-    s->dome = mesh::Image(128, 64, 4);
-    for (int y = 0; y < 64; ++y) {
-        const float elevation = (90 - 100 * (static_cast<float>(y) + 0.5F) / 64) / 90;
-        const float down = std::pow(1 - std::max(elevation, 0.0F), 2.5F);
-        for (int x = 0; x < 128; ++x) put(s->dome, x, y, scene::mix_colours(p.zenith, p.horizon, down), 1);
+    constexpr int kPieces = 24;
+    for (int i = 0; i < kPieces; ++i) {
+        const float y = -1 + 2 * (static_cast<float>(i) + 0.5F) / kPieces;
+        const glm::vec3 light = glm::mix(p.around, y > 0 ? p.above : p.below, std::abs(y));
+        for (int k = 0; k < kPieces; ++k) {
+            const float turn = 2 * kPi * static_cast<float>(k) / kPieces;
+            const float flat = std::sqrt(1 - y * y);
+            s->ambient.add({flat * std::cos(turn), y, flat * std::sin(turn)}, light, 4 * kPi / (kPieces * kPieces));
+        }
     }
-    s->sun_colour = p.sun;
+    for (int row = 0; row < scene::Dome::kRows; ++row) {
+        const float height = std::asin(scene::Dome::direction(0, row).y) / (0.5F * kPi);
+        for (int column = 0; column < scene::Dome::kColumns; ++column)
+            s->dome.at(column, row) = scene::mix_colours(p.zenith, p.horizon, std::pow(1 - height, 2.5F));
+    }
+    s->disc = {disc(), p.sun, 0.0105F};
+    s->glare = 0.25F * p.sun;
     s->clouds = {clouds(5200, 700, 0.52F, p), clouds(14000, 2600, 0.6F, p)};
     s->haze_colour = p.haze;
     s->haze_sunward = p.haze_sunward;
     s->haze_distance_m = 2400;
+    add_weather(*s, hour);
     return s;
 }
 
@@ -281,7 +339,7 @@ void bake(scene::Scene& scene) {
             const glm::vec2 at{2.0F * (static_cast<float>(x) - 127.5F), 2.0F * (static_cast<float>(y) - 127.5F)};
             const glm::vec3 normal = scene::ground_normal(*scene.land, at);
             const glm::vec3 light = s.sunlight * std::max(glm::dot(normal, s.sun_direction), 0.0F) +
-                                    s.light_above * 0.85F + s.light_around * 0.1F;
+                                    0.95F * s.ambient.on({0, 1, 0});
             std::uint8_t* p = scene.light.ground.pixel(x, y);
             for (int c = 0; c < 3; ++c) p[c] = byte_of(light[c] / 2);
             p[3] = byte_of(-scene::ground_height_m(*scene.land, at) / 24);

@@ -8,7 +8,7 @@
 // when the growers do, so what its pictures show is the renderer's doing alone.
 namespace quadrat::tests {
 
-enum class Hour { Noon, Sunset, Night };
+enum class Hour { Noon, Sunset, Night, Storm, Snow, Fog };
 enum class Ground { Meadow, Desert };
 
 std::shared_ptr<const scene::Scene> handmade_scene(Hour hour, Ground ground);

@@ -2,6 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "pictures/handmade_scene.hpp"
 #include "pictures/stage.hpp"
@@ -49,6 +54,79 @@ TEST_F(Pictures, ASceneAtNightStaysReadable) {
     expect_golden("night", picture);
     const auto brightest = *std::ranges::max_element(picture.bytes.begin(), picture.bytes.end());
     EXPECT_GT(brightest, 100);
+}
+
+TEST_F(Pictures, AStormLooksAsItDid) {
+    render::Frame f = frame();
+    f.views = {view_of(Hour::Storm, Ground::Meadow, {0, 0, 640, 360})};
+    expect_golden("storm", drawn(f));
+}
+
+TEST_F(Pictures, SnowfallLooksAsItDid) {
+    render::Frame f = frame();
+    f.views = {view_of(Hour::Snow, Ground::Meadow, {0, 0, 640, 360})};
+    expect_golden("snow", drawn(f));
+}
+
+TEST_F(Pictures, FogLooksAsItDid) {
+    render::Frame f = frame();
+    f.views = {view_of(Hour::Fog, Ground::Meadow, {0, 0, 640, 360})};
+    expect_golden("fog", drawn(f));
+}
+
+// Half the triangles, as on a Raspberry Pi 4 that is short of time.
+TEST_F(Pictures, FourViewsAtARaspberryPisDetailLookAsTheyDid) {
+    render::Frame f = frame();
+    f.detail.alpha = 0.5F;
+    f.views = {view_of(Hour::Noon, Ground::Meadow, {0, 180, 320, 180}),
+               view_of(Hour::Sunset, Ground::Desert, {320, 180, 320, 180}),
+               view_of(Hour::Fog, Ground::Meadow, {0, 0, 320, 180}),
+               view_of(Hour::Storm, Ground::Meadow, {320, 0, 320, 180})};
+    expect_golden("raspberry_pi", drawn(f));
+}
+
+// It is a ring of 38.6 to 54.6 degrees about the point opposite the sun, and nothing else of the picture changes.
+TEST_F(Pictures, ARainbowStandsOppositeTheSun) {
+    auto scene = *handmade_scene(Hour::Sunset, Ground::Meadow);
+    auto with = std::make_shared<scene::Sky>(*scene.sky);
+    auto without = std::make_shared<scene::Sky>(*scene.sky);
+    with->bow = 1;
+    without->bow = 0;
+    const glm::vec3 away = -glm::normalize(glm::vec3{with->sun_direction.x, 0, with->sun_direction.z});
+    render::View view;
+    view.viewport = {0, 0, 640, 360};
+    view.camera.eye_m = {0, 60, 0};
+    view.camera.target_m = view.camera.eye_m + away + glm::vec3{0, 0.5F, 0};
+    view.camera.vertical_fov_deg = 70;
+    const auto drawn_with = [&](const std::shared_ptr<scene::Sky>& sky) {
+        auto changed = std::make_shared<scene::Scene>(scene);
+        changed->sky = sky;
+        view.scene = uploaded(changed);
+        render::Frame f = frame();
+        f.views = {view};
+        return drawn(f);
+    };
+    const mesh::Image a = drawn_with(with);
+    const mesh::Image b = drawn_with(without);
+    const glm::mat4 world_from_clip =
+        glm::inverse(scene::clip_from_view(view.camera, 640.0F / 360.0F) * scene::view_from_world(view.camera));
+    int changed = 0;
+    for (int y = 0; y < 360; ++y) {
+        for (int x = 0; x < 640; ++x) {
+            int difference = 0;
+            for (int c = 0; c < 3; ++c)
+                difference = std::max(difference, std::abs(int{a.pixel(x, y)[c]} - int{b.pixel(x, y)[c]}));
+            if (difference < 4) continue;
+            ++changed;
+            const glm::vec4 far = world_from_clip * glm::vec4{(static_cast<float>(x) + 0.5F) / 320 - 1,
+                                                              1 - (static_cast<float>(y) + 0.5F) / 180, 1, 1};
+            const glm::vec3 ray = glm::normalize(glm::vec3{far} / far.w - view.camera.eye_m);
+            const float apart = glm::degrees(std::acos(glm::dot(ray, -with->sun_direction)));
+            EXPECT_GT(apart, 38.0F);
+            EXPECT_LT(apart, 55.5F);
+        }
+    }
+    EXPECT_GT(changed, 2000);
 }
 
 TEST_F(Pictures, FourViewsEachStayInTheirQuarter) {

@@ -87,6 +87,32 @@ TEST(Speech, KnowsEveryWordInEveryLanguageAndNoTwoEndsOfAnAspectAlike) {
         }
 }
 
+TEST(Speech, AsksInEveryLanguageAndFallsBackToEnglishWhereOneDoesNot) {
+    for (const std::string_view code : language_codes()) {
+        std::set<std::string_view> prompts;
+        for (const std::string_view key : kPrompts) {
+            EXPECT_FALSE(language(code).prompt(key).empty()) << code << " " << key;
+            EXPECT_TRUE(prompts.insert(prompt(code, key)).second) << code << " " << prompt(code, key);
+            EXPECT_EQ(code != "en" && prompt(code, key) == prompt("en", key), false) << code << " " << key;
+        }
+    }
+    EXPECT_EQ(prompt("tlh", "describe.sky"), "Which words suit this sky?");
+    EXPECT_EQ(prompt("de", "describe.sky"), "Welche Worte passen zu diesem Himmel?");
+}
+
+TEST(Speech, AnswersInFourStepsFromOneEndToTheOther) {
+    EXPECT_THAT(language("en").answers(WordId::wet),
+                testing::ElementsAre("dry land", "rather dry land", "rather wet land", "wet land"));
+    EXPECT_THAT(
+        language("fr").answers(WordId::cloudy),
+        testing::ElementsAre("un ciel dégagé", "un ciel plutôt dégagé", "un ciel plutôt nuageux", "un ciel nuageux"));
+    for (const std::string_view code : language_codes())
+        for (const Word& word : vocabulary()) {
+            const auto answers = language(code).answers(word.id);
+            EXPECT_EQ(std::set<std::string>(answers.begin(), answers.end()).size(), 4U) << code << " " << word.name;
+        }
+}
+
 TEST(Speech, RefusesABrokenLanguageByKey) {
     const auto message = [](std::string_view text) -> std::string {
         try {
@@ -99,10 +125,14 @@ TEST(Speech, RefusesABrokenLanguageByKey) {
     EXPECT_THAT(message(R"({"language":"X","sentence":"{trees}"})"),
                 testing::HasSubstr("sentence has no place for {land}"));
     EXPECT_THAT(message(R"({"lang":"X"})"), testing::HasSubstr("xx.json"));
-    EXPECT_THAT(message(R"({"language":"X","sentence":"{trees}{land}{sky}","and":"{}","very":"{}",
+    EXPECT_THAT(message(R"({"language":"X","sentence":"{trees}{land}{sky}","and":"{}","very":"{}","rather":"{}",
         "trees":{"with":"{}","plain":""},"land":{"with":"{}","plain":""},"sky":{"with":"{}","plain":""},
         "words":{"nice":["a","b"]}})"),
                 testing::HasSubstr("there is no word \"nice\""));
+    EXPECT_THAT(message(R"({"language":"X","sentence":"{trees}{land}{sky}","and":"{}","very":"{}","rather":"{}",
+        "trees":{"with":"{}","plain":""},"land":{"with":"{}","plain":""},"sky":{"with":"{}","plain":""},
+        "words":{},"prompts":{"ask.sea":"?"}})"),
+                testing::HasSubstr("there is no prompt \"ask.sea\""));
 }
 
 }  // namespace

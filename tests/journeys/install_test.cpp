@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// deploy/install on the root of a machine that is only a folder: nothing of ours stays behind, and nothing is done
+// twice.
+#include <gmock/gmock.h>
+
+#include <map>
+
+#include "journeys/quadrat_program.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace quadrat::tests;
+using testing::HasSubstr;
+using testing::Not;
+
+// A machine as Debian leaves it, as far as the script looks.
+class Machine {
+  public:
+    Machine() {
+        for (const char* folder : {"root/etc/systemd/system", "root/etc/default", "root/var/lib",
+                                   "root/usr/lib/systemd/system", "root/boot/firmware", "root/run", "root/tmp"})
+            fs::create_directories(folder_ / folder);
+        // What systemctl --root needs to know of.
+        folder_.write("root/usr/lib/systemd/system/multi-user.target", "[Unit]\n");
+        folder_.write("root/usr/lib/systemd/system/graphical.target", "[Unit]\n");
+        folder_.write("root/usr/lib/systemd/system/getty@.service", "[Service]\nExecStart=/bin/true\n");
+        folder_.write("root/etc/fstab", "LABEL=root / ext4 defaults 0 1\n");
+        folder_.write("root/boot/firmware/cmdline.txt", "root=LABEL=root rootwait quiet\n");
+        fs::create_symlink("/usr/lib/systemd/system/graphical.target",
+                           folder_ / "root/etc/systemd/system/default.target");
+    }
+    Ended install(std::vector<std::string> arguments = {}) const {
+        std::vector<std::string> command{QUADRAT_SOURCE_DIR "/deploy/install", "--root", "root"};
+        command.insert(command.end(), arguments.begin(), arguments.end());
+        return run(command, folder_);
+    }
+    Ended install_program(std::vector<std::string> more = {}) const {
+        more.insert(more.end(), {"--binary", QUADRAT_BINARY});
+        return install(more);
+    }
+    // Every file with what is in it, but for what systemd keeps of users: they go with the machine.
+    std::map<std::string, std::string> files() const {
+        std::map<std::string, std::string> all;
+        for (const auto& entry : fs::recursive_directory_iterator(folder_ / "root")) {
+            const std::string name = entry.path().lexically_relative(folder_ / "root").string();
+            if (entry.is_symlink())
+                all[name] = fs::read_symlink(entry.path()).string();
+            else if (entry.is_regular_file() && !is_of_users(name))
+                all[name] = contents_of(entry.path());
+        }
+        return all;
+    }
+    std::string file(const std::string& name) const { return contents_of(folder_ / "root" / name); }
+
+  private:
+    static bool is_of_users(const std::string& name) {
+        return name.starts_with("etc/passwd") || name.starts_with("etc/group") || name.starts_with("etc/shadow") ||
+               name.starts_with("etc/gshadow") || name.starts_with("etc/.");
+    }
+    TemporaryFolder folder_;
+};
+
+TEST(Install, DryRunSaysEverythingAndDoesNothing) {
+    const Machine machine;
+    const auto before = machine.files();
+    const Ended ended = machine.install({"--dry-run", "--data", "LABEL=quadrat-data", "--read-only"});
+    ASSERT_TRUE(succeeds(ended));
+    for (const char* what : {"quadrat.service", "60-quadrat.rules", "journald.conf.d", "user quadrat", "fstab",
+                             "quadrat-overlay", "cmdline.txt", "login prompt", "/etc/quadrat/quadrat.toml"})
+        EXPECT_THAT(ended.out, HasSubstr(what));
+    for (const std::string& line : lines_of(ended.out)) EXPECT_TRUE(line.starts_with("would ")) << line;
+    EXPECT_EQ(machine.files(), before);
+}
+
+TEST(Install, DoesNothingTheSecondTimeAndIsTakenBackWhole) {
+    const Machine machine;
+    const auto before = machine.files();
+    const std::vector<std::string> how{"--data", "LABEL=quadrat-data", "--read-only"};
+    ASSERT_TRUE(succeeds(machine.install_program(how)));
+    const auto installed = machine.files();
+    EXPECT_TRUE(installed.contains("usr/lib/systemd/system/quadrat.service"));
+    EXPECT_EQ(installed.at("etc/systemd/system/getty@tty1.service"), "/dev/null");
+    EXPECT_THAT(installed.at("etc/systemd/system/default.target"), HasSubstr("multi-user"));
+    EXPECT_THAT(machine.file("etc/fstab"), HasSubstr("LABEL=quadrat-data /var/lib/quadrat ext4"));
+    EXPECT_THAT(machine.file("etc/passwd"), HasSubstr("quadrat:"));
+    EXPECT_EQ(count_of(machine.file("boot/firmware/cmdline.txt"), "quiet"), 1U);
+    EXPECT_THAT(machine.file("boot/firmware/cmdline.txt"), HasSubstr("vt.global_cursor_default=0"));
+
+    const Ended again = machine.install_program(how);
+    ASSERT_TRUE(succeeds(again));
+    EXPECT_EQ(again.out, "Everything is as it should be.\n");
+    EXPECT_EQ(machine.files(), installed);
+
+    ASSERT_TRUE(succeeds(machine.install({"--remove"})));
+    EXPECT_EQ(machine.files(), before);
+    const Ended nothing = machine.install({"--remove"});
+    EXPECT_EQ(nothing.out, "Nothing of the exhibit is installed.\n");
+}
+
+TEST(Install, LeavesTheSitesOwnSettingsAlone) {
+    const Machine machine;
+    ASSERT_TRUE(succeeds(machine.install_program()));
+    const std::string own = machine.file("etc/quadrat/quadrat.toml") + "# ours\n";
+    machine.install({"--remove"});
+    ASSERT_TRUE(succeeds(machine.install_program()));
+    EXPECT_THAT(machine.file("etc/fstab"), Not(HasSubstr("quadrat"))) << "no partition was named";
+}
+
+TEST(Install, RefusesWhatWouldLoseWhatVisitorsDid) {
+    const Machine machine;
+    const Ended ended = machine.install_program({"--read-only"});
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_THAT(ended.err, HasSubstr("--read-only needs --data"));
+    EXPECT_EQ(machine.install({"--nonsense"}).status, 2);
+}
+
+// How much of the machine the service could harm, by systemd's own reckoning: 0 nothing, 10 everything.
+TEST(Install, TheServiceIsShutIn) {
+    const TemporaryFolder folder;
+    const Ended ended = run({"systemd-analyze", "security", "--offline=true", "--no-pager", "--threshold=30",
+                             QUADRAT_SOURCE_DIR "/deploy/system/quadrat.service"},
+                            folder);
+    EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+    EXPECT_THAT(ended.out, HasSubstr("Overall exposure level for quadrat.service"));
+    const std::string unit = contents_of(QUADRAT_SOURCE_DIR "/deploy/system/quadrat.service");
+    for (const char* line :
+         {"ProtectSystem=strict", "NoNewPrivileges=yes", "DevicePolicy=closed", "SystemCallFilter=@system-service",
+          "RestrictAddressFamilies=AF_UNIX AF_NETLINK", "WatchdogSec=10", "Type=notify"})
+        EXPECT_THAT(unit, HasSubstr(line));
+}
+
+}  // namespace

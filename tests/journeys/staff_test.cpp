@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// The exhibit as a service has it: health, requests, a changed configuration, failures that repeat.
+#include <OpenImageIO/imagebuf.h>
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "journeys/quadrat_program.hpp"
+#include "journeys/state_database.hpp"
+#include "support/effort.hpp"
+
+namespace {
+
+using namespace quadrat::tests;
+using testing::HasSubstr;
+
+// When the exhibit surely draws frames, and hears a press when it is made.
+const std::string kAtWork = kIsSanitized ? "at 15s " : "at 2s ";
+
+// A service's folders, and the exhibit in them. It runs in real time: a clock at the speed of 1.001.
+class Service {
+  public:
+    explicit Service(const std::string& script = "wait 600s\n") {
+        std::filesystem::create_directories(folder / "run");
+        ::setenv("RUNTIME_DIRECTORY", (folder / "run").c_str(), 1);
+        folder.write("quadrat.toml", "[picture]\nland_samples = 65\n");
+        folder.write("visit.script", script);
+    }
+    ~Service() { ::unsetenv("RUNTIME_DIRECTORY"); }
+    std::vector<std::string> command() const {
+        return program({"run", "--config", "quadrat.toml", "--display", "headless", "--size", "160x90", "--input",
+                        "script:visit.script", "--state", "state", "--seed", "5", "--speed", "1.001"});
+    }
+    std::string log() const { return contents_of(folder / "stderr.txt"); }
+    void wait_for_log(Process& exhibit, const std::string& what) const {
+        wait_until(exhibit, what, [&] { return log().find(what) != std::string::npos; });
+    }
+    void wait_for_file(Process& exhibit, const std::string& name) const {
+        wait_until(exhibit, name, [&] { return std::filesystem::exists(folder / name); });
+    }
+    // What never comes fails the test after a minute, with what was said instead.
+    template <typename HasCome>
+    void wait_until(Process& exhibit, const std::string& what, const HasCome& has_come) const {
+        const auto begun = std::chrono::steady_clock::now();
+        while (exhibit.is_running() && !has_come()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds{5});
+            if (std::chrono::steady_clock::now() - begun < kLongest) continue;
+            ADD_FAILURE() << what << " has not come: " << log();
+            return;
+        }
+    }
+    static constexpr std::chrono::seconds kLongest{60};
+    TemporaryFolder folder;
+};
+
+double cpu_of_children_s() {
+    rusage used{};
+    ::getrusage(RUSAGE_CHILDREN, &used);
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) / 1e6;
+    };
+    return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+TEST(Staff, AnExhibitTellsHowItIsAndGivesAPictureOfItself) {
+    const Service service("press A\nwait 600s\n");
+    Process exhibit(service.command(), service.folder.path());
+    service.wait_for_file(exhibit, "run/quadrat.prom");
+    const auto health = nlohmann::json::parse(contents_of(service.folder / "run/health.json"));
+    EXPECT_EQ(health["mode"], "usual");
+    EXPECT_EQ(health["verdict"], "good");
+    EXPECT_EQ(health["buttons"]["presses"], 1);
+    EXPECT_GT(health["frames"]["shown"], 10);
+    EXPECT_GT(health["memory_mb"], 10);
+
+    const TemporaryFolder elsewhere;
+    const Ended shot = run(program({"shot", "-o", "now.png"}), elsewhere);
+    ASSERT_EQ(shot.status, 0) << shot.err;
+    EXPECT_EQ(OIIO::ImageBuf((elsewhere / "now.png").string()).spec().width, 160);
+    const Ended doctor = run(program({"doctor"}), elsewhere);
+    EXPECT_THAT(doctor.out, HasSubstr("the exhibit runs and finds nothing wrong"));
+    exhibit.kill(SIGTERM);
+    EXPECT_EQ(exhibit.wait().status, 0);
+    EXPECT_THAT(contents_of(service.folder / "run/starts"), HasSubstr("well"));
+}
+
+TEST(Staff, AShotOfNothingSaysThatNothingRuns) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "state");
+    const Ended shot = run(program({"shot", "-o", "now.png", "--state", "state"}), folder);
+    EXPECT_EQ(shot.status, 2);
+    EXPECT_THAT(shot.err, HasSubstr("no exhibit answers in state"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "now.png"));
+}
+
+TEST(Staff, TheChordOpensTheServiceScreenAndARestartIsAnOrderlyEnd) {
+    const Service service(
+        kAtWork + "chord A+Back for 6s\nwait 1s\npress C\nwait 1s\npress B\nafter 400ms press B\nwait 600s\n");
+    Process exhibit(service.command(), service.folder.path());
+    const Ended ended = exhibit.wait();
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_THAT(ended.err, HasSubstr("the service screen is opened"));
+    EXPECT_THAT(ended.err, HasSubstr("staff: restart"));
+    EXPECT_THAT(contents_of(service.folder / "run/starts"), HasSubstr("well"));
+}
+
+TEST(Staff, ShuttingDownIsAskedOfWhoeverMay) {
+    const Service service(kAtWork + "chord A+Back for 6s\nwait 1s\npress D\nafter 400ms press D\nwait 600s\n");
+    Process exhibit(service.command(), service.folder.path());
+    service.wait_for_file(exhibit, "run/power.asked");
+    EXPECT_EQ(contents_of(service.folder / "run/power.asked"), "poweroff\n");
+    exhibit.kill(SIGTERM);
+    EXPECT_EQ(exhibit.wait().status, 0);
+}
+
+TEST(Staff, AChangedConfigurationIsTakenOverAndABrokenOneIsNot) {
+    const Service service;
+    Process exhibit(service.command(), service.folder.path());
+    service.wait_for_log(exhibit, "state:");
+    service.wait_for_file(exhibit, "run/health.json");
+    service.folder.write("quadrat.toml",
+                         "[picture]\nland_samples = 65\n[visit]\nrounds = 2\n[screen]\nmode = \"800x600\"\n");
+    service.wait_for_log(exhibit, "read anew");
+    EXPECT_THAT(service.log(), HasSubstr("after a restart also: screen"));
+    service.folder.write("quadrat.toml", "[visit]\nrounds = many\n");
+    service.wait_for_log(exhibit, "goes on as it was");
+    EXPECT_TRUE(exhibit.is_running());
+    service.wait_for_file(exhibit, "run/fault-1.png");
+    exhibit.kill(SIGTERM);
+    EXPECT_EQ(exhibit.wait().status, 0);
+}
+
+TEST(Staff, ThreeFailuresLeadToSafeModeAndPersistentOnesToOneReboot) {
+    const Service service;
+    for (int start = 0; start < 6; ++start) {
+        std::filesystem::remove(service.folder / "stderr.txt");
+        Process exhibit(service.command(), service.folder.path());
+        service.wait_for_log(exhibit, "state:");
+        exhibit.kill(SIGKILL);
+        const std::string said = exhibit.wait().err;
+        EXPECT_EQ(said.find("safe mode") != std::string::npos, start >= 3) << start << said;
+        EXPECT_FALSE(std::filesystem::exists(service.folder / "run/power.asked"));
+    }
+    Process exhibit(service.command(), service.folder.path());
+    service.wait_for_file(exhibit, "run/power.asked");
+    EXPECT_EQ(contents_of(service.folder / "run/power.asked"), "reboot\n");
+    EXPECT_EQ(contents_of(service.folder / "state/reboots"), "1\n");
+    exhibit.kill(SIGTERM);
+    exhibit.wait();
+}
+
+TEST(Staff, TheVisitorsGenerationIsBackWithinThreeSecondsOfAKill) {
+    const Service service("at 4s press A\nafter 1s press B\nwait 600s\n");
+    // The land as fine as the exhibit has it.
+    service.folder.write("quadrat.toml", "");
+    Process exhibit(service.command(), service.folder.path());
+    service.wait_for_log(exhibit, "press B");
+    exhibit.kill(SIGKILL);
+    exhibit.wait();
+    std::filesystem::remove(service.folder / "stderr.txt");
+    const double cpu_before = cpu_of_children_s();
+    const auto begun = std::chrono::steady_clock::now();
+    Process again(service.command(), service.folder.path());
+    service.wait_for_log(again, "the four of round");
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    again.kill(SIGKILL);
+    EXPECT_THAT(again.wait().err, HasSubstr("taking up visit 1 at round 1"));
+    // Growing uses every core. Where others use them too, what counts is how long it would have taken alone.
+    const double alone_s = (cpu_of_children_s() - cpu_before) / std::max(1U, std::thread::hardware_concurrency());
+    RecordProperty("back_on_screen_ms", static_cast<int>(1000 * took.count()));
+    RecordProperty("back_on_screen_alone_ms", static_cast<int>(1000 * alone_s));
+#ifndef QUADRAT_SANITIZED
+    EXPECT_LT(std::min(took.count(), alone_s), 3.0) << took.count() << " s, alone " << alone_s << " s";
+#endif
+}
+
+#ifdef QUADRAT_SLOW_DISK
+TEST(Staff, ADiskThatTakesASecondAFlushStopsNeitherTheShowNorAFrame) {
+    const Service service("press A\nwait 12s\npress A\nwait 1s\npress B\nwait 1s\npress C\nwait 600s\n");
+    ::setenv("SLOW_DISK_MS", "1000", 1);
+    ::setenv("LD_PRELOAD", QUADRAT_SLOW_DISK, 1);
+    Process exhibit(service.command(), service.folder.path());
+    ::unsetenv("LD_PRELOAD");
+    service.wait_for_log(exhibit, "the four of round 2");
+    // A fault makes it tell at once how it is.
+    service.folder.write("quadrat.toml", "[visit]\nrounds = many\n");
+    service.wait_until(exhibit, "health", [&] {
+        return contents_of(service.folder / "run/health.json").find("goes on as it was") != std::string::npos;
+    });
+    const auto health = nlohmann::json::parse(contents_of(service.folder / "run/health.json"));
+    EXPECT_GT(health["frames"]["shown"], 30);
+    EXPECT_LT(health["frames"]["longest_ms"], 900);
+    exhibit.kill(SIGTERM);
+    EXPECT_EQ(exhibit.wait().status, 0);
+    // All of it has reached the disk in the end.
+    EXPECT_EQ(Database(service.folder / "state/quadrat.db").number("SELECT count(*) FROM answer"), 3);
+}
+#endif
+
+TEST(State, GoesBackToAnOlderVersionAndForthAgain) {
+    const Service service("at 100ms press A\nafter 400ms press B\n");
+    auto command = service.command();
+    command.resize(command.size() - 2);  // on the simulated clock
+    ASSERT_TRUE(succeeds(run(command, service.folder)));
+    const Ended back = run(program({"state", "--state", "state", "--move-to", "1"}), service.folder);
+    ASSERT_TRUE(succeeds(back));
+    EXPECT_THAT(back.out, HasSubstr("of version 1 now; it was of version 3"));
+    const Ended again = run(command, service.folder);
+    ASSERT_TRUE(succeeds(again));
+    EXPECT_THAT(again.err, HasSubstr("older version was brought up to date"));
+    EXPECT_EQ(run(program({"state", "--state", "nowhere", "--move-to", "1"}), service.folder).status, 2);
+}
+
+}  // namespace
