@@ -11,8 +11,10 @@
 #include "genome/speech.hpp"
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/easel.hpp"
+#include "kiosk/growing.hpp"
 #include "kiosk/school.hpp"
 #include "kiosk/state_folder.hpp"
+#include "kiosk/tree_view.hpp"
 
 namespace quadrat::kiosk::commands {
 namespace {
@@ -51,7 +53,12 @@ int show(const Options& options) {
     return 0;
 }
 
-// A row a word, from one end to the other, all other words left in the middle, on one land under one sky.
+// Said of a tree, and seen beside it; the other words for trees are said of the stand.
+bool is_of_one_tree(genome::WordId id) {
+    return word(id).aspect == genome::Aspect::Trees && id != genome::WordId::sparse && id != genome::WordId::tall;
+}
+
+// A row a word, from one end to the other, all other words left free, on one land under one sky.
 int draw_sheet(const Options& options) {
     const display::Size size = display::size_from(options.size, "--size");
     const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
@@ -68,13 +75,16 @@ int draw_sheet(const Options& options) {
     for (const genome::Word& word : genome::vocabulary()) {
         for (int step = 0; step < options.steps; ++step) {
             const float value = -1 + 2 * static_cast<float>(step) / static_cast<float>(options.steps - 1);
-            genome::Description words;
-            words.set(word.id, value);
+            genome::PartialDescription words{};
+            words[static_cast<std::size_t>(word.id)] = value;
             genome::Recipe recipe = seeds;
-            recipe.values = map(words);
+            recipe.values = map(map.completed(words));
             picture.scenes = {recipe};
+            const Scenes scenes{grow(recipe)};
+            picture.camera.reset();
+            if (is_of_one_tree(word.id)) picture.camera = camera_on_a_tree(*scenes.front());
             entries.push_back(
-                {easel.draw(picture), fmt::format("{} {:+.1f}", language.end(word.id, value > 0), value)});
+                {easel.draw(picture, scenes), fmt::format("{} {:+.1f}", language.end(word.id, value > 0), value)});
         }
         std::cerr << fmt::format("{} of {}\n", entries.size() / static_cast<std::size_t>(options.steps),
                                  genome::kWordCount);
