@@ -7,14 +7,9 @@
 #include "common/ambient.glsl"
 #include "common/cloud_shadow.glsl"
 #include "common/lit_ground.glsl"
+#include "common/grid.glsl"
 
-layout(location = 0) in vec2 column_row;
-layout(location = 1) in float height_m;
 layout(location = 2) in vec4 land_normal;
 layout(location = 4) in vec3 root_colour;
-layout(location = 0) uniform vec2 grid;  // x: cell, m; y: column of the middle
 
-void main() {
-    vec2 xz = (column_row - grid.y) * grid.x;
-    show_ground(vec3(xz.x, height_m, xz.y), land_normal.xyz, root_colour);
-}
+void main() { show_ground(grid_place(), land_normal.xyz, root_colour); }

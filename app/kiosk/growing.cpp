@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kiosk/growing.hpp"
 
-#include <sys/resource.h>
-#include <sys/syscall.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_scheduler_observer.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <condition_variable>
@@ -19,6 +16,7 @@
 #include <variant>
 #include <vector>
 
+#include "kiosk/low_priority.hpp"
 #include "scene/parameters.hpp"
 #include "synthesis/grow.hpp"
 
@@ -66,10 +64,6 @@ class LowPriority : public tbb::task_scheduler_observer {
     LowPriority(const LowPriority&) = delete;
     LowPriority& operator=(const LowPriority&) = delete;
     void on_scheduler_entry(bool /*is_worker*/) override { lower_priority(); }
-    static void lower_priority() {
-        constexpr int kNice = 10;
-        ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), kNice);
-    }
 };
 
 struct Order {
@@ -233,7 +227,7 @@ void Grower::Parts::compose_order(std::unique_lock<std::mutex>& lock, const std:
 }
 
 void Grower::Parts::work(const std::stop_token& stop) {
-    LowPriority::lower_priority();
+    lower_priority();
     std::unique_lock lock(mutex);
     while (!stop.stop_requested()) {
         if (ordered && has_all(*ordered)) {

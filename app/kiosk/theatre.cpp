@@ -4,12 +4,13 @@
 #include <algorithm>
 
 #include "kiosk/easel.hpp"
+#include "kiosk/low_priority.hpp"
 
 namespace quadrat::kiosk {
 
 void Theatre::enter(const display::Canvas& canvas) {
     if (canvas.context == context_) return;
-    uploading_.reset();
+    uploading_.clear();
     uploaded_.clear();
     stage_.reset();
     renderer_.reset();
@@ -19,18 +20,39 @@ void Theatre::enter(const display::Canvas& canvas) {
     stage_ = std::make_unique<Stage>(*renderer_, configuration_);
 }
 
+void Theatre::begin_uploads(const Act& act, bool may_wait) {
+    // What is no longer wanted goes when its thread is done: no frame waits for it.
+    std::erase_if(uploading_, [&](const Uploading& u) {
+        return (may_wait || u.is_prepared()) && std::ranges::find(act.scenes, u.scene) == act.scenes.end();
+    });
+    for (const auto& scene : act.scenes) {
+        if (uploading_.size() >= kMostAhead) return;
+        if (uploaded_.contains(scene.get()) ||
+            std::ranges::find(uploading_, scene, &Uploading::scene) != uploading_.end())
+            continue;
+        Uploading next{scene, renderer_->begin_upload(scene), {}};
+        next.prepared = std::async(std::launch::async, [upload = next.upload.get()] {
+            lower_priority();
+            upload->prepare();
+        });
+        uploading_.push_back(std::move(next));
+    }
+}
+
 bool Theatre::prepare(const Act& act, std::size_t budget_bytes) {
     if (!has_gpu()) return true;
+    const bool may_wait = budget_bytes == static_cast<std::size_t>(-1);
     for (const auto& scene : act.scenes) {
         if (uploaded_.contains(scene.get())) continue;
-        if (uploading_scene_ != scene.get() || !uploading_) {
-            uploading_ = renderer_->begin_upload(scene);
-            uploading_scene_ = scene.get();
-        }
-        if (!uploading_->advance(budget_bytes)) return false;
-        uploaded_[scene.get()] = {scene, uploading_->take()};
-        uploading_.reset();
-        if (budget_bytes != static_cast<std::size_t>(-1)) return false;  // one scene's end is enough for a frame
+        begin_uploads(act, may_wait);
+        const auto found = std::ranges::find(uploading_, scene, &Uploading::scene);
+        if (found == uploading_.end()) return false;  // others still hold the threads
+        if (!may_wait && !found->is_prepared()) return false;
+        if (found->prepared.valid()) found->prepared.get();
+        if (!found->upload->advance(budget_bytes)) return false;
+        uploaded_[scene.get()] = {scene, found->upload->take()};
+        uploading_.erase(found);
+        if (!may_wait) return false;  // one scene's end is enough for a frame
     }
     return true;
 }
@@ -63,8 +85,8 @@ render::Drawn Theatre::draw(const Show& show, float growing_progress, Instant no
     if (show.last_press()) flash = Flash{*show.last_press(), show.last_press_at()};
     const std::optional<Asked> asked = show.asked();
     render::Frame frame = stage_->frame({show.state(), show.timings(), cast, flash, growing_progress, now,
-                                               show.caption(), asked ? &*asked : nullptr, over.board, over.backdrop},
-                                              canvas);
+                                         show.caption(), asked ? &*asked : nullptr, over.board, over.backdrop},
+                                        canvas);
     if (alpha_) frame.detail.alpha = *alpha_;
     drawn_ = {frame.size, frame.hanging, frame.framebuffer, frame.seconds, {}, {}, frame.detail, {}};
     return renderer_->draw(frame);

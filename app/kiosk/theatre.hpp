@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <chrono>
+#include <future>
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "display/display.hpp"
 #include "kiosk/album.hpp"
@@ -59,8 +62,19 @@ class Theatre {
         std::shared_ptr<const render::GpuScene> gpu;
     };
     std::map<const scene::Scene*, Uploaded> uploaded_;
-    const scene::Scene* uploading_scene_ = nullptr;
-    std::unique_ptr<render::Upload> uploading_;
+    // What needs no GPU is worked out beside the frames; at most so many at once, for their memory.
+    static constexpr std::size_t kMostAhead = 2;
+    struct Uploading {
+        std::shared_ptr<const scene::Scene> scene;
+        std::unique_ptr<render::Upload> upload;
+        std::future<void> prepared;  // last: it waits for its thread
+
+        bool is_prepared() const {
+            return !prepared.valid() || prepared.wait_for(std::chrono::seconds{0}) == std::future_status::ready;
+        }
+    };
+    void begin_uploads(const Act& act, bool may_wait);
+    std::vector<Uploading> uploading_;
 };
 
 // What the exhibit shows of an act: the picture that an album keeps.

@@ -8,6 +8,7 @@
 #include "render/passes/ground.hpp"
 #include "render/passes/plants.hpp"
 #include "render/passes/sky.hpp"
+#include "render/passes/stone.hpp"
 #include "render/passes/water.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene.hpp"

@@ -109,7 +109,8 @@ Selection Renderer::Parts::select(const View& view, const Frame& frame) {
         if (!grid.blocks) return passes::IndexRange{};
         const passes::Blocks::Selected selected = grid.blocks->select(frustum, wish, frame_indices);
         s.triangles += selected.triangles;
-        return passes::IndexRange{first, frame_indices.size() - first, selected.near_indices};
+        return passes::IndexRange{first, frame_indices.size() - first, selected.near_indices,
+                                  passes::ease_of(wish, selected.error_px)};
     };
     if (frame.measured.ground) s.ground = chosen(scene.land.land, 3.0F, kGroundBudget);
     if (frame.measured.ground) s.surround = chosen(scene.land.surround, 2.6F, kSurroundBudget);

@@ -29,6 +29,9 @@ class GpuScene;  // a scene's buffers and textures; freed on the context's threa
 class Upload {
   public:
     virtual ~Upload() = default;
+    // Works out all that needs no GPU: on any one thread, while nothing else is asked of this upload. What is left of it
+    // is done by the first advance().
+    virtual void prepare() = 0;
     // Does about this much work; true when finished. The first slices hold what is seen first.
     virtual bool advance(std::size_t budget_bytes) = 0;
     virtual std::shared_ptr<const GpuScene> take() = 0;  // once, when finished

@@ -27,6 +27,7 @@ class SceneUpload final : public Upload {
         made_->air = light_and_air_of(*source);
     }
 
+    void prepare() override { slices_.prepare_all(); }
     bool advance(std::size_t budget_bytes) override { return is_done_ = slices_.advance(budget_bytes); }
     std::shared_ptr<const GpuScene> take() override {
         assert(is_done_ && made_);

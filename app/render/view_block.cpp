@@ -74,8 +74,7 @@ LightAndAir light_and_air_of(const scene::Scene& scene) {
     a.sky.disc.picture = {};
     for (scene::CloudLayer& layer : a.sky.clouds) layer.density = layer.lit = {};
     // Water scatters back what light falls on it from above.
-    const glm::vec3 on_water =
-        a.sky.ambient.on({0, 1, 0}) + a.sky.sunlight * std::max(a.sky.sun_direction.y, 0.0F);
+    const glm::vec3 on_water = a.sky.ambient.on({0, 1, 0}) + a.sky.sunlight * std::max(a.sky.sun_direction.y, 0.0F);
     a.shallow_water = land.shallow_colour * on_water;
     a.deep_water = land.deep_colour * on_water;
     a.foam = on_water;

@@ -12,12 +12,12 @@
 namespace quadrat::render::gl {
 
 // Adds the slices that fill texture, all levels, with image, which lives until the last of them is done. The texture is
-// made by the first slice; its address must stay.
-void add_picture(Slices& slices, Texture2D& texture, std::shared_ptr<const mesh::Image> image,
+// made by the first piece; its address must stay.
+void add_picture(Slices& slices, Texture2D& texture, const std::shared_ptr<const mesh::Image>& image,
                  const TextureShape& wanted);
 
-// The same for an image that is worked out by the slices themselves, row by row: paint(image, row). Returns it; it is
-// whole for the slices added after these.
+// The same for an image that is worked out while everything is prepared, row by row: paint(image, row). Returns it; it
+// is whole for what is prepared after it.
 using Painter = std::function<void(mesh::Image&, int row)>;
 std::shared_ptr<const mesh::Image> add_painting(Slices& slices, Texture2D& texture, const TextureShape& shape,
                                                 const Painter& paint);

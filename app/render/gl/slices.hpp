@@ -3,12 +3,23 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <utility>
+#include <vector>
 
 namespace quadrat::render::gl {
 
-// Work cut into pieces that each move about as many bytes to the GPU as they say.
+// The way to the GPU in two parts: what is worked out without one, on any thread, and then pieces that each move about
+// as many bytes as they say.
 class Slices {
   public:
+    // Needs no GPU; done in the order they are added, before every piece.
+    void prepare(std::function<void()> work) { to_prepare_.push_back(std::move(work)); }
+
+    // Once, on any one thread, before the first advance().
+    void prepare_all() {
+        for (const auto& work : std::exchange(to_prepare_, {})) work();
+    }
+
     void add(std::size_t bytes, std::function<void()> work) { waiting_.push_back({bytes, std::move(work)}); }
 
     // [0, count) in pieces of at most `piece` elements: work(first, how_many).
@@ -22,6 +33,7 @@ class Slices {
 
     // Does pieces until budget_bytes are spent, at least one; true when none are left.
     bool advance(std::size_t budget_bytes) {
+        prepare_all();
         std::size_t spent = 0;
         while (!waiting_.empty() && (spent == 0 || spent + waiting_.front().bytes <= budget_bytes)) {
             Slice next = std::move(waiting_.front());
@@ -37,6 +49,7 @@ class Slices {
         std::size_t bytes;
         std::function<void()> work;
     };
+    std::vector<std::function<void()>> to_prepare_;
     std::deque<Slice> waiting_;
 };
 

@@ -13,8 +13,8 @@ float mist_between(const ViewBlock& view, float height_m) {
     const float eye = std::max(view.eye_seconds.y - view.mist.y, 0.0F) * view.mist.z;
     const float end = std::max(height_m - view.mist.y, 0.0F) * view.mist.z;
     const float span = std::abs(end - eye);
-    const float above = span > 0.02F ? std::abs(std::exp2(-eye) - std::exp2(-end)) * 1.442695F / span
-                                     : std::exp2(-0.5F * (eye + end));
+    const float above =
+        span > 0.02F ? std::abs(std::exp2(-eye) - std::exp2(-end)) * 1.442695F / span : std::exp2(-0.5F * (eye + end));
     const float share = (span + 0.001F) / (std::abs(height_m - view.eye_seconds.y) * view.mist.z + 0.001F);
     return glm::mix(1.0F, above, std::min(share, 1.0F));
 }

@@ -10,9 +10,13 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace quadrat::render::passes {
 namespace {
+
+constexpr float kMostError_px = 64;
+constexpr float kLeastGrowth = 2;  // of a level's error over the finer one's: its vertices move after those of that one
 
 int largest_block(int cells, int wanted) {
     while (wanted > 1 && cells % wanted != 0) wanted /= 2;
@@ -21,39 +25,60 @@ int largest_block(int cells, int wanted) {
 
 }  // namespace
 
-Blocks::Blocks(Unmeasured, int columns, float cell_m, int block_cells, float hole_half_side_m)
-    : columns_(columns),
+Blocks::Blocks(const mesh::Field& height_m, float cell_m, int block_cells, float hole_half_side_m)
+    : columns_(height_m.columns),
       cell_m_(cell_m),
-      cells_(largest_block(columns - 1, block_cells)),
-      side_((columns - 1) / cells_),
+      cells_(largest_block(columns_ - 1, block_cells)),
+      side_((columns_ - 1) / cells_),
       coarsest_(std::bit_width(static_cast<unsigned>(cells_)) - 1),
       hole_half_side_m_(hole_half_side_m) {
-    assert(columns >= 2);
+    assert(height_m.columns >= 2 && height_m.rows == height_m.columns);
     blocks_.reserve(static_cast<std::size_t>(side_ * side_));
-    errors_m_.reserve(static_cast<std::size_t>(side_ * side_ * (coarsest_ + 1)));
-}
-
-Blocks::Blocks(const mesh::Field& height_m, float cell_m, int block_cells, float hole_half_side_m)
-    : Blocks(Unmeasured{}, height_m.columns, cell_m, block_cells, hole_half_side_m) {
+    errors_m_.reserve(entry(side_ * side_, 0));
     for (int row = 0; row < side_; ++row) measure_row(height_m, row);
 }
 
 void Blocks::measure_row(const mesh::Field& height_m, int row) {
-    assert(height_m.columns == columns_ && height_m.rows == columns_);
-    assert(blocks_.size() == static_cast<std::size_t>(row * side_));
     for (int column = 0; column < side_; ++column) {
         Block block = bounded(height_m, column * cells_, row * cells_);
         const float reach_m = std::max({-block.low_m.x, block.high_m.x, -block.low_m.z, block.high_m.z});
         block.is_drawn = reach_m >= hole_half_side_m_;
         blocks_.push_back(block);
-        // A coarser level is never taken for the better one.
         float error_m = 0;
         for (int level = 0; level <= coarsest_; ++level) {
-            if (level > 0) error_m = std::max(error_m, farthest_off_m(height_m, column * cells_, row * cells_, level));
+            if (level > 0)
+                error_m = std::max(error_m * kLeastGrowth, farthest_off_m(height_m, column * cells_, row * cells_, level));
             errors_m_.push_back(error_m);
         }
     }
     bound_squares(row);
+}
+
+Blocks::Leaving Blocks::leaving(const mesh::Field& height_m, int column, int row) const {
+    // The finest level that leaves it out is the one after the highest power of two in both its numbers.
+    const int level = std::countr_zero(static_cast<unsigned>(column | row | cells_));
+    const float own_m = height_m.at(column, row);
+    if (level >= coarsest_) return {0, own_m};
+    const int step = 1 << level;
+    const bool is_between_columns = (column & step) != 0;
+    const bool is_between_rows = (row & step) != 0;
+    // On an edge of the coarser level, or on the diagonal of one of its squares, from south-west to north-east.
+    const int c = is_between_columns ? step : 0;
+    const int r = is_between_rows ? step : 0;
+    const float coarser_m = 0.5F * (height_m.at(column - c, row + r) + height_m.at(column + c, row - r));
+    // On a border it lies as near to the truth as the better of two blocks, and has moved before either's level changes.
+    float error_m = std::numeric_limits<float>::max();
+    for (const int block_row : {(row - 1) / cells_, row / cells_})
+        for (const int block_column : {(column - 1) / cells_, column / cells_})
+            if (block_row < side_ && block_column < side_)
+                error_m = std::min(error_m, errors_m_[entry(block_row * side_ + block_column, level + 1)]);
+    return {error_m, coarser_m};
+}
+
+float Blocks::eased(float distance_m, float error_m, const Wish& wish) {
+    if (error_m <= 0) return 0;
+    const float share = distance_m * wish.error_px / (wish.pixels_per_radian * error_m);
+    return std::clamp((share - kEaseFrom) / (1 - kEaseFrom), 0.0F, 1.0F);
 }
 
 Blocks::Block Blocks::bounded(const mesh::Field& height_m, int column, int row) const {
@@ -123,8 +148,17 @@ float Blocks::affordable_error_px(const std::vector<Near>& seen, Wish wish) cons
         }
         return sum;
     };
-    // In steps, so that a camera that moves a little seldom changes it.
-    while (wish.error_px < 64 && triangles() > wish.triangle_budget) wish.error_px *= 1.25F;
+    if (triangles() <= wish.triangle_budget) return wish.error_px;
+    // So finely that a camera that moves a little changes it a little.
+    float too_fine = wish.error_px;
+    wish.error_px = kMostError_px;
+    if (triangles() > wish.triangle_budget) return kMostError_px;
+    float fits = kMostError_px;
+    for (int i = 0; i < 12; ++i) {
+        wish.error_px = std::sqrt(too_fine * fits);
+        (triangles() <= wish.triangle_budget ? fits : too_fine) = wish.error_px;
+    }
+    wish.error_px = fits;
     return wish.error_px;
 }
 
@@ -185,6 +219,7 @@ Blocks::Selected Blocks::select(const Frustum& frustum, const Wish& wish, std::v
     });
     const std::size_t before = indices.size();
     Selected selected;
+    selected.error_px = affordable.error_px;
     for (const auto& [distance_m, i] : seen) {
         const int row = i / side_;
         const int column = i % side_;

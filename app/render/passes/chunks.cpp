@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "render/gl/buffer_upload.hpp"
+
 namespace quadrat::render::passes {
 
 Chunks::Chunks(const mesh::Mesh& mesh, float side_m) : index_count_(mesh.indices.size()) {
@@ -54,6 +56,17 @@ std::size_t draw_ranges(std::span<const Chunks::Range> ranges) {
         indices += range.count;
     }
     return indices / 3;
+}
+
+void add_chunks(gl::Slices& slices, Chunks& chunks, gl::Buffer& indices,
+                const std::shared_ptr<const mesh::Mesh>& mesh) {
+    const auto ordered = std::make_shared<std::vector<std::uint32_t>>();
+    slices.prepare([&chunks, mesh, ordered] {
+        chunks = Chunks(*mesh, kChunk_m);
+        *ordered = chunks.take_indices();
+    });
+    gl::add_elements<std::uint32_t>(slices, indices, GL_ELEMENT_ARRAY_BUFFER, mesh->indices.size(),
+                                    [ordered] { return std::span<const std::uint32_t>(*ordered); });
 }
 
 }  // namespace quadrat::render::passes

@@ -2,11 +2,14 @@
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "render/gl/buffer.hpp"
+#include "render/gl/slices.hpp"
 #include "render/passes/frustum.hpp"
 
 namespace quadrat::render::passes {
@@ -45,5 +48,8 @@ class Chunks {
 std::size_t draw_ranges(std::span<const Chunks::Range> ranges);
 
 inline constexpr float kChunk_m = 48;
+
+// Adds the slices that fill chunks and indices, which must stay where they are until they are done.
+void add_chunks(gl::Slices& slices, Chunks& chunks, gl::Buffer& indices, const std::shared_ptr<const mesh::Mesh>& mesh);
 
 }  // namespace quadrat::render::passes

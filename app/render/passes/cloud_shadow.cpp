@@ -9,10 +9,10 @@ namespace quadrat::render::passes {
 
 float cloud_light_at(const ViewBlock& view, const mesh::Image& density, const glm::vec3& at_m) {
     if (density.bytes.empty()) return 1;
-    const float u = view.shadow_place.x - view.shadow_place.z * at_m.y + view.shadow_turn.x * at_m.x +
-                    view.shadow_turn.z * at_m.z;
-    const float v = view.shadow_place.y - view.shadow_place.w * at_m.y + view.shadow_turn.y * at_m.x +
-                    view.shadow_turn.w * at_m.z;
+    const float u =
+        view.shadow_place.x - view.shadow_place.z * at_m.y + view.shadow_turn.x * at_m.x + view.shadow_turn.z * at_m.z;
+    const float v =
+        view.shadow_place.y - view.shadow_place.w * at_m.y + view.shadow_turn.y * at_m.x + view.shadow_turn.w * at_m.z;
     // Between pixels, so that no tree blinks as the shadow's edge comes over it.
     const float column = (u - std::floor(u)) * static_cast<float>(density.width);
     const float row = (v - std::floor(v)) * static_cast<float>(density.height);

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "render/passes/frustum.hpp"
 #include "mesh/image.hpp"
+#include "render/passes/frustum.hpp"
 #include "render/passes/view_block.hpp"
 #include "scene/flora.hpp"
 
@@ -53,7 +53,7 @@ struct Closeness {
 Closeness closeness(const Kind& kind, float height_px, float fineness);
 
 struct Gathering {
-    ViewBlock view;  // its eye, sun, air and time
+    ViewBlock view;                       // its eye, sun, air and time
     const mesh::Image* clouds = nullptr;  // whose shadow falls on the plants (cloud_shadow.hpp); null: none
     float pixels_per_radian = 500;
     float growth = 1;

@@ -22,4 +22,10 @@ inline PackedNormal packed_normal(glm::vec3 unit) {
     return {signed_byte(unit.x), signed_byte(unit.y), signed_byte(unit.z), 0};
 }
 
+// Of what has no picture of its own.
+struct Facing {
+    PackedNormal normal;
+    std::uint8_t root_colour[4];
+};
+
 }  // namespace quadrat::render::passes

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <span>
 
+#include "render/gl/buffer_upload.hpp"
 #include "render/gl/picture_upload.hpp"
 #include "render/passes/packing.hpp"
 
@@ -37,8 +38,6 @@ struct LeafSurface {
     std::uint8_t across, along;
     std::uint16_t unused;
 };
-
-constexpr std::size_t kPieceBytes = 128U << 10U;
 
 float entry(const std::vector<float>& values, std::size_t i, float missing) {
     return i < values.size() ? values[i] : missing;
@@ -78,31 +77,14 @@ WoodSurface surface_of(const scene::Wood& wood, std::size_t i, float tiles_per_m
 void add_wood(gl::Slices& slices, WoodOnGpu& wood, const std::shared_ptr<const scene::Wood>& source,
               float tiles_per_m) {
     const std::size_t vertices = source->mesh.positions_m.size();
-    const std::size_t indices = source->mesh.indices.size();
-    wood.index_count = indices;
-    slices.add(0, [&wood, vertices, indices] {
-        wood.places = gl::Buffer{GL_ARRAY_BUFFER, vertices * sizeof(WoodPlace)};
-        wood.surfaces = gl::Buffer{GL_ARRAY_BUFFER, vertices * sizeof(WoodSurface)};
-        wood.indices = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, indices * sizeof(std::uint32_t)};
+    wood.index_count = source->mesh.indices.size();
+    gl::add_made<WoodPlace>(slices, wood.places, GL_ARRAY_BUFFER, vertices, [source](std::size_t i) {
+        return WoodPlace{source->mesh.positions_m[i], unsigned_byte(entry(source->ages, i, 0)),
+                         unsigned_byte(entry(source->sways, i, 0)), 0};
     });
-    slices.add_pieces(vertices, kPieceBytes / sizeof(WoodPlace), sizeof(WoodPlace) + sizeof(WoodSurface),
-                      [&wood, source, tiles_per_m](std::size_t first, std::size_t count) {
-                          std::vector<WoodPlace> places(count);
-                          std::vector<WoodSurface> surfaces(count);
-                          for (std::size_t i = 0; i < count; ++i) {
-                              places[i] = {source->mesh.positions_m[first + i],
-                                           unsigned_byte(entry(source->ages, first + i, 0)),
-                                           unsigned_byte(entry(source->sways, first + i, 0)), 0};
-                              surfaces[i] = surface_of(*source, first + i, tiles_per_m);
-                          }
-                          wood.places.write<WoodPlace>(first, places);
-                          wood.surfaces.write<WoodSurface>(first, surfaces);
-                      });
-    slices.add_pieces(indices, kPieceBytes / sizeof(std::uint32_t), sizeof(std::uint32_t),
-                      [&wood, source](std::size_t first, std::size_t count) {
-                          wood.indices.write<std::uint32_t>(first,
-                                                            std::span{source->mesh.indices}.subspan(first, count));
-                      });
+    gl::add_made<WoodSurface>(slices, wood.surfaces, GL_ARRAY_BUFFER, vertices,
+                              [source, tiles_per_m](std::size_t i) { return surface_of(*source, i, tiles_per_m); });
+    gl::add_elements<std::uint32_t>(slices, wood.indices, GL_ELEMENT_ARRAY_BUFFER, {source, &source->mesh.indices});
 }
 
 LeafSurface surface_of(const scene::Leaves::Vertex& v) {
@@ -125,44 +107,20 @@ std::uint16_t rank_of(const scene::Leaves& leaves, std::size_t vertex) {
     return static_cast<std::uint16_t>(std::clamp(rank, 0.0, 1.0) * 65535.0);
 }
 
-void write_leaves(SpeciesOnGpu& species, const scene::Leaves& leaves, std::size_t first, std::size_t count) {
-    std::vector<LeafPlace> places(count);
-    std::vector<LeafSurface> surfaces(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const scene::Leaves::Vertex& v = leaves.vertices[first + i];
-        places[i] = {v.site_m, v.corner_m, unsigned_byte(v.age), unsigned_byte(v.sway), rank_of(leaves, first + i)};
-        surfaces[i] = surface_of(v);
-    }
-    species.leaf_places.write<LeafPlace>(first, places);
-    species.leaf_surfaces.write<LeafSurface>(first, surfaces);
-}
-
 void add_leaves(gl::Slices& slices, SpeciesOnGpu& species, const std::shared_ptr<const scene::Leaves>& source) {
     const std::size_t vertices = source->vertices.size();
-    const std::size_t indices = source->indices.size();
-    const std::size_t plain = source->plain_indices.size();
     species.indices_per_blade = source->indices_per_blade();
     species.indices_per_plain_blade = source->indices_per_plain_blade();
     if (source->blades == 0) return;
-    slices.add(0, [&species, vertices, indices, plain] {
-        species.leaf_places = gl::Buffer{GL_ARRAY_BUFFER, vertices * sizeof(LeafPlace)};
-        species.leaf_surfaces = gl::Buffer{GL_ARRAY_BUFFER, vertices * sizeof(LeafSurface)};
-        species.leaf_indices = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, indices * sizeof(std::uint32_t)};
-        if (plain > 0) species.plain_leaf_indices = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, plain * sizeof(std::uint32_t)};
+    gl::add_elements<std::uint32_t>(slices, species.plain_leaf_indices, GL_ELEMENT_ARRAY_BUFFER,
+                                    {source, &source->plain_indices});
+    gl::add_made<LeafPlace>(slices, species.leaf_places, GL_ARRAY_BUFFER, vertices, [source](std::size_t i) {
+        const scene::Leaves::Vertex& v = source->vertices[i];
+        return LeafPlace{v.site_m, v.corner_m, unsigned_byte(v.age), unsigned_byte(v.sway), rank_of(*source, i)};
     });
-    slices.add_pieces(plain, kPieceBytes / sizeof(std::uint32_t), sizeof(std::uint32_t),
-                      [&species, source](std::size_t first, std::size_t count) {
-                          species.plain_leaf_indices.write<std::uint32_t>(
-                              first, std::span{source->plain_indices}.subspan(first, count));
-                      });
-    slices.add_pieces(
-        vertices, kPieceBytes / sizeof(LeafPlace), sizeof(LeafPlace) + sizeof(LeafSurface),
-        [&species, source](std::size_t first, std::size_t count) { write_leaves(species, *source, first, count); });
-    slices.add_pieces(indices, kPieceBytes / sizeof(std::uint32_t), sizeof(std::uint32_t),
-                      [&species, source](std::size_t first, std::size_t count) {
-                          species.leaf_indices.write<std::uint32_t>(first,
-                                                                    std::span{source->indices}.subspan(first, count));
-                      });
+    gl::add_made<LeafSurface>(slices, species.leaf_surfaces, GL_ARRAY_BUFFER, vertices,
+                              [source](std::size_t i) { return surface_of(source->vertices[i]); });
+    gl::add_elements<std::uint32_t>(slices, species.leaf_indices, GL_ELEMENT_ARRAY_BUFFER, {source, &source->indices});
 }
 
 float blade_length(const scene::Species& species) {

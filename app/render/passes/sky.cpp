@@ -6,13 +6,14 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <numbers>
 #include <vector>
 
+#include "render/gl/buffer_upload.hpp"
 #include "render/gl/picture_upload.hpp"
 #include "render/passes/cloud_shadow.hpp"
 #include "render/passes/encode.hpp"
@@ -147,15 +148,16 @@ gl::Buffer filled(GLenum kind, const std::vector<T>& from) {
 }  // namespace
 
 void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scene::Sky>& source) {
-    slices.add(std::size_t{64} << 10U, [&sky, source] {
-        sky.dome = filled(GL_ARRAY_BUFFER, dome_colours(source->dome));
-        sky.bow = source->bow;
-        static_assert(sizeof(scene::Star) == sizeof(glm::vec4));
-        sky.star_count = source->stars.size();
-        if (sky.star_count > 0) sky.stars = filled(GL_ARRAY_BUFFER, source->stars);
-    });
-    sky.shadow_map = source->clouds[0].density.bytes.empty() ? mesh::Image(1, 1, 1)
-                                                             : shadow_map_of(source->clouds[0].density);
+    sky.bow = source->bow;
+    const auto colours = std::make_shared<std::vector<DomeColour>>();
+    slices.prepare([colours, source] { *colours = dome_colours(source->dome); });
+    gl::add_elements<DomeColour>(slices, sky.dome, GL_ARRAY_BUFFER, dome_places().size(),
+                                 [colours] { return std::span<const DomeColour>(*colours); });
+    static_assert(sizeof(scene::Star) == sizeof(glm::vec4));
+    sky.star_count = source->stars.size();
+    gl::add_elements<scene::Star>(slices, sky.stars, GL_ARRAY_BUFFER, {source, &source->stars});
+    sky.shadow_map =
+        source->clouds[0].density.bytes.empty() ? mesh::Image(1, 1, 1) : shadow_map_of(source->clouds[0].density);
     gl::TextureShape shadow;
     shadow.wrap_s = shadow.wrap_t = gl::Wrap::Repeat;
     shadow.sampling = gl::Sampling::Flat;
@@ -167,8 +169,7 @@ void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scen
     gl::TextureShape disc;
     disc.sampling = gl::Sampling::Smooth;
     sky.has_disc = !source->disc.picture.bytes.empty();
-    if (sky.has_disc)
-        gl::add_picture(slices, sky.disc, {source, &source->disc.picture}, disc);
+    if (sky.has_disc) gl::add_picture(slices, sky.disc, {source, &source->disc.picture}, disc);
 }
 
 SkyPass::SkyPass()

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/seed.hpp"
+#include "render/gl/buffer_upload.hpp"
 #include "render/gl/picture_upload.hpp"
 #include "render/passes/packing.hpp"
 
@@ -123,29 +124,14 @@ float foam_of(glm::vec2 current_m_s) {
 }  // namespace
 
 void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shared_ptr<const scene::Scene>& scene) {
-    constexpr std::size_t kPiece = 1U << 15U;
     const mesh::Mesh& mesh = scene->land->fresh_water;
     if (mesh.indices.empty()) return;
-    const auto ordered = std::make_shared<std::vector<std::uint32_t>>();
-    slices.add(0, [&water, scene, ordered] {
-        const mesh::Mesh& from = scene->land->fresh_water;
-        water.corners = gl::Buffer{GL_ARRAY_BUFFER, from.positions_m.size() * sizeof(FreshCorner)};
-        water.indices = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, from.indices.size() * sizeof(std::uint32_t)};
-        water.chunks = Chunks(from, kChunk_m);
-        *ordered = water.chunks.take_indices();
-    });
-    slices.add_pieces(mesh.positions_m.size(), kPiece, sizeof(FreshCorner),
-                      [&water, scene](std::size_t first, std::size_t many) {
-                          const mesh::Mesh& from = scene->land->fresh_water;
-                          std::vector<FreshCorner> corners;
-                          for (std::size_t i = first; i < first + many; ++i)
-                              corners.push_back({from.positions_m[i], foam_of(from.texcoords[i]), from.texcoords[i]});
-                          water.corners.write<FreshCorner>(first, corners);
-                      });
-    slices.add_pieces(
-        mesh.indices.size(), kPiece, sizeof(std::uint32_t), [&water, ordered](std::size_t first, std::size_t many) {
-            water.indices.write<std::uint32_t>(first, std::span<const std::uint32_t>(*ordered).subspan(first, many));
-        });
+    gl::add_made<FreshCorner>(slices, water.corners, GL_ARRAY_BUFFER, mesh.positions_m.size(),
+                              [scene, &mesh](std::size_t i) {
+                                  const glm::vec2 current_m_s = mesh.texcoords[i];
+                                  return FreshCorner{mesh.positions_m[i], foam_of(current_m_s), current_m_s};
+                              });
+    add_chunks(slices, water.chunks, water.indices, {scene, &mesh});
 }
 
 WaterPass::WaterPass()

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+
+#include "mesh/field.hpp"
+#include "mesh/image.hpp"
+#include "render/gl/buffer.hpp"
+#include "render/gl/slices.hpp"
+#include "render/gl/vertex_array.hpp"
+#include "render/passes/blocks.hpp"
+
+namespace quadrat::render::passes {
+
+// A sample as shaders/common/grid.glsl reads it.
+struct GridPlace {
+    std::int16_t column;
+    std::int16_t row;
+    std::uint16_t height;   // share of the heights' range
+    std::uint16_t coarser;  // the same, on the next coarser level (Blocks::Leaving)
+    std::uint16_t error;    // in kErrorUnit_m
+    std::uint8_t kinds[2];  // how far its grain is soft ground's, how far stone's
+};
+
+inline constexpr float kErrorUnit_m = 1.0F / 128;
+
+// A heightfield's vertices; which of its triangles are drawn is chosen every frame.
+struct GridOnGpu {
+    gl::Buffer places;  // GridPlace a sample
+    std::optional<Blocks> blocks;
+    float cell_m = 1;
+    float middle_column = 0;
+    float lowest_m = 0;
+    float range_m = 1;  // of the heights
+};
+
+struct GridShape {
+    float cell_m = 1;
+    int block_cells = 16;
+    float hole_half_side_m = 0;  // see Blocks
+};
+
+// Adds the slices that fill grid, which must stay where it is until they are done. kinds: as scene::Land has them, or
+// an empty picture.
+void add_grid(gl::Slices& slices, GridOnGpu& grid, const std::shared_ptr<const mesh::Field>& height_m,
+              const std::shared_ptr<const mesh::Image>& kinds, const GridShape& shape);
+
+// A run of indices in the frame's index stream, and what they were chosen for.
+struct IndexRange {
+    std::size_t first = 0;
+    std::size_t count = 0;
+    std::size_t near_count = 0;  // of them come first, nearer than the grain is seen
+    float ease = 0;              // shaders/common/grid.glsl
+};
+
+// What the vertices of a selection are eased by.
+float ease_of(const Blocks::Wish& wish, float error_px);
+
+// The uniforms of shaders/common/grid.glsl in the program that is used.
+void set_grid(const GridOnGpu& grid, const IndexRange& range);
+
+inline const std::initializer_list<gl::Attribute> kPlaceAttributes{
+    {0, 2, GL_SHORT, gl::Numbers::AsTheyAre, offsetof(GridPlace, column)},
+    {1, 2, GL_UNSIGNED_SHORT, gl::Numbers::Normalised, offsetof(GridPlace, height)},
+    {3, 2, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(GridPlace, kinds)},
+    {5, 1, GL_UNSIGNED_SHORT, gl::Numbers::AsTheyAre, offsetof(GridPlace, error)}};
+
+// Of the vertex array that is bound.
+void draw_indices(const gl::VertexArray& vertices, const gl::StreamBuffer& indices, std::size_t first,
+                  std::size_t count);
+
+}  // namespace quadrat::render::passes

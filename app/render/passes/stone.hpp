@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <memory>
+
+#include "render/gl/buffer.hpp"
+#include "render/gl/program.hpp"
+#include "render/gl/slices.hpp"
+#include "render/gl/vertex_array.hpp"
+#include "render/passes/chunks.hpp"
+#include "scene/scene.hpp"
+
+namespace quadrat::render::passes {
+
+struct StoneOnGpu {
+    gl::Buffer corners;
+    gl::Buffer facings;
+    gl::Buffer indices;
+    Chunks chunks;
+};
+
+// Adds the slices that fill stone, which must stay where it is until they are done.
+void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<const scene::Scene>& scene);
+
+// Boulders, arches, caves.
+class StonePass {
+  public:
+    StonePass();
+    // Returns how many triangles.
+    std::size_t draw(const StoneOnGpu& stone, const Frustum& frustum) const;
+
+  private:
+    gl::Program program_;
+    gl::VertexArray vertices_;
+};
+
+}  // namespace quadrat::render::passes
