@@ -78,6 +78,15 @@ std::optional<EGLConfig> config_for(EGLDisplay display, std::optional<std::uint3
     return std::nullopt;
 }
 
+EGLContext create_context(EGLDisplay display, EGLConfig config, bool tells_of_resets) {
+    std::vector<EGLint> wanted{EGL_CONTEXT_MAJOR_VERSION_KHR, 3, EGL_CONTEXT_MINOR_VERSION_KHR, 1};
+    if (tells_of_resets)
+        wanted.insert(wanted.end(),
+                      {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT, EGL_LOSE_CONTEXT_ON_RESET_EXT});
+    wanted.push_back(EGL_NONE);
+    return eglCreateContext(display, config, EGL_NO_CONTEXT, wanted.data());
+}
+
 }  // namespace
 
 std::shared_ptr<EglScreen> EglScreen::adopt(EGLDisplay display) {
@@ -132,25 +141,36 @@ std::optional<EglContext> EglContext::open(std::shared_ptr<EglScreen> screen, st
         why = name + " has no RGB888 + depth 24 + stencil 8 for OpenGL ES 3";
         return std::nullopt;
     }
-    const std::array<EGLint, 5> version{EGL_CONTEXT_MAJOR_VERSION_KHR, 3, EGL_CONTEXT_MINOR_VERSION_KHR, 1, EGL_NONE};
-    const EGLContext context = eglCreateContext(display, *config, EGL_NO_CONTEXT, version.data());
+    // A GPU that hangs is reset by its kernel: a context that asked for it is told so and can be made anew; others go
+    // on drawing nothing, or end the process.
+    bool tells_of_resets = epoxy_has_egl_extension(display, "EGL_EXT_create_context_robustness");
+    EGLContext context = tells_of_resets ? create_context(display, *config, true) : EGL_NO_CONTEXT;
+    if (context == EGL_NO_CONTEXT) {
+        tells_of_resets = false;
+        context = create_context(display, *config, false);
+    }
     if (context == EGL_NO_CONTEXT) {
         why = fmt::format("{} has no OpenGL ES 3.1 ({})", name, egl_error_name());
         return std::nullopt;
     }
-    EglContext opened{std::move(screen), *config, context};
+    EglContext opened{std::move(screen), *config, context, tells_of_resets};
     if (opened.make_current()) return opened;
     why = fmt::format("{} cannot make its context current ({})", name, egl_error_name());
     return std::nullopt;
 }
 
-EglContext::EglContext(std::shared_ptr<EglScreen> screen, EGLConfig config, EGLContext context)
-    : screen_(std::move(screen)), config_(config), context_(context), number_(next_context_number()) {}
+EglContext::EglContext(std::shared_ptr<EglScreen> screen, EGLConfig config, EGLContext context, bool tells_of_resets)
+    : screen_(std::move(screen)),
+      config_(config),
+      context_(context),
+      tells_of_resets_(tells_of_resets),
+      number_(next_context_number()) {}
 
 EglContext::EglContext(EglContext&& other) noexcept
     : screen_(std::move(other.screen_)),
       config_(other.config_),
       context_(std::exchange(other.context_, EGL_NO_CONTEXT)),
+      tells_of_resets_(other.tells_of_resets_),
       number_(other.number_) {}
 
 EglContext::~EglContext() {
@@ -163,6 +183,12 @@ bool EglContext::make_current(EGLSurface surface) const {
     if (eglGetCurrentContext() == context_ && eglGetCurrentSurface(EGL_DRAW) == surface) return true;
     eglBindAPI(EGL_OPENGL_ES_API);
     return eglMakeCurrent(display(), surface, surface, context_) == EGL_TRUE;
+}
+
+bool EglContext::is_lost() const {
+    if (!tells_of_resets_) return false;
+    if (epoxy_gl_version() >= 32) return glGetGraphicsResetStatus() != GL_NO_ERROR;
+    return epoxy_has_gl_extension("GL_EXT_robustness") && glGetGraphicsResetStatusEXT() != GL_NO_ERROR;
 }
 
 std::uint32_t next_context_number() {

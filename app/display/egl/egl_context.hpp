@@ -44,15 +44,18 @@ class EglContext {
     ~EglContext();
 
     bool make_current(EGLSurface surface = EGL_NO_SURFACE) const;
+    // Whether the GPU was reset and everything in the context is gone, as far as the driver tells. Must be current.
+    bool is_lost() const;
     EGLDisplay display() const { return screen_->get(); }
     EGLConfig config() const { return config_; }
     std::uint32_t number() const { return number_; }  // never used twice in a process; from 1
 
   private:
-    EglContext(std::shared_ptr<EglScreen> screen, EGLConfig config, EGLContext context);
+    EglContext(std::shared_ptr<EglScreen> screen, EGLConfig config, EGLContext context, bool tells_of_resets);
     std::shared_ptr<EglScreen> screen_;
     EGLConfig config_;
     EGLContext context_;
+    bool tells_of_resets_;
     std::uint32_t number_;
 };
 

@@ -4,9 +4,11 @@
 #include <epoxy/gl.h>
 #include <fmt/core.h>
 
+#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/log.hpp"
 #include "display/egl/offscreen_target.hpp"
 #include "display/monotonic.hpp"
 #include "display/options.hpp"
@@ -18,27 +20,35 @@ constexpr Size kUsualSize{1280, 720};
 
 class HeadlessDisplay final : public Display {
   public:
-    HeadlessDisplay(const DisplayOptions& options, std::string why, EglContext context)
-        : Display(std::move(why)),
-          options_(options),
-          context_(std::move(context)),
-          target_(options.size == Size{} ? kUsualSize : options.size),
-          renderer_(renderer_name()) {}
-    ~HeadlessDisplay() override { context_.make_current(); }  // so that the target's names are deleted in it
+    HeadlessDisplay(const DisplayOptions& options, std::string why, std::shared_ptr<EglScreen> screen,
+                    EglContext context)
+        : Display(std::move(why)), options_(options), screen_(std::move(screen)) {
+        context_.emplace(std::move(context));
+        target_.emplace(options.size == Size{} ? kUsualSize : options.size);
+        renderer_ = renderer_name();
+    }
+    ~HeadlessDisplay() override {
+        if (context_) context_->make_current();  // so that the target's names are deleted in it
+    }
 
     std::string_view kind() const override { return "headless"; }
     std::string description() const override {
-        return fmt::format("{}, {}x{} without a screen", renderer_, target_.size().width, target_.size().height);
+        const Size size = canvas().size;
+        return fmt::format("{}, {}x{} without a screen", renderer_, size.width, size.height);
     }
     Canvas canvas() const override {
-        return {context_.number(), target_.framebuffer(), target_.size(),
-                options_.rotation, options_.mirroring,    power_ == Power::On};
+        if (!context_) return {};
+        return {context_->number(), target_->framebuffer(), target_->size(),
+                options_.rotation,  options_.mirroring,     power_ == Power::On};
     }
     Canvas begin_frame() override {
-        context_.make_current();
+        if (context_) context_->make_current();
+        if (context_ && context_->is_lost()) begin_anew();
         return canvas();
     }
     Presented present() override {
+        if (!context_)
+            return {Outcome::Fault, shown_frame_, shown_at_, {}, "the GPU was reset, and does not start again"};
         glFlush();
         ++frame_;
         const auto now = monotonic_now();
@@ -50,9 +60,22 @@ class HeadlessDisplay final : public Display {
     void set_power(Power power) override { power_ = power; }
 
   private:
+    void begin_anew() {
+        const Size size = target_->size();
+        base::log::warn("display: the GPU was reset; its context is made anew");
+        target_.reset();
+        context_.reset();
+        std::string why;
+        auto context = EglContext::open(screen_, std::nullopt, why);
+        if (!context) return;
+        context_.emplace(std::move(*context));
+        target_.emplace(size);
+    }
+
     DisplayOptions options_;
-    EglContext context_;
-    OffscreenTarget target_;
+    std::shared_ptr<EglScreen> screen_;
+    std::optional<EglContext> context_;  // nothing: lost, and it could not be made anew
+    std::optional<OffscreenTarget> target_;
     std::string renderer_;
     Power power_ = Power::On;
     std::uint64_t frame_ = 0;
@@ -70,7 +93,7 @@ std::unique_ptr<Display> open_headless(const DisplayOptions& options, std::strin
         for (const auto& screen : headless_screens(platform)) {
             std::string reason;
             if (auto context = EglContext::open(screen, std::nullopt, reason))
-                return std::make_unique<HeadlessDisplay>(options, std::move(why), std::move(*context));
+                return std::make_unique<HeadlessDisplay>(options, std::move(why), screen, std::move(*context));
             reasons += (reasons.empty() ? "" : "; ") + reason;
         }
     }

@@ -142,8 +142,8 @@ std::uint32_t GbmTarget::make_current() {
 
 std::optional<Scanout> GbmTarget::take_frame(int& error_number) {
     error_number = EIO;
-    if (!context_->make_current(egl_surface_) || !eglSwapBuffers(context_->display(), egl_surface_))
-        return std::nullopt;
+    if (!context_->make_current(egl_surface_) || context_->is_lost()) return std::nullopt;
+    if (!eglSwapBuffers(context_->display(), egl_surface_)) return std::nullopt;
     gbm_bo* buffer = gbm_surface_lock_front_buffer(surface_);
     if (!buffer) {
         error_number = ENOMEM;
