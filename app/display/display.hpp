@@ -32,6 +32,8 @@ struct DisplayOptions {
     Rotation rotation = Rotation::None;  // handed on in the Canvas; the projection turns the picture, never the plane
     Mirroring mirroring = Mirroring::None;
     std::string title = "Quadrat";
+    // headless: frames reach nobody at this rate, each when it is drawn, as a screen would take them. 0: at once.
+    double paced_hz = 0;
 };
 
 // "1280x720". Throws InputError naming `what` (an option, a key), the text and the range of what would be right.

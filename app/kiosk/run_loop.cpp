@@ -77,6 +77,7 @@ class Loop {
             show_what_has_grown(now);
             if (!is_dark()) draw(canvas, now);
             const bool had_room = has_room(now);
+            wait_for_its_period();
             const display::Presented presented = parts_.display.present();
             report(presented, now);
             govern(presented, now, had_room);
@@ -144,6 +145,7 @@ class Loop {
     void govern(const display::Presented& presented, Instant now, bool had_room) {
         if (parts_.governor == nullptr) return;
         period_ = period_of(presented);
+        shown_at_ = presented.period.count() > 0 ? presented.shown_at : Instant{0};
         const Instant at = presented.period.count() > 0 ? presented.shown_at : now;
         const Instant took = at - std::exchange(framed_at_, at);
         const bool is_shown = presented.outcome == display::Outcome::Shown && !is_dark();
@@ -257,9 +259,15 @@ class Loop {
         if (presented.period.count() == 0 || presented.outcome != display::Outcome::Shown)
             std::this_thread::sleep_until(std::chrono::steady_clock::now() +
                                           std::max(Instant{0}, now + kFrame * periods - parts_.clock.now()));
-        else if (periods > 1)  // begun after the next period has, a frame is out with the one after it
-            std::this_thread::sleep_until(std::chrono::steady_clock::time_point{
-                presented.shown_at + presented.period / 4 + presented.period * (periods - 1)});
+    }
+
+    // A frame that is meant to take two of the screen's periods, and is ready in the first, is handed over in the
+    // second.
+    void wait_for_its_period() {
+        const int periods = parts_.governor != nullptr ? parts_.governor->periods() : 1;
+        if (periods == 1 || shown_at_.count() == 0) return;
+        std::this_thread::sleep_until(
+            std::chrono::steady_clock::time_point{shown_at_ + period_ / 4 + period_ * (periods - 1)});
     }
 
     const RunLoopParts& parts_;
@@ -270,6 +278,7 @@ class Loop {
     bool is_announced_ = false;
     Instant period_ = kFrame;
     Instant framed_at_{0};
+    Instant shown_at_{0};  // the last frame, where the screen tells
     std::optional<Instant> remembered_at_;
     int photographed_ = 0;
     int generations_ = 0;

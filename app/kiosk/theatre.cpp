@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "kiosk/detail/governor.hpp"
 #include "kiosk/easel.hpp"
 #include "kiosk/low_priority.hpp"
 
@@ -87,7 +88,7 @@ render::Drawn Theatre::draw(const Show& show, float growing_progress, Instant no
     render::Frame frame = stage_->frame({show.state(), show.timings(), cast, flash, growing_progress, now,
                                          show.caption(), asked ? &*asked : nullptr, over.board, over.backdrop},
                                         canvas);
-    if (alpha_) frame.detail.alpha = *alpha_;
+    if (alpha_) frame.detail = {*alpha_, scale_for(*alpha_)};
     drawn_ = {frame.size, frame.hanging, frame.framebuffer, frame.seconds, {}, {}, frame.detail, {}};
     return renderer_->draw(frame);
 }

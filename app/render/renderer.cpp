@@ -5,11 +5,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "base/error.hpp"
 #include "render/gl/fence.hpp"
 #include "render/gl/picture_upload.hpp"
+#include "render/gl/reduced_target.hpp"
 #include "render/gpu_scene.hpp"
 #include "render/passes/crowd.hpp"
 #include "render/passes/falling.hpp"
@@ -51,6 +53,19 @@ void count_fragments() {
     glBlendFuncSeparate(GL_ZERO, GL_ONE, GL_CONSTANT_ALPHA, GL_ONE);
 }
 
+int scaled(int pixels, float scale) { return static_cast<int>(std::lround(static_cast<float>(pixels) * scale)); }
+
+glm::ivec2 scaled(glm::ivec2 size, float scale) {
+    const float within = std::clamp(scale, 0.25F, 1.0F);
+    return {scaled(size.x, within), scaled(size.y, within)};
+}
+
+// Neighbours stay neighbours.
+Rect scaled(const Rect& r, float scale) {
+    const glm::ivec2 low = {scaled(r.x, scale), scaled(r.y, scale)};
+    return {low.x, low.y, scaled(r.x + r.width, scale) - low.x, scaled(r.y + r.height, scale) - low.y};
+}
+
 // One view's share of the frame: what is drawn of its scene.
 struct Selection {
     explicit Selection(const glm::mat4& clip_from_world) : frustum(clip_from_world) {}
@@ -79,13 +94,16 @@ struct Renderer::Parts {
     gl::StreamBuffer indices{GL_ELEMENT_ARRAY_BUFFER};
     gl::StreamBuffer instances{GL_ARRAY_BUFFER};
     std::shared_ptr<FloraShelf> floras = std::make_shared<FloraShelf>();
+    gl::ReducedTarget reduced;
     gl::Fence last_drawn;
     std::vector<std::uint32_t> frame_indices;  // kept from frame to frame for its memory only
     std::vector<passes::Instance> frame_instances;
 
     Selection select(const View& view, const Frame& frame);
     void fill(const std::vector<Selection>& selections);
-    void draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot, Drawn& drawn);
+    Drawn draw_views(const Frame& frame, const std::vector<Selection>& selections, float scale);
+    void draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot,
+                   const Rect& place, Drawn& drawn);
     void draw_water(const GpuScene& scene, const passes::Frustum& frustum, Drawn& drawn) const;
     void draw_signs(const Frame& frame);
 };
@@ -139,11 +157,34 @@ void Renderer::Parts::fill(const std::vector<Selection>& selections) {
     instances.fill<passes::Instance>(frame_instances);
 }
 
+// On the framebuffer that is bound, from its lower left corner.
+Drawn Renderer::Parts::draw_views(const Frame& frame, const std::vector<Selection>& selections, float scale) {
+    // A tiler keeps the whole frame on its chip when colour, depth and stencil are cleared first, in one go.
+    glDisable(GL_SCISSOR_TEST);
+    glDepthMask(GL_TRUE);
+    const bool is_counted = frame.measured.is_counted;
+    glClearColor(0.05F, 0.055F, 0.06F, is_counted ? 0.0F : 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    glEnable(GL_SCISSOR_TEST);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    glFrontFace(frame.hanging.is_mirrored ? GL_CW : GL_CCW);
+    glDepthFunc(GL_LEQUAL);
+    if (is_counted) count_fragments();
+    Drawn drawn;
+    for (std::size_t i = 0; i < frame.views.size(); ++i) {
+        const Rect place = scaled(on_panel(frame.views[i].viewport, frame.size, frame.hanging), scale);
+        draw_view(frame.views[i], frame, selections[i], i, place, drawn);
+    }
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    return drawn;
+}
+
 void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot,
-                                Drawn& drawn) {
+                                const Rect& place, Drawn& drawn) {
     const GpuScene& scene = *view.scene;
     const passes::Frustum& frustum = selection.frustum;
-    const Rect place = on_panel(view.viewport, frame.size, frame.hanging);
     glViewport(place.x, place.y, place.width, place.height);
     glScissor(place.x, place.y, place.width, place.height);
     gl::bind_uniforms(blocks, passes::kViewBinding, slot * passes::kViewBlockBytes, passes::kViewBlockBytes);
@@ -214,24 +255,13 @@ Drawn Renderer::draw(const Frame& frame) {
     for (const View& view : frame.views) selections.push_back(parts.select(view, frame));
     parts.fill(selections);
 
-    // A tiler keeps the whole frame on its chip when colour, depth and stencil are cleared first, in one go.
-    glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
-    glDisable(GL_SCISSOR_TEST);
-    glDepthMask(GL_TRUE);
-    const bool is_counted = frame.measured.is_counted;
-    glClearColor(0.05F, 0.055F, 0.06F, is_counted ? 0.0F : 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    glEnable(GL_SCISSOR_TEST);
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_CULL_FACE);
-    glFrontFace(frame.hanging.is_mirrored ? GL_CW : GL_CCW);
-    glDepthFunc(GL_LEQUAL);
-    if (is_counted) count_fragments();
-    Drawn drawn;
-    for (std::size_t i = 0; i < frame.views.size(); ++i)
-        parts.draw_view(frame.views[i], frame, selections[i], i, drawn);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_BLEND);
+    const glm::ivec2 size = turned_size(frame.size, frame.hanging);
+    const glm::ivec2 drawn_size = scaled(size, frame.detail.scale);
+    const GLuint smaller = drawn_size == size ? 0 : parts.reduced.of(size);
+    glBindFramebuffer(GL_FRAMEBUFFER, smaller != 0 ? smaller : frame.framebuffer);
+    const Drawn drawn =
+        parts.draw_views(frame, selections, smaller != 0 ? std::clamp(frame.detail.scale, 0.25F, 1.0F) : 1);
+    if (smaller != 0) parts.reduced.show(drawn_size, frame.framebuffer, size);
     parts.draw_signs(frame);
     const bool is_window = frame.framebuffer == 0;
     const GLenum unneeded[2] = {static_cast<GLenum>(is_window ? GL_DEPTH : GL_DEPTH_ATTACHMENT),

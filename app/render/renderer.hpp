@@ -21,6 +21,7 @@ namespace quadrat::render {
 // parametric scenes" 2003, section 6.2): 1 is the standard, 0.25 coarse, 4 as fine as there is.
 struct Detail {
     float alpha = 1;
+    float scale = 1;  // of each side of the views, 0.25 to 1, drawn smaller and spread; signs stay sharp
 };
 
 class GpuScene;  // a scene's buffers and textures; freed on the context's thread

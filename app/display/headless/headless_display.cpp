@@ -4,7 +4,9 @@
 #include <epoxy/gl.h>
 #include <fmt/core.h>
 
+#include <chrono>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "base/error.hpp"
@@ -49,17 +51,30 @@ class HeadlessDisplay final : public Display {
     Presented present() override {
         if (!context_)
             return {Outcome::Fault, shown_frame_, shown_at_, {}, "the GPU was reset, and does not start again"};
-        glFlush();
+        if (options_.paced_hz > 0)
+            wait_as_a_screen_would();
+        else
+            glFlush();
         ++frame_;
-        const auto now = monotonic_now();
+        const auto now = options_.paced_hz > 0 ? refreshed_at_ : monotonic_now();
         if (power_ == Power::Off) return {Outcome::Off, shown_frame_, shown_at_, {}, "switched off"};
         shown_frame_ = frame_;
         shown_at_ = now;
-        return {Outcome::Shown, shown_frame_, shown_at_, {}, {}};
+        return {Outcome::Shown, shown_frame_, shown_at_, options_.paced_hz > 0 ? period() : Instant{0}, {}};
     }
     void set_power(Power power) override { power_ = power; }
 
   private:
+    using Instant = std::chrono::nanoseconds;
+
+    Instant period() const { return Instant{static_cast<Instant::rep>(1e9 / options_.paced_hz)}; }
+    // Until the first refresh after the frame was drawn.
+    void wait_as_a_screen_would() {
+        glFinish();
+        const Instant now = monotonic_now();
+        refreshed_at_ += ((now - refreshed_at_) / period() + 1) * period();
+        std::this_thread::sleep_until(std::chrono::steady_clock::time_point{refreshed_at_});
+    }
     void begin_anew() {
         const Size size = target_->size();
         base::log::warn("display: the GPU was reset; its context is made anew");
@@ -80,7 +95,8 @@ class HeadlessDisplay final : public Display {
     Power power_ = Power::On;
     std::uint64_t frame_ = 0;
     std::uint64_t shown_frame_ = 0;
-    std::chrono::nanoseconds shown_at_{0};
+    Instant shown_at_{0};
+    Instant refreshed_at_{0};
 };
 
 }  // namespace

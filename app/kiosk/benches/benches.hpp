@@ -18,6 +18,10 @@ struct Options {
     std::string size = "1280x720";
     int frames = 120;
     float alpha = 1;
+    double minutes = 2;    // of visits
+    double hz = 30;        // of the screen they are played on
+    bool is_busy = false;  // another process takes a core for the middle third of them
+    std::string plot;      // FILE.svg of them; may be empty
 };
 
 // One function a group of `quadrat bench`; each appends its figures. A file a group.
@@ -28,6 +32,7 @@ void land(Results& results);
 void sky(Results& results);
 void breeding(Results& results);
 void detail(Results& results);
+void visit(Results& results, const Options& options);
 
 // Shared by the groups.
 double milliseconds_of(const std::function<void()>& work);

@@ -29,10 +29,12 @@ int bench(const Options& options) {
                                     {"land", benches::land},
                                     {"sky", benches::sky},
                                     {"breeding", benches::breeding},
-                                    {"detail", benches::detail}};
+                                    {"detail", benches::detail},
+                                    {"visit", [&](auto& results) { benches::visit(results, options.how); }}};
     benches::Results results;
     for (const Group& group : groups) {
-        if (options.group != "all" && options.group != group.name) continue;
+        const bool is_asked = options.group == group.name || (options.group == "all" && group.name != "visit");
+        if (!is_asked) continue;
         std::cerr << "measuring " << group.name << " …\n";
         group.measure(results);
     }
@@ -48,8 +50,10 @@ int bench(const Options& options) {
 void add_bench(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("bench", "Measure this machine: growing, frames, memory");
-    command->add_option("group", options->group, "all, frame, generation, trees, land, sky, breeding or detail")
-        ->check(CLI::IsMember({"all", "frame", "generation", "trees", "land", "sky", "breeding", "detail"}))
+    command
+        ->add_option("group", options->group,
+                     "all, frame, generation, trees, land, sky, breeding, detail; or visit, which is not among all")
+        ->check(CLI::IsMember({"all", "frame", "generation", "trees", "land", "sky", "breeding", "detail", "visit"}))
         ->capture_default_str();
     command->add_flag("--json", options->is_json, "One JSON object instead of a table");
     command->add_option("--size", options->how.size, "Pixels of the frames")->capture_default_str();
@@ -59,6 +63,14 @@ void add_bench(CLI::App& app, Action& chosen) {
     command->add_option("--alpha", options->how.alpha, "Detail: 1 is standard")
         ->check(CLI::Range(0.01F, 100.0F))
         ->capture_default_str();
+    command->add_option("--minutes", options->how.minutes, "visit: how long is played")
+        ->check(CLI::Range(0.1, 600.0))
+        ->capture_default_str();
+    command->add_option("--hz", options->how.hz, "visit: of the screen")
+        ->check(CLI::Range(1.0, 240.0))
+        ->capture_default_str();
+    command->add_flag("--busy", options->how.is_busy, "visit: something else takes a core for the middle third");
+    command->add_option("--plot", options->how.plot, "visit: FILE.svg of the frames and what the governor did");
     command->callback([options, &chosen] { chosen = [options] { return bench(*options); }; });
 }
 

@@ -25,6 +25,15 @@ float seconds(std::chrono::nanoseconds t) { return std::chrono::duration<float>(
 
 }  // namespace
 
+float scale_for(float alpha) {
+    constexpr float kWholeFrom = 0.3F;
+    constexpr float kSmallest = 0.5F;
+    if (alpha >= kWholeFrom) return 1;
+    // At the least alpha it is the smallest.
+    const float share = std::log(alpha / kWholeFrom) / std::log(GovernorOptions::kLeast / kWholeFrom);
+    return std::max(std::pow(kSmallest, share), kSmallest);
+}
+
 DetailGovernor::DetailGovernor(const GovernorOptions& options)
     : most_(options.most),
       target_(std::clamp(options.start, std::min(GovernorOptions::kLeast, options.most), options.most)),

@@ -16,6 +16,10 @@ struct GovernorOptions {
     static constexpr float kLeast = 0.04F;
 };
 
+// How large views are drawn at this alpha, a side: as they are shown, until less geometry is not enough; then what is
+// shaded shrinks too.
+float scale_for(float alpha);
+
 class DetailGovernor {
   public:
     using Instant = std::chrono::nanoseconds;

@@ -139,6 +139,37 @@ TEST_F(Pictures, FourViewsEachStayInTheirQuarter) {
     expect_golden("four_views", drawn(f));
 }
 
+// How far pictures lie from each other, in levels of a channel, and whether that part is the same.
+double mean_difference(const mesh::Image& a, const mesh::Image& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.bytes.size(); ++i) sum += std::abs(int{a.bytes[i]} - int{b.bytes[i]});
+    return sum / static_cast<double>(a.bytes.size());
+}
+
+TEST_F(Pictures, ViewsThatAreDrawnSmallerLookAlikeAndSignsStaySharp) {
+    render::Frame f = frame();
+    f.views = {view_of(Hour::Noon, Ground::Meadow, {0, 0, 318, 360}),
+               view_of(Hour::Sunset, Ground::Desert, {322, 0, 318, 360})};
+    render::Sign bar;
+    bar.place = {0, 300, 640, 60};
+    bar.colour = {0.05F, 0.06F, 0.08F, 1};
+    const auto text = render::letter("A B C D", {.size_px = 26, .is_bold = true});
+    f.signs = {bar, picture_sign(text, 40, 315)};
+    const mesh::Image whole = drawn(f);
+    const std::size_t sign_bytes = static_cast<std::size_t>(640) * 60 * 4;  // the picture's upper rows
+    for (const float scale : {0.8F, 0.5F}) {
+        f.detail.scale = scale;
+        const mesh::Image smaller = drawn(f);
+        EXPECT_LT(mean_difference(whole, smaller), 4) << scale;
+        EXPECT_GT(mean_difference(whole, smaller), 0.1) << scale;
+        EXPECT_TRUE(std::equal(whole.bytes.begin(), whole.bytes.begin() + static_cast<std::ptrdiff_t>(sign_bytes),
+                               smaller.bytes.begin()))
+            << scale;
+    }
+    f.detail.scale = 1;
+    EXPECT_EQ(drawn(f).bytes, whole.bytes) << "nothing of it is left behind";
+}
+
 TEST_F(Pictures, AnArrivingGenerationStandsAsSaplings) {
     render::Frame f = frame();
     f.views = {view_of(Hour::Noon, Ground::Meadow, {0, 0, 640, 360})};

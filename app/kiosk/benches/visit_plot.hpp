@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+#include <vector>
+
+#include "kiosk/clock.hpp"
+
+namespace quadrat::kiosk::benches {
+
+struct FrameSeen {
+    Instant at{0};
+    Instant took{0};      // since the frame before it reached the screen
+    Instant deadline{0};  // what it was meant to take
+    float alpha = 1;
+    bool is_growing = false;
+    int act = 0;             // on stage
+    Instant since_press{0};  // of the first frame that shows a new generation; else 0
+};
+
+// SVG: how long each frame took, when landscapes grew and came, and what the governor made of it.
+std::string plot_of(const std::vector<FrameSeen>& frames);
+
+}  // namespace quadrat::kiosk::benches

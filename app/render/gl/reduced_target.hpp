@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <glm/vec2.hpp>
+
+#include "render/gl/handles.hpp"
+
+namespace quadrat::render::gl {
+
+// Where views are drawn smaller than they are shown: for GPUs that cannot shade every pixel in time. Made when it is
+// first needed; colour and depth, no stencil.
+class ReducedTarget {
+  public:
+    // The framebuffer to draw to, at least this large; 0 where this GPU makes none.
+    GLuint of(glm::ivec2 size);
+    // Its lower left corner, spread over all of that framebuffer, smoothly.
+    void show(glm::ivec2 drawn, GLuint framebuffer, glm::ivec2 size) const;
+
+  private:
+    // Goes with its context: a display's own framebuffers may have the same name in the context after it.
+    GLuint framebuffer_ = 0;
+    TextureName colour_;
+    TextureName depth_;
+    glm::ivec2 size_{0};
+    bool is_whole_ = false;
+};
+
+}  // namespace quadrat::render::gl
