@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "kiosk/commands/calibrate.hpp"
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/commands/learn_buttons.hpp"
 #include "kiosk/diagnosis.hpp"
@@ -15,6 +16,7 @@ struct Options {
     std::string configuration;
     std::string state;
     bool learns_buttons = false;
+    bool calibrates = false;
     std::string device;
     std::string map;
 };
@@ -27,6 +29,11 @@ int examine(const Options& options) {
         const auto map =
             options.map.empty() ? state_folder(options.state) / "buttons.map" : std::filesystem::path(options.map);
         return learn_buttons(options.device, map.string());
+    }
+    if (options.calibrates) {
+        const Configuration configuration =
+            options.configuration.empty() ? Configuration{} : read_configuration(options.configuration);
+        return calibrate(configuration, state_folder(options.state));
     }
     Examined examined = examine_configuration(options.configuration);
     std::vector<Finding> all = std::move(examined.findings);
@@ -54,6 +61,9 @@ void add_doctor(CLI::App& app, Action& chosen) {
     command->add_option("--state", options->state, "Folder of what is kept between runs");
     command->add_flag("--learn-buttons", options->learns_buttons,
                       "Instead: learn what the buttons of a HID device are, by asking for them one after the other");
+    command->add_flag("--calibrate", options->calibrates,
+                      "Instead, with the exhibit stopped: measure in some ten seconds what this GPU draws, and keep\n"
+                      "where the exhibit is to start");
     command->add_option("--device", options->device,
                         "Which one learns, as after hid: (0079:0006, port=usb-…); any, without it");
     command->add_option("--map", options->map, "Where what was learned is kept (the state folder's buttons.map)");

@@ -20,6 +20,7 @@
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/detail/memory.hpp"
 #include "kiosk/run_loop.hpp"
+#include "kiosk/screen.hpp"
 #include "kiosk/service.hpp"
 #include "kiosk/staff/machine.hpp"
 #include "kiosk/state_folder.hpp"
@@ -69,17 +70,6 @@ Configuration configuration_for(const Options& options) {
     if (!options.inputs.empty()) configuration.inputs = options.inputs;
     if (options.rounds) configuration.visit.rounds = *options.rounds;
     return configuration;
-}
-
-display::DisplayOptions display_options(const Configuration& configuration) {
-    display::DisplayOptions options;
-    options.kind = display::kind_from(configuration.screen.display, "display");
-    if (!configuration.screen.size.empty()) options.size = display::size_from(configuration.screen.size, "size");
-    options.connector = configuration.screen.connector;
-    options.mode = configuration.screen.mode;
-    options.rotation = static_cast<display::Rotation>(configuration.screen.rotation_deg / 90);
-    options.mirroring = configuration.screen.is_mirrored ? display::Mirroring::Mirrored : display::Mirroring::None;
-    return options;
 }
 
 struct Buttons {
@@ -222,8 +212,8 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
     }
     std::optional<DetailGovernor> governor;
     if (!clock->is_simulated())
-        governor.emplace(options_for(static_cast<float>(configuration.picture.alpha), remembered_detail,
-                                     screen->description()));
+        governor.emplace(
+            options_for(static_cast<float>(configuration.picture.alpha), remembered_detail, screen->description()));
     RunLoopParts parts{configuration, *clock, *screen, panel, *buttons.source, show};
     parts.caretaker = caretaker ? &*caretaker : nullptr;
     parts.keepsakes = keepsakes ? &*keepsakes : nullptr;

@@ -69,8 +69,8 @@ std::array<Wave, kWaves> waves() {
     std::array<Wave, kWaves> all{};
     for (std::uint64_t i = 0; i < kWaves; ++i) {
         base::RandomStream stream{base::Seed{0x52'69'70'70'6c'65}.child(i)};
-        // Of one to seven metres: a few longer ones would show as the tile's own lattice.
-        const float length = 13.0F + 62.0F * stream.unit_f();
+        // Of half a metre to seven: a few longer ones would show as the tile's own lattice.
+        const float length = 13.0F + 140.0F * stream.unit_f();
         const float bearing = 0.5F + 0.75F * stream.normal();
         all[i].turns = {1 + std::round(length * std::cos(bearing)), std::round(length * std::sin(bearing))};
         all[i].phase = 6.2832F * stream.unit_f();
