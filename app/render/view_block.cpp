@@ -84,6 +84,7 @@ LightAndAir light_and_air_of(const scene::Scene& scene) {
         const glm::vec3 toward{0.82F * std::sin(turn), 0.572F, -0.82F * std::cos(turn)};
         a.high_sky += scene::mean_radiance(*scene.sky, toward) / static_cast<float>(kBearings);
     }
+    a.exposure = scene.exposure;
     a.side_m = land.side_m();
     a.grain_tile_m = land.detail_tile_m;
     return a;
@@ -92,7 +93,7 @@ LightAndAir light_and_air_of(const scene::Scene& scene) {
 passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, float seconds) {
     const LightAndAir& air = view.scene->air;
     const scene::Sky& sky = air.sky;
-    const float left = kept(view.dim);
+    const float left = kept(view.dim) * air.exposure;
     passes::ViewBlock b;
     b.clip_from_world = clip_from_world;
     b.eye_seconds = {view.camera.eye_m, seconds};

@@ -32,6 +32,7 @@ struct Scene {
     std::shared_ptr<const Sky> sky;
     std::vector<Plant> plants;  // sorted by species
     BakedLight light;
+    float exposure = 1;  // of all its light, when it is shown
     Track track;
 };
 

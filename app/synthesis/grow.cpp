@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/grow.hpp"
 
+#include "synthesis/compose/exposure.hpp"
 #include "synthesis/compose/light.hpp"
 #include "synthesis/compose/planting.hpp"
 #include "synthesis/compose/track.hpp"
@@ -30,6 +31,7 @@ scene::Scene compose(std::shared_ptr<const scene::Flora> flora, std::shared_ptr<
     const LandShadow shadow(*land, sky->sun_direction, sky->shadow_softness);
     light_plants(scene.plants, *flora, *sky, shadow);
     scene.light = bake_light(*land, *sky, *flora, scene.plants, shadow, fineness.light_px);
+    scene.exposure = stopped_down(*land, *sky, scene.light, scene.track);
     scene.flora = std::move(flora);
     scene.land = std::move(land);
     scene.sky = std::move(sky);

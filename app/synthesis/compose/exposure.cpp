@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/compose/exposure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "synthesis/compose/view_rays.hpp"
+
+namespace quadrat::synthesis {
+namespace {
+
+constexpr float kBrightest = 0.69F;     // that a picture may be, shown, on the mean
+constexpr float kLeast = 0.72F;         // of what would be shown
+constexpr float kShownByLight = 0.45F;  // shown brightness follows light to about this power
+
+float luminance(const glm::vec3& light) { return glm::dot(light, glm::vec3{0.2126F, 0.7152F, 0.0722F}); }
+
+// Nearly as the renderer's tone curve does.
+float shown(float light) { return 0.95F * std::min(std::sqrt(std::max(light, 0.0F)), 1.05F); }
+
+struct Seen {
+    const scene::Land& land;
+    const scene::Sky& sky;
+    const scene::BakedLight& light;
+
+    float ground(const glm::vec3& at) const {
+        const float u = at.x / land.side_m() + 0.5F;
+        const float v = at.z / land.side_m() + 0.5F;
+        if (std::min(u, v) < 0 || std::max(u, v) >= 1) return shown(luminance(land.far_colour));
+        const auto pixel = [&](const mesh::Image& image) {
+            return image.pixel(static_cast<int>(u * static_cast<float>(image.width)),
+                               static_cast<int>(v * static_cast<float>(image.height)));
+        };
+        const std::uint8_t* colour = pixel(land.albedo);
+        const std::uint8_t* lit = pixel(light.ground);
+        glm::vec3 sent;
+        for (int c = 0; c < 3; ++c)
+            sent[c] = std::pow(static_cast<float>(colour[c]) / 255, 2.2F) * 2 * static_cast<float>(lit[c]) / 255;
+        return shown(luminance(glm::min(sent, 1.1F)));
+    }
+    float along(const glm::vec3& eye, const glm::vec3& ray) const {
+        const Hit hit = first_hit(land, eye, ray);
+        if (hit.distance_m >= kFarthest_m) return shown(std::min(luminance(scene::mean_radiance(sky, ray)), 0.9F));
+        const float air = 1 - std::exp(-hit.distance_m / std::max(sky.haze_distance_m, 1.0F));
+        const float water = shown(0.5F * luminance(scene::mean_radiance(sky, {ray.x, std::abs(ray.y) + 0.2F, ray.z})));
+        const float surface = hit.is_water ? water : ground(eye + ray * hit.distance_m);
+        return glm::mix(surface, shown(luminance(sky.haze_colour)), air);
+    }
+};
+
+}  // namespace
+
+float stopped_down(const scene::Land& land, const scene::Sky& sky, const scene::BakedLight& light,
+                   const scene::Track& track) {
+    if (land.albedo.bytes.empty() || light.ground.bytes.empty()) return 1;
+    const Seen seen{land, sky, light};
+    float sum = 0;
+    float count = 0;
+    for (const float share : {0.0F, 0.33F, 0.67F}) {
+        const scene::Camera camera = scene::camera_at(track, share * track.period_s);
+        for (const glm::vec3& ray : view_rays(camera)) {
+            sum += seen.along(camera.eye_m, ray);
+            ++count;
+        }
+    }
+    const float bright = sum / count;
+    if (bright <= kBrightest) return 1;
+    return std::pow(std::max(kBrightest / bright, kLeast), 1 / kShownByLight);
+}
+
+}  // namespace quadrat::synthesis

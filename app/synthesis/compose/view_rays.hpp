@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <vector>
+
+#include "scene/camera.hpp"
+#include "scene/land.hpp"
+
+namespace quadrat::synthesis {
+
+// Rays spread evenly over a picture of 16 by 9: unit directions.
+std::vector<glm::vec3> view_rays(const scene::Camera& camera);
+
+inline constexpr float kFarthest_m = 5000;
+struct Hit {
+    float distance_m;  // kFarthest_m: the sky
+    bool is_water;
+};
+
+// What a ray from the eye meets first, land or water.
+Hit first_hit(const scene::Land& land, const glm::vec3& eye, const glm::vec3& ray);
+
+}  // namespace quadrat::synthesis

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/compose/exposure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/grow.hpp"
+
+namespace quadrat::synthesis {
+namespace {
+
+// A level land of one colour in so much light, under a usual sky, seen from a little above.
+struct Plain {
+    scene::Land land;
+    scene::Sky sky = grow_sky({}, base::Seed{1});
+    scene::BakedLight light;
+    scene::Track track;
+
+    Plain(std::uint8_t colour, std::uint8_t halved_light) {
+        land.height_m = mesh::Field(65, 65);
+        for (float& height : land.height_m.samples) height = 5;
+        land.cell_m = 16;
+        land.albedo = mesh::Image(64, 64, 4);
+        std::ranges::fill(land.albedo.bytes, colour);
+        light.ground = mesh::Image(32, 32, 4);
+        std::ranges::fill(light.ground.bytes, halved_light);
+        track.cameras = {{{0, 9, 0}, {0, 4, -10}, 42}};
+    }
+    float exposure() const { return stopped_down(land, sky, light, track); }
+};
+
+TEST(Exposure, LeavesWhatIsNotTooBrightAlone) {
+    EXPECT_EQ(Plain(90, 128).exposure(), 1);
+    EXPECT_EQ(Plain(140, 100).exposure(), 1);
+}
+
+TEST(Exposure, StopsDownForSnowInTheSunButNotIntoTheDark) {
+    const float snow = Plain(245, 140).exposure();
+    EXPECT_LT(snow, 0.95F);
+    EXPECT_GE(snow, 0.45F);
+    // What is shown follows light to about this power: nearly white becomes a light grey, no darker.
+    EXPECT_GT(std::pow(snow, 0.45F), 0.7F);
+}
+
+TEST(Exposure, NeverRisesWithTheLight) {
+    float before = 1;
+    for (const int light : {60, 100, 140, 180, 220, 255}) {
+        const float now = Plain(245, static_cast<std::uint8_t>(light)).exposure();
+        EXPECT_LE(now, before + 1e-6F) << light;
+        before = now;
+    }
+}
+
+}  // namespace
+}  // namespace quadrat::synthesis
