@@ -11,7 +11,7 @@
 namespace quadrat::synthesis {
 namespace {
 
-constexpr float kBrightest = 0.69F;     // that a picture may be, shown, on the mean
+constexpr float kBrightest = 0.67F;     // that a picture may be, shown, on the mean
 constexpr float kLeast = 0.72F;         // of what would be shown
 constexpr float kShownByLight = 0.45F;  // shown brightness follows light to about this power
 
@@ -20,24 +20,37 @@ float luminance(const glm::vec3& light) { return glm::dot(light, glm::vec3{0.212
 // Nearly as the renderer's tone curve does.
 float shown(float light) { return 0.95F * std::min(std::sqrt(std::max(light, 0.0F)), 1.05F); }
 
+glm::vec3 linear(const std::uint8_t* encoded) {
+    return glm::pow(glm::vec3{encoded[0], encoded[1], encoded[2]} / 255.0F, glm::vec3{2.2F});
+}
+
 struct Seen {
     const scene::Land& land;
     const scene::Sky& sky;
     const scene::BakedLight& light;
 
+    // Around the land, taken to be level.
+    float country(const glm::vec3& at) const {
+        const glm::vec3 on_level = sky.ambient.on({0, 1, 0}) + sky.sunlight * std::max(sky.sun_direction.y, 0.0F);
+        const mesh::Image& colours = land.surround_albedo;
+        if (colours.bytes.empty()) return shown(luminance(glm::min(land.far_colour * on_level, 1.1F)));
+        const auto sample = [&](float along_m, int samples) {
+            const float place = along_m / land.surround_cell_m + 0.5F * static_cast<float>(samples - 1);
+            return std::clamp(static_cast<int>(place + 0.5F), 0, samples - 1);
+        };
+        const std::uint8_t* colour = colours.pixel(sample(at.x, colours.width), sample(at.z, colours.height));
+        return shown(luminance(glm::min(linear(colour) * on_level, 1.1F)));
+    }
     float ground(const glm::vec3& at) const {
         const float u = at.x / land.side_m() + 0.5F;
         const float v = at.z / land.side_m() + 0.5F;
-        if (std::min(u, v) < 0 || std::max(u, v) >= 1) return shown(luminance(land.far_colour));
+        if (std::min(u, v) < 0 || std::max(u, v) >= 1) return country(at);
         const auto pixel = [&](const mesh::Image& image) {
             return image.pixel(static_cast<int>(u * static_cast<float>(image.width)),
                                static_cast<int>(v * static_cast<float>(image.height)));
         };
-        const std::uint8_t* colour = pixel(land.albedo);
         const std::uint8_t* lit = pixel(light.ground);
-        glm::vec3 sent;
-        for (int c = 0; c < 3; ++c)
-            sent[c] = std::pow(static_cast<float>(colour[c]) / 255, 2.2F) * 2 * static_cast<float>(lit[c]) / 255;
+        const glm::vec3 sent = linear(pixel(land.albedo)) * (glm::vec3{lit[0], lit[1], lit[2]} * (2.0F / 255));
         return shown(luminance(glm::min(sent, 1.1F)));
     }
     float along(const glm::vec3& eye, const glm::vec3& ray) const {
