@@ -24,6 +24,7 @@ constexpr std::size_t kUploadSliceBytes = 1U << 20U;  // well under 2 ms of copy
 constexpr std::size_t kAll = static_cast<std::size_t>(-1);
 constexpr Instant kFrame = std::chrono::nanoseconds{16'666'667};
 constexpr Instant kLongestFrame = std::chrono::seconds{1};
+constexpr std::chrono::seconds kTimeToGrow{120};  // the next part of the first four; as TimeoutStartSec=
 
 exhibit::Choice choice_of(Button button) { return static_cast<exhibit::Choice>(button); }
 
@@ -182,10 +183,6 @@ class Loop {
                 if (parts_.clock.is_simulated()) theatre_.prepare(parts_.show.on_stage(), kAll);
             }
         }
-        if (!is_announced_ && !parts_.show.on_stage().scenes.empty()) {
-            is_announced_ = true;
-            announce_ready();
-        }
     }
 
     void keep_pictures(const display::Canvas& canvas, Instant now) {
@@ -226,7 +223,18 @@ class Loop {
             else
                 base::log::warn("screen: {}", presented.reason);
         }
-        if (presented.outcome != Outcome::Fault) feed_watchdog();
+        if (presented.outcome != Outcome::Fault) tell_service();
+    }
+
+    // Ready is who has drawn landscapes once: the first such frame compiles what it is drawn with, which takes longer
+    // than the watchdog waits for a frame where the machine is slow. Until then there is time as long as they grow, and
+    // the watchdog is left alone: fed once, it bites before READY too.
+    void tell_service() {
+        if (is_announced_) return feed_watchdog();
+        is_announced_ = !parts_.show.on_stage().scenes.empty();
+        if (is_announced_) return announce_ready();
+        const float progress = parts_.show.growing_progress();
+        if (std::exchange(progress_, progress) != progress) ask_for_time(kTimeToGrow);
     }
 
     std::optional<RunEnd> ending(const display::Presented& presented) const {
@@ -276,6 +284,7 @@ class Loop {
     display::Outcome last_outcome_ = display::Outcome::Shown;
     bool wants_to_quit_ = false;
     bool is_announced_ = false;
+    float progress_ = -1;
     Instant period_ = kFrame;
     Instant framed_at_{0};
     Instant shown_at_{0};  // the last frame, where the screen tells

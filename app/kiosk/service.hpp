@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <chrono>
 
 // What systemd is told, when it started us; otherwise nothing happens.
 namespace quadrat::kiosk {
 
-void announce_ready();  // landscapes are on the screen
-void feed_watchdog();   // a frame was completed, or there is legitimately no screen
+void ask_for_time(std::chrono::seconds longer);  // before being ready: from now on, as it gets on
+void announce_ready();                           // a frame with landscapes was handed over
+void feed_watchdog();                            // a frame was completed, or there is legitimately no screen
 void announce_stopping();
 
 }  // namespace quadrat::kiosk
