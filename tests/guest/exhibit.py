@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""What an exhibit goes through, on an emulated machine: exhibit.py IMAGE FOLDER [CUTS]. Screenshots and the exhibit's
-journal stay in FOLDER; ends with 1 and one line where something is not as it should be."""
+"""What an exhibit goes through, on an emulated machine: exhibit.py IMAGE FOLDER CUTS. Screenshots and what the machine
+said stay in FOLDER; ends with 1 and one line where something is not as it should be."""
 import os
 import random
 import re
@@ -10,167 +10,209 @@ import sys
 import time
 import zlib
 
-from machine import Machine
+from machine import PATIENCE, Machine
 
-image, folder = sys.argv[1], sys.argv[2]
-cuts = int(sys.argv[3]) if len(sys.argv) > 3 else 3
+image, folder, cuts = sys.argv[1], sys.argv[2], int(sys.argv[3])
 os.makedirs(folder, exist_ok=True)
 began = time.time()
+
+LEAST_COLOURS = 100  # of a landscape, in each quarter of the screen; a console has a handful
+GUARD_S = 0.7  # longer than the exhibit's own, in which a second press is not taken for an answer
 
 
 def say(text):
     print(f'[{time.time() - began:5.0f} s] {text}', flush=True)
 
 
-def colours(path):
-    """How many colours a plain PNG holds: a console has a handful, a landscape hundreds."""
-    data = open(path, 'rb').read()
-    at, packed = 8, b''
-    while at < len(data):
-        length, kind = struct.unpack('>I4s', data[at:at + 8])
-        chunk = data[at + 8:at + 8 + length]
-        at += 12 + length
-        if kind == b'IHDR':
-            width, height, _, colour = struct.unpack('>IIBB', chunk[:10])
-        if kind == b'IDAT':
-            packed += chunk
-    step = {2: 3, 6: 4}[colour]
-    raw, stride, before, seen = zlib.decompress(packed), width * step, bytearray(width * step), set()
+def read_ppm(path):
+    with open(path, 'rb') as file:
+        assert file.readline() == b'P6\n'
+        width, height = map(int, file.readline().split())
+        file.readline()
+        return width, height, file.read()
+
+
+def write_png(path, width, height, pixels):
+    rows = b''.join(b'\0' + pixels[y * width * 3:(y + 1) * width * 3] for y in range(height))
+    with open(path, 'wb') as file:
+        file.write(b'\x89PNG\r\n\x1a\n')
+        for kind, body in ((b'IHDR', struct.pack('>IIBBBBB', width, height, 8, 2, 0, 0, 0)),
+                           (b'IDAT', zlib.compress(rows)), (b'IEND', b'')):
+            file.write(struct.pack('>I', len(body)) + kind + body + struct.pack('>I', zlib.crc32(kind + body)))
+
+
+def colours(width, height, pixels):
+    """How many there are in each quarter."""
+    quarters = [set(), set(), set(), set()]
+    half = width * 3 // 2 // 3 * 3
     for y in range(height):
-        kind, row = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
-        for x in range(stride):
-            left, up, corner = (row[x - step] if x >= step else 0), before[x], (before[x - step] if x >= step else 0)
-            if kind == 1:
-                row[x] = row[x] + left & 255
-            elif kind == 2:
-                row[x] = row[x] + up & 255
-            elif kind == 3:
-                row[x] = row[x] + (left + up >> 1) & 255
-            elif kind == 4:
-                guess = left + up - corner
-                a, b, c = abs(guess - left), abs(guess - up), abs(guess - corner)
-                row[x] = row[x] + (left if a <= b and a <= c else up if b <= c else corner) & 255
-        seen.update(bytes(row[x:x + 3]) for x in range(0, stride, step))
-        before = row
-    return len(seen)
+        row = pixels[y * width * 3:(y + 1) * width * 3]
+        for side, part in enumerate((row[:half], row[half:])):
+            quarters[y * 2 // height * 2 + side].update(zip(part[::3], part[1::3], part[2::3]))
+    return [len(quarter) for quarter in quarters]
 
 
 class Exhibit(Machine):
-    def journal(self):
-        return self.sh('journalctl -u quadrat -b --no-pager -o cat')
-
-    def until(self, what, timeout=180, after=0):
-        """Until the journal says it, in what came after so many lines; returns the text since then."""
-        end = time.time() + timeout
+    def picture(self, name):
+        """A screenshot from outside; what is on it must be four landscapes."""
+        end, found = time.time() + PATIENCE / 10, []
         while time.time() < end:
-            text = '\n'.join(self.journal().splitlines()[after:])
-            if re.search(what, text):
-                return text
-            time.sleep(0.5)
-        raise AssertionError(f'"{what}" was not said within {timeout} s; the journal ends:\n{self.journal()[-3000:]}')
-
-    def lines_so_far(self):
-        return len(self.journal().splitlines())
-
-    def picture(self, name, least):
-        """A screenshot from outside; what is on it must be a picture."""
-        end, found = time.time() + 60, 0
-        path = f'{folder}/{name}.png'
-        while time.time() < end:
-            found = colours(self.screenshot(path))
-            if found >= least:
-                say(f'{name}.png: {found} colours')
+            width, height, pixels = read_ppm(self.screenshot(f'{self.folder}/screen.ppm'))
+            write_png(f'{folder}/{name}.png', width, height, pixels)
+            found = colours(width, height, pixels)
+            if min(found) >= LEAST_COLOURS:
+                say(f'{name}.png: {width}x{height}, {found} colours')
                 return
-            time.sleep(1)
-        raise AssertionError(f'{name}.png has {found} colours, and should have {least}')
+        raise AssertionError(f'{name}.png has {found} colours in its quarters, and should have {LEAST_COLOURS} in each')
+
+    def press(self, name, close, open_):
+        """One press, and the log's one line of it."""
+        since = self.so_far()
+        close()
+        text = self.until(f'press {name} at', since)
+        open_()
+        time.sleep(GUARD_S)
+        assert text.count('press ') == 1, f'one press of {name} was heard as\n{text}'
+
+    def press_line(self, line):
+        self.press('ABCD'[line], lambda: self.lines(1 << line), lambda: self.lines(0))
+
+    def press_hid(self, hid, button):
+        self.press('ABCD'[button], lambda: self.press_and_let_go(hid, button), lambda: None)
+
+    def plug_wired_buttons(self):
+        since = self.so_far()
+        self.plug_gpio()
+        self.until('buttons: HID device', since)  # is what is still missing
+
+    def plug_encoder(self):
+        """The buttons on USB; returns when the exhibit listens to them."""
+        since = self.so_far()
+        hid = self.plug_hid()
+        self.until(r'buttons: GPIO lines A=.*Five buttons 1209:0001', since)
+        time.sleep(GUARD_S)  # what is pressed while it is plugged in is not a press
+        return hid
+
+    def shows_round(self, number, since=0):
+        return self.until(f'the four of round {number} are on the screen', since)
+
+
+def boots_and_shows(machine):
+    say(f'booted in {machine.wait():.0f} s')
+    machine.shows_round(1)
+    say('the first four are on the screen')
+    machine.picture('attract')
+    owner = machine.sh('ps -o user= -C quadrat').split()
+    assert owner == ['quadrat'], f'it runs as {owner}'
+
+
+def plays_a_round_through_gpio(machine):
+    machine.plug_wired_buttons()
+    for line in range(4):
+        machine.press_line(line)
+    text = machine.shows_round(2)
+    assert text.count('a visit begins') == 1, text
+    say('a round was played through GPIO')
+    machine.picture('round-2')
+
+
+def plays_a_round_through_hid(machine):
+    hid = machine.plug_encoder()
+    for button in (1, 2, 3):
+        machine.press_hid(hid, button)
+    machine.shows_round(3)
+    say('a round was played through HID')
+    return hid
+
+
+def is_unplugged_five_times(machine, hid):
+    since = machine.so_far()
+    for _ in range(5):
+        gone = machine.so_far()
+        machine.ask('unplug', hid=hid)
+        machine.until('buttons: .*was unplugged', gone)
+        hid = machine.plug_encoder()
+    assert 'press ' not in machine.said(since), f'presses were invented: {machine.said(since)}'
+    machine.press_hid(hid, 0)
+    say('unplugged and plugged in five times: no press was invented, and it works')
+
+
+def hangs(machine):
+    health = machine.get('/run/quadrat/health.json').decode()
+    assert '"mode": "usual"' in health, health
+    since, frozen = machine.so_far(), time.time()
+    machine.sh('kill -STOP $(systemctl show -p MainPID --value quadrat)')
+    machine.until('quadrat.service: Watchdog timeout', since)
+    machine.until('taking up visit 1 at round 3', since)
+    machine.shows_round(3, since)
+    restarts = machine.sh('systemctl show -p NRestarts --value quadrat').strip()
+    assert restarts == '1', f'it was started again {restarts} times'
+    say(f'hung, ended by the watchdog, and back in round 3 after {time.time() - frozen:.0f} s')
+    machine.picture('after-hang')
+
+
+def loses_its_screen(machine):
+    def modes():
+        return machine.sh('cat /sys/class/drm/card*-Virtual-1/status /sys/class/drm/card*-Virtual-1/modes').split()
+
+    def resize(width, height, is_so):
+        machine.screen(width, height)
+        end = time.time() + PATIENCE
+        while not is_so(modes()):
+            assert time.time() < end, f'the cable said {width}x{height}, and the kernel says {modes()}'
+            time.sleep(0.2)
+
+    resize(400, 300, lambda said: '400x300' in said[1:2])  # the first size that is told counts as no news
+    since = machine.so_far()
+    resize(0, 0, lambda said: said[0] == 'disconnected')
+    machine.until('screen: .*no screen', since)
+    since = machine.so_far()
+    resize(400, 300, lambda said: said[0] == 'connected')
+    machine.until('screen: shows again', since)
+    say('the screen was unplugged and plugged in')
+    machine.picture('after-replug')
 
 
 def one_day():
     with Exhibit(image, f'{folder}/day') as machine:
-        say(f'booted in {machine.wait():.0f} s')
-        machine.plug_gpio()
-        hid = machine.plug_hid()
-        machine.until('the four of round 1 are on the screen', 240)
-        say('the first four are on the screen')
-        machine.picture('attract', 60)
-        machine.until('GPIO lines A=')
-        for line, name in ((0, 'A'), (1, 'B'), (2, 'C'), (3, 'D')):
-            machine.press_line(line)
-            machine.until(f'press {name} at', 30)
-        machine.until('a visit begins')
-        machine.until('the four of round 2 are on the screen')
-        say('a round was played through GPIO')
-        machine.picture('round-2', 60)
+        boots_and_shows(machine)
+        plays_a_round_through_gpio(machine)
+        hid = plays_a_round_through_hid(machine)
+        is_unplugged_five_times(machine, hid)
+        hangs(machine)
+        loses_its_screen(machine)
 
-        for button, name in ((1, 'B'), (2, 'C'), (3, 'D')):
-            so_far = machine.lines_so_far()
-            machine.press_hid(hid, button)
-            machine.until(f'press {name} at', 30, so_far)
-        machine.until('the four of round 3 are on the screen')
-        say('a round was played through HID')
-        for _ in range(5):
-            machine.ask('unplug', hid=hid)
-            so_far = machine.lines_so_far()
-            hid = machine.plug_hid()
-            machine.until(r'Five buttons 1209:0001', 30, so_far)
-        so_far = machine.lines_so_far()
-        machine.press_hid(hid, 0)
-        text = machine.until('press A at', 30, so_far)
-        assert text.count('press ') == 1, f'presses were invented: {text}'
-        say('unplugged and plugged in five times, and it works')
 
-        health = machine.get('/run/quadrat/health.json').decode()
-        assert '"mode": "usual"' in health, health
-        owner = machine.sh('ps -o user= -C quadrat').split()
-        assert owner == ['quadrat'], f'it runs as {owner}'
-
-        so_far = machine.lines_so_far()
-        machine.sh('kill -STOP $(systemctl show -p MainPID --value quadrat)')
-        frozen = time.time()
-        machine.until('taking up visit 1 at round 3', 180, so_far)
-        assert 'watchdog' in machine.sh('journalctl -b -u quadrat --no-pager | grep -i watchdog').lower()
-        assert machine.sh('systemctl show -p NRestarts --value quadrat').strip() == '1'
-        machine.until('the four of round 3 are on the screen', 180, so_far)
-        say(f'hung, ended by the watchdog, and back in round 3 after {time.time() - frozen:.0f} s')
-        machine.picture('after-hang', 60)
-
-        machine.screen(800, 600)
-        time.sleep(2)
-        so_far = machine.lines_so_far()
-        machine.screen(0, 0)
-        machine.until('screen: ', 60, so_far)
-        so_far = machine.lines_so_far()
-        machine.screen(800, 600)
-        machine.until('shows again', 90, so_far)
-        say('the screen was unplugged and plugged in')
-        machine.picture('after-replug', 60)
-        with open(f'{folder}/journal.txt', 'w') as file:
-            file.write(machine.journal())
+def one_evening(machine, shown, chance):
+    """Visitors who press whatever they like until the plug is pulled; returns the visit and round last seen."""
+    machine.wait()
+    machine.plug_wired_buttons()
+    hid = machine.plug_encoder()
+    start = machine.shows_round(r'\d+')
+    if shown:
+        taken = re.search(r'taking up visit (\d+) at round (\d+)', start)
+        assert taken, f'{shown} was shown, and it begins anew:\n{start}'
+        visit, number = map(int, taken.groups())
+        assert (visit, number) in (shown, (shown[0], shown[1] + 1)), f'{shown} was shown, and now {taken.group()}'
+    end = time.time() + chance.uniform(0, 12)
+    # Until round 2 the visit itself may be what was in flight.
+    while time.time() < end or not (shown or 'of round 2 are' in machine.said()):
+        machine.press_and_let_go(hid, chance.randrange(4))
+        time.sleep(chance.uniform(0.1, GUARD_S))
+    machine.cut_power()
+    rounds = re.findall(r'the four of round (\d+) are on the screen', machine.said())
+    return (shown or (1, 0))[0], int(rounds[-1])
 
 
 def power_cuts():
     """Whatever the moment, the generation that was on the screen is there again; the one in flight may be too."""
-    disk, shown, chance = f'{folder}/disk.ext4', 0, random.Random(1)
+    disk, shown, chance = f'{folder}/disk.ext4', None, random.Random(1)
     if os.path.exists(disk):
         os.unlink(disk)
     for cut in range(cuts):
         with Exhibit(image, f'{folder}/cut', disk) as machine:
-            machine.wait()
-            hid = machine.plug_hid()
-            if shown:
-                text = machine.until(r'taking up visit \d+ at round \d+', 240)
-                taken = int(re.search(r'at round (\d+)', text).group(1))
-                assert shown <= taken <= shown + 1, f'round {shown} was shown, and it goes on with round {taken}'
-            machine.until(r'the four of round \d+ are on the screen', 240)
-            machine.until('Five buttons', 60)
-            end = time.time() + chance.uniform(4, 12)
-            while time.time() < end:
-                machine.press_hid(hid, chance.randrange(4), 0.15)
-            rounds = re.findall(r'the four of round (\d+) are on the screen', machine.journal())
-            if 'a visit begins' in machine.journal() or shown:
-                shown = int(rounds[-1])
-            machine.cut_power()
-            say(f'power cut {cut + 1} of {cuts} in round {shown}')
+            shown = one_evening(machine, shown, chance)
+        say(f'power cut {cut + 1} of {cuts}, visit {shown[0]} in round {shown[1]}')
     os.unlink(disk)
 
 

@@ -1,32 +1,45 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The host's side of an emulated exhibit machine: power, screen, cable, buttons and a shell in it."""
+"""The host's side of an emulated exhibit machine: power, screen, cable, buttons, what it says, and a shell in it.
+
+Waits end when what is waited for has happened. Their limits are for a machine that has stopped: a slow one, and a busy
+host, only take longer."""
 import base64
 import itertools
 import json
 import os
+import re
 import select
-import shutil
-import signal
 import socket
 import struct
 import subprocess
 import threading
 import time
 
+PATIENCE = 600
+
 # Five buttons in one byte, as the simplest encoder on USB sends them.
-FIVE_BUTTONS = '05010905a1010509190129051500250175019505810275039501810' + '3c0'
+FIVE_BUTTONS = '05010905a101050919012905150025017501950581027503950181' + '03c0'
 # A CP2112 as the kernel's driver asks for it: eight lines, made a GPIO chip and polled every 40 ms.
 CP2112 = ('0600ff0901a10115002600ff7508' +
-          ''.join(f'85{number:02x}0901 95{size:02x}b102'.replace(' ', '')
-                  for number, size in ((2, 4), (3, 1), (4, 2), (5, 2), (6, 13))) +
+          ''.join(f'85{number:02x}090195{size:02x}b102' for number, size in ((2, 4), (3, 1), (4, 2), (5, 2), (6, 13))) +
           '85130901953f8102' + '85140901953f9102' + 'c0')
 CP2112_FEATURES = {2: '0200000000', 3: '0300', 5: '050c02', 6: '06000186a0020000ffff01000f00'}
 
 
+def connected(path, is_alive):
+    while is_alive():
+        try:
+            connection = socket.socket(socket.AF_UNIX)
+            connection.connect(path)
+            return connection
+        except OSError:
+            time.sleep(0.02)
+    raise RuntimeError('qemu ended')
+
+
 class Qmp:
-    def __init__(self, path):
-        self.socket = socket.socket(socket.AF_UNIX)
-        self.socket.connect(path)
+    def __init__(self, connection):
+        self.socket = connection
         self.file = self.socket.makefile('rw')
         json.loads(self.file.readline())
         self('qmp_capabilities')
@@ -46,9 +59,8 @@ class Qmp:
 class Cable:
     """A VNC client that only says how large its window is: 0 by 0 is a cable that was pulled."""
 
-    def __init__(self, path):
-        self.socket = socket.socket(socket.AF_UNIX)
-        self.socket.connect(path)
+    def __init__(self, connection):
+        self.socket = connection
         self.read(12)
         self.socket.sendall(b'RFB 003.008\n')
         self.read(self.read(1)[0])
@@ -91,32 +103,28 @@ class Machine:
         if disk and not os.path.exists(disk):
             subprocess.run(['cp', '--sparse=always', '--reflink=auto', f'{image}/root.ext4', disk], check=True)
         at = {name: os.path.join(folder, name) for name in ('qmp', 'agent', 'vnc', 'serial.log', 'qemu.err')}
-        for name in ('qmp', 'agent', 'vnc'):
-            if os.path.exists(at[name]):
-                os.unlink(at[name])
+        for path in at.values():
+            if os.path.exists(path):
+                os.unlink(path)
         drive = f'file={disk or image + "/root.ext4"},if=none,id=d0,format=raw,cache=writeback'
         self.began = time.time()
+        # Its journal comes out of the serial line: whoever listens takes no time from it.
         self.process = subprocess.Popen(
             ['qemu-system-x86_64', '-M', 'q35,vmport=off', '-accel', 'tcg,thread=multi', '-cpu', 'max', '-smp', '2',
              '-m', '1536', '-nodefaults', '-no-user-config', '-kernel', f'{image}/vmlinuz', '-initrd',
              f'{image}/initrd', '-append',
              'console=ttyS0 quiet loglevel=4 mitigations=off nokaslr random.trust_cpu=on panic=-1 tsc=reliable '
-             'systemd.show_status=0 vt.global_cursor_default=0',
+             'systemd.show_status=0 vt.global_cursor_default=0 systemd.journald.forward_to_console=1 '
+             'systemd.journald.max_level_console=info',
              '-drive', drive + ('' if disk else ',snapshot=on'), '-device', 'virtio-blk-pci,drive=d0',
              '-device', 'virtio-rng-pci', '-device', 'virtio-serial-pci',
              '-chardev', f'socket,id=agent,path={at["agent"]},server=on,wait=off',
              '-device', 'virtserialport,chardev=agent,name=guest.0',
-             '-device', 'virtio-gpu-pci,xres=640,yres=480', '-vnc', f'unix:{at["vnc"]}',
+             '-device', 'virtio-gpu-pci,xres=320,yres=240', '-vnc', f'unix:{at["vnc"]}',
              '-serial', f'file:{at["serial.log"]}', '-qmp', f'unix:{at["qmp"]},server=on,wait=off', '-no-reboot'],
             stderr=open(at['qemu.err'], 'w'), stdin=subprocess.DEVNULL)
-        while not (os.path.exists(at['qmp']) and os.path.exists(at['agent'])):
-            if self.process.poll() is not None:
-                raise RuntimeError(open(at['qemu.err']).read())
-            time.sleep(0.02)
-        time.sleep(0.1)
-        self.qmp = Qmp(at['qmp'])
-        self.agent = socket.socket(socket.AF_UNIX)
-        self.agent.connect(at['agent'])
+        self.agent = connected(at['agent'], self.is_alive)
+        self.qmp = Qmp(connected(at['qmp'], self.is_alive))
         self.buffer = b''
         self.numbers = itertools.count(1)
         self.cable = None
@@ -128,10 +136,35 @@ class Machine:
     def __exit__(self, *_):
         self.cut_power()
 
+    def is_alive(self):
+        if self.process.poll() is None:
+            return True
+        raise RuntimeError('qemu ended: ' + open(f'{self.folder}/qemu.err').read())
+
+    # ---- what it says
+    def said(self, since=0):
+        """What came out of its serial line after so many characters."""
+        with open(f'{self.folder}/serial.log', 'rb') as file:
+            file.seek(since)
+            return file.read().decode(errors='replace').replace('\r', '')
+
+    def so_far(self):
+        return os.path.getsize(f'{self.folder}/serial.log')
+
+    def until(self, what, since=0):
+        """Until it says it; returns what it said since then."""
+        end = time.time() + PATIENCE
+        while self.is_alive() and time.time() < end:
+            text = self.said(since)
+            if re.search(what, text):
+                return text
+            time.sleep(0.25)
+        raise TimeoutError(f'"{what}" was not said within {PATIENCE} s; it said at last:\n{self.said()[-4000:]}')
+
     # ---- the agent
-    def message(self, timeout):
+    def message(self):
         if b'\n' not in self.buffer:
-            if not select.select([self.agent], [], [], timeout)[0]:
+            if not select.select([self.agent], [], [], 0.5)[0]:
                 return None
             data = self.agent.recv(1 << 16)
             if not data:
@@ -142,31 +175,28 @@ class Machine:
         line, self.buffer = self.buffer.split(b'\n', 1)
         return json.loads(line)
 
-    def wait(self, timeout=180):
+    def wait(self):
         """Until the agent is up; returns the seconds since the power came."""
-        end = time.time() + timeout
-        while time.time() < end:
-            message = self.message(1)
-            if message and 'up' in message:
+        end = time.time() + PATIENCE
+        while self.is_alive() and time.time() < end:
+            if 'up' in (self.message() or {}):
                 return time.time() - self.began
-            if self.process.poll() is not None:
-                raise RuntimeError('qemu ended: ' + open(f'{self.folder}/qemu.err').read())
-        raise TimeoutError('no agent: ' + open(f'{self.folder}/serial.log', errors='replace').read()[-2000:])
+        raise TimeoutError('no agent: ' + self.said()[-4000:])
 
-    def ask(self, op, timeout=150, **words):
+    def ask(self, op, **words):
         number = next(self.numbers)
         self.agent.sendall((json.dumps({'op': op, 'id': number, **words}) + '\n').encode())
-        end = time.time() + timeout
-        while time.time() < end:
-            message = self.message(0.5)
+        end = time.time() + PATIENCE
+        while self.is_alive() and time.time() < end:
+            message = self.message()
             if message and message.get('id') == number:
                 if 'error' in message:
-                    raise RuntimeError(message['error'])
+                    raise RuntimeError(f'{op}: {message["error"]}')
                 return message
-        raise TimeoutError(op)
+        raise TimeoutError(f'{op} {words}')
 
-    def sh(self, command, timeout=120):
-        return self.ask('sh', command=command, timeout=timeout)['out']
+    def sh(self, command):
+        return self.ask('sh', command=command, timeout=PATIENCE / 2)['out']
 
     def get(self, path):
         return base64.b64decode(self.ask('get', path=path)['bytes'])
@@ -177,41 +207,27 @@ class Machine:
                              features=CP2112_FEATURES)['hid']
 
     def lines(self, mask):
-        self.ask('feature', hid=self.chip, number=3, bytes=f'03{mask:02x}')
-
-    def press_line(self, line, seconds=0.3):
-        self.lines(1 << line)
-        time.sleep(seconds)
-        self.lines(0)
-        time.sleep(seconds)
+        """Which lines are closed; returns when the chip's driver has read it more than once."""
+        self.ask('show', hid=self.chip, number=3, bytes=f'03{mask:02x}', times=4, timeout=PATIENCE / 2)
 
     def plug_hid(self):
         return self.ask('hid', name='Five buttons', vendor=0x1209, product=1, descriptor=FIVE_BUTTONS)['hid']
 
-    def press_hid(self, hid, button, seconds=0.2):
-        self.ask('report', hid=hid, bytes=f'{1 << button:02x}')
-        time.sleep(seconds)
-        self.ask('report', hid=hid, bytes='00')
-        time.sleep(seconds)
+    def press_and_let_go(self, hid, button):
+        """Both in one breath, so that no stall of the host makes a long press of it."""
+        self.ask('report', hid=hid, reports=[f'{1 << button:02x}', '00'])
 
     # ---- screen and power
     def screenshot(self, path):
-        self.qmp('screendump', filename=path, format='png')
+        """As a plain PPM."""
+        self.qmp('screendump', filename=path)
         return path
 
     def screen(self, width, height):
         if not self.cable:
-            self.cable = Cable(f'{self.folder}/vnc')
+            self.cable = Cable(connected(f'{self.folder}/vnc', self.is_alive))
         self.cable.size(width, height)
 
     def cut_power(self):
-        if self.process.poll() is None:
-            self.process.send_signal(signal.SIGKILL)
+        self.process.kill()
         self.process.wait()
-
-
-def has_everything():
-    """What is missing for a guest on this machine, or ''."""
-    if not shutil.which('qemu-system-x86_64'):
-        return 'qemu-system-x86_64 is not installed'
-    return ''
