@@ -259,7 +259,7 @@ std::optional<Instant> screen_deadline(const State& state, const Timings& timing
         case Screen::Slide:
             return std::max(state.since, state.last_press) + timings.patience;
         case Screen::Breed:
-            return state.since + timings.growing_limit;
+            return std::max(state.since, state.last_growth) + timings.growing_limit;
         case Screen::StillThere:
             return state.since + timings.countdown;
         case Screen::Finale:
@@ -311,6 +311,7 @@ struct Handle {
     void operator()(const Pressed& event) const { press(turn, event.button); }
     void operator()(const Released& event) const { release(turn, event.button); }
     void operator()(const Tick&) const { tick(turn); }
+    void operator()(const Grew&) const { turn.state.last_growth = turn.now; }
     void operator()(const GenerationReady& event) const { generation_ready(turn, event.generation); }
 };
 
@@ -345,7 +346,7 @@ State resumed_sliding(int turns, Instant now) {
 }
 
 Step next(const State& state, const Event& event, Instant now, const Timings& timings) {
-    const Instant latest = std::max({now, state.since, state.last_press});
+    const Instant latest = std::max({now, state.since, state.last_press, state.last_growth});
     Turn turn{state, {}, latest, timings};
     std::visit(Handle{turn}, event);
     return {std::move(turn.state), std::move(turn.wishes)};

@@ -26,7 +26,7 @@ struct Timings {
     std::chrono::milliseconds long_press{2'000};      // holding A, B, C or D this long asks for the Finale
     std::chrono::milliseconds press_guard{300};       // after an answer or a new question, a press does not count
     std::chrono::milliseconds finale_guard{1'500};    // the Finale is seen at least this long
-    std::chrono::milliseconds growing_limit{60'000};  // a generation that never comes ends the visit
+    std::chrono::milliseconds growing_limit{60'000};  // a generation that gets on no more ends the visit
     std::chrono::milliseconds describe{15'000};       // of Describe without a press, until Attract
     int rounds = 6;                                   // at least 1; then the Finale
     int describe_words = 3;                           // asked in Describe, one at a time; 0: never
@@ -44,11 +44,13 @@ struct Released {
     Choice button;
 };
 struct Tick {};
+// What a Wish asked to be grown has got on, which a slow machine takes its time for.
+struct Grew {};
 // What a Wish asked to be grown can be shown. Another number than the one that is waited for: too late, of no effect.
 struct GenerationReady {
     int generation;
 };
-using Event = std::variant<Pressed, Released, Tick, GenerationReady>;
+using Event = std::variant<Pressed, Released, Tick, Grew, GenerationReady>;
 
 // ---- where the visit stands
 
@@ -85,6 +87,7 @@ struct State {
     bool is_ready = false;                            // and whether it can be shown
     Instant since{0};                                 // when the screen, or its question, came
     Instant last_press{0};                            // any press
+    Instant last_growth{0};                           // of what Breed waits for
     std::optional<Held> held;                         // A to D, while it may become a long press
     friend bool operator==(const State&, const State&) = default;
 };

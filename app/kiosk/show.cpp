@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/log.hpp"
@@ -136,6 +137,9 @@ bool Show::resume(const exhibit::Generation& kept, Instant now) {
 }
 
 void Show::happen(const exhibit::Event& event, Instant now) {
+    const float progress = growing_progress();
+    if (std::exchange(progress_, progress) != progress)
+        step(exhibit::next(state_, exhibit::Grew{}, now, timings_), now);
     step(exhibit::next(state_, event, now, timings_), now);
     study_at_night();
 }

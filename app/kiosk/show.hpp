@@ -130,7 +130,8 @@ class Show {
     std::uint64_t sessions_ = 0;
     std::shared_ptr<std::int64_t> visit_;  // its number in the archive, written and read by the keeper's thread
     std::optional<Waiting> waiting_;
-    Act offered_;  // the four of this round, or of the visit to come
+    float progress_ = 0;  // of what is waited for, as the visit was last told
+    Act offered_;         // the four of this round, or of the visit to come
     Act finale_;
     Act gallery_;  // what the last visitors bred, for Attract
     int acts_ = 0;

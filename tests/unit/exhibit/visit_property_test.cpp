@@ -20,9 +20,11 @@ struct Moment {
 
 Event random_event(base::RandomStream& chance, int generation) {
     const auto button = static_cast<Choice>(chance.below(5));
-    switch (chance.below(8)) {
+    switch (chance.below(9)) {
         case 0:
             return Tick{};
+        case 4:
+            return Grew{};
         case 1:
             return GenerationReady{generation - static_cast<int>(chance.below(2))};
         case 2:

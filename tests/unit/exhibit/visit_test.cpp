@@ -200,6 +200,15 @@ TEST(Visit, EndsWhenAGenerationNeverComes) {
     EXPECT_NE(visitor.wished<PrepareVisit>(), nullptr);
 }
 
+TEST(Visit, WaitsForASlowGenerationAsLongAsItGetsOn) {
+    Visitor visitor;
+    visitor.arrive().press(Choice::A).press(Choice::A).press(Choice::A);
+    for (int part = 0; part < 12; ++part) visitor.wait(seconds(59)).send(Grew{});
+    EXPECT_EQ(visitor.screen(), Screen::Breed);
+    EXPECT_EQ(visitor.wait(seconds(59)).screen(), Screen::Breed);
+    EXPECT_EQ(visitor.wait(seconds(1)).screen(), Screen::Attract) << "and no longer";
+}
+
 TEST(Visit, IsTakenUpAgainAtTheFirstQuestionWithoutAnAnswer) {
     for (const auto& [answers, question] :
          std::vector<std::pair<genome::Pick, Aspect>>{{pick_of({}, {}, {}), Aspect::Trees},
