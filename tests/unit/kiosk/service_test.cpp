@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the service manager is told, on a socket of ours.
+// What systemd is told, on a socket of ours.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/un.h>
@@ -19,9 +19,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-class ServiceManager {
+class NotifySocket {
   public:
-    explicit ServiceManager(const std::filesystem::path& folder) : path_(folder / "notify") {
+    explicit NotifySocket(const std::filesystem::path& folder) : path_(folder / "notify") {
         sockaddr_un address{};
         address.sun_family = AF_UNIX;
         path_.string().copy(address.sun_path, sizeof address.sun_path - 1);
@@ -29,9 +29,9 @@ class ServiceManager {
             throw std::runtime_error("no socket at " + path_.string());
         setenv("NOTIFY_SOCKET", path_.c_str(), 1);
     }
-    ServiceManager(const ServiceManager&) = delete;
-    ServiceManager& operator=(const ServiceManager&) = delete;
-    ~ServiceManager() {
+    NotifySocket(const NotifySocket&) = delete;
+    NotifySocket& operator=(const NotifySocket&) = delete;
+    ~NotifySocket() {
         unsetenv("NOTIFY_SOCKET");
         close(socket_);
     }
@@ -54,15 +54,15 @@ class ServiceManager {
 // Without a GPU; notes what had been told when each frame was handed over, and ends after the third with landscapes.
 class WatchedScreen : public display::Display {
   public:
-    WatchedScreen(const ServiceManager& manager, const Show& show, std::atomic<bool>& stop)
-        : Display("watched"), manager_(manager), show_(show), stop_(stop) {}
+    WatchedScreen(const NotifySocket& systemd, const Show& show, std::atomic<bool>& stop)
+        : Display("watched"), systemd_(systemd), show_(show), stop_(stop) {}
     std::string_view kind() const override { return "watched"; }
     std::string description() const override { return "watched"; }
     display::Canvas canvas() const override { return {}; }
     display::Canvas begin_frame() override { return {}; }
     display::Presented present() override {
         auto& told = with_landscapes == 0 ? before_first : with_landscapes == 1 ? before_second : later;
-        for (std::string& line : manager_.take()) told.push_back(std::move(line));
+        for (std::string& line : systemd_.take()) told.push_back(std::move(line));
         if (!show_.on_stage().scenes.empty() && ++with_landscapes == 3) stop_ = true;
         return {};
     }
@@ -74,7 +74,7 @@ class WatchedScreen : public display::Display {
     std::vector<std::string> later;
 
   private:
-    const ServiceManager& manager_;
+    const NotifySocket& systemd_;
     const Show& show_;
     std::atomic<bool>& stop_;
 };
@@ -85,7 +85,7 @@ bool has(const std::vector<std::string>& told, std::string_view beginning) {
 
 TEST(Service, IsReadyOnceAFrameWithLandscapesIsOutAndHasTimeUntilThen) {
     const tests::TemporaryFolder folder;
-    const ServiceManager manager(folder.path());
+    const NotifySocket systemd(folder.path());
     Configuration configuration;
     configuration.picture.land_samples = 65;
     Show show(
@@ -95,7 +95,7 @@ TEST(Service, IsReadyOnceAFrameWithLandscapesIsOutAndHasTimeUntilThen) {
     firmware_io::MergedButtons buttons{{}};
     Panel panel(buttons);
     std::atomic<bool> stop{false};
-    WatchedScreen screen(manager, show, stop);
+    WatchedScreen screen(systemd, show, stop);
     SteadyClock clock;
     RunLoopParts parts{configuration, clock, screen, panel, buttons, show};
     parts.stop = &stop;
