@@ -47,7 +47,9 @@ gpiod_line_bias bias_of(Pull pull) {
     return GPIOD_LINE_BIAS_AS_IS;
 }
 
-Request request_lines(const std::string& path, const std::vector<unsigned>& offsets, gpiod_line_settings* settings) {
+// Nothing when the kernel refuses, and `refusal` is its errno.
+Request try_lines(const std::string& path, const std::vector<unsigned>& offsets, gpiod_line_settings* settings,
+                  int& refusal) {
     const Chip chip{gpiod_chip_open(path.c_str())};
     if (!chip) refuse(path + " cannot be opened");
     const LineConfig lines{gpiod_line_config_new()};
@@ -58,6 +60,19 @@ Request request_lines(const std::string& path, const std::vector<unsigned>& offs
     if (gpiod_line_config_add_line_settings(lines.get(), offsets.data(), offsets.size(), settings) != 0)
         refuse("the lines of " + path + " cannot be configured");
     Request request{gpiod_chip_request_lines(chip.get(), config.get(), lines.get())};
+    refusal = request ? 0 : errno;
+    return request;
+}
+
+Request request_lines(const std::string& path, const std::vector<unsigned>& offsets, gpiod_line_settings* settings) {
+    int refusal = 0;
+    Request request = try_lines(path, offsets, settings, refusal);
+    // A chip behind I2C, SPI or USB has interrupts that are threads, and the kernel debounces only those that are not.
+    if (refusal == EINVAL && gpiod_line_settings_get_debounce_period_us(settings) > 0) {
+        gpiod_line_settings_set_debounce_period_us(settings, 0);
+        request = try_lines(path, offsets, settings, refusal);
+    }
+    errno = refusal;
     if (!request) refuse("the lines of " + path + " cannot be requested");
     return request;
 }
