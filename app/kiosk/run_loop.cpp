@@ -154,7 +154,7 @@ class Loop {
         DetailGovernor& governor = *parts_.governor;
         governor.follow(static_cast<float>(parts_.configuration.picture.alpha));
         governor.frame({now, took, period_, had_room, parts_.show.is_growing()});
-        theatre_.set_alpha(governor.alpha());
+        theatre_.set_level(governor.alpha());
         if (const auto why = governor.take_reason()) {
             base::log::info("{}", *why);
             // The plug may be pulled at any moment; once a minute is often enough for the disk.

@@ -88,7 +88,7 @@ render::Drawn Theatre::draw(const Show& show, float growing_progress, Instant no
     render::Frame frame = stage_->frame({show.state(), show.timings(), cast, flash, growing_progress, now,
                                          show.caption(), asked ? &*asked : nullptr, over.board, over.backdrop},
                                         canvas);
-    if (alpha_) frame.detail = {*alpha_, scale_for(*alpha_)};
+    if (level_) frame.detail = {alpha_for(*level_), scale_for(*level_)};
     drawn_ = {frame.size, frame.hanging, frame.framebuffer, frame.seconds, {}, {}, frame.detail, {}};
     return renderer_->draw(frame);
 }

@@ -38,9 +38,9 @@ GovernorOptions start_for(const GpuProfile& profile, float most, double period_m
     options.most = most;
     for (const int periods : {1, 2}) {
         options.periods = periods;
-        for (float alpha = most; alpha >= GovernorOptions::kLeast; alpha *= 0.97F) {
-            options.start = alpha;
-            if (profile.frame_ms(alpha, scale_for(alpha)) <= kShare * period_ms * periods) return options;
+        for (float level = most; level >= GovernorOptions::kLeast; level *= 0.97F) {
+            options.start = level;
+            if (profile.frame_ms(alpha_for(level), scale_for(level)) <= kShare * period_ms * periods) return options;
         }
     }
     options.start = std::min(GovernorOptions::kLeast, most);

@@ -19,18 +19,19 @@ constexpr auto kBlame = 5s;              // lateness so soon after a raise is th
 constexpr auto kLongestPatience = std::chrono::nanoseconds{10min};
 constexpr auto kHopeless = 3s;  // late with the least detail: a frame in two periods
 constexpr float kLeastGrowing = 0.25F;
+constexpr float kSofterFrom = 0.3F;  // level
 constexpr float kRoomShare = 0.95F;  // of the frames must have had room before more is tried
 
 float seconds(std::chrono::nanoseconds t) { return std::chrono::duration<float>(t).count(); }
 
 }  // namespace
 
-float scale_for(float alpha) {
-    constexpr float kWholeFrom = 0.3F;
+float alpha_for(float level) { return level >= kSofterFrom ? level : std::sqrt(level * kSofterFrom); }
+
+float scale_for(float level) {
     constexpr float kSmallest = 0.5F;
-    if (alpha >= kWholeFrom) return 1;
-    // At the least alpha it is the smallest.
-    const float share = std::log(alpha / kWholeFrom) / std::log(GovernorOptions::kLeast / kWholeFrom);
+    if (level >= kSofterFrom) return 1;
+    const float share = std::log(level / kSofterFrom) / std::log(GovernorOptions::kLeast / kSofterFrom);
     return std::max(std::pow(kSmallest, share), kSmallest);
 }
 

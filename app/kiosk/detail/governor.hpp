@@ -16,9 +16,10 @@ struct GovernorOptions {
     static constexpr float kLeast = 0.04F;
 };
 
-// How large views are drawn at this alpha, a side: as they are shown, until less geometry is not enough; then what is
-// shaded shrinks too.
-float scale_for(float alpha);
+// What is drawn with when the governor is at this level: less geometry first, then also smaller views, for trees of a
+// handful of leaves are worse than soft ones.
+float alpha_for(float level);
+float scale_for(float level);  // of a side of each view
 
 class DetailGovernor {
   public:

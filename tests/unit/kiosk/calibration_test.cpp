@@ -37,7 +37,7 @@ TEST(Calibration, StartsWhereFramesAreInTime) {
     for (const double slower : {0.5, 1.0, 1.6, 2.5, 4.0}) {
         const Gpu gpu{2 * slower, 30e6 / slower, 400e6 / slower};
         const GovernorOptions start = start_for(gpu.profile(), 1, kPeriod_ms);
-        const double ms = gpu.draw(start.start, scale_for(start.start)).ms;
+        const double ms = gpu.draw(alpha_for(start.start), scale_for(start.start)).ms;
         EXPECT_LE(ms, 0.7 * kPeriod_ms * start.periods + 0.01) << slower;
         const double least_ms = start.start < 0.99F ? 0.6 * kPeriod_ms * start.periods : 0;
         EXPECT_GE(ms, least_ms) << slower << ": no less than needed";
