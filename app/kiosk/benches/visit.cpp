@@ -37,7 +37,7 @@ class WatchedScreen final : public display::Display {
     display::Canvas canvas() const override { return screen_.canvas(); }
     display::Canvas begin_frame() override { return screen_.begin_frame(); }
     display::Presented present() override {
-        const display::Presented presented = screen_.present();
+        display::Presented presented = screen_.present();
         const Instant now = clock_.now();
         const int act = show_.on_stage().number;
         const bool is_first = frames_.empty();
