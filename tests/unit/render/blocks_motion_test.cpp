@@ -9,31 +9,18 @@
 #include <optional>
 #include <vector>
 
-#include "base/seed.hpp"
 #include "render/passes/blocks.hpp"
 #include "scene/camera.hpp"
+#include "unit/render/rugged_ground.hpp"
 
 namespace quadrat::render::passes {
 namespace {
 
-constexpr int kSide = 129;
-constexpr float kCell_m = 2;
-
-mesh::Field rugged() {
-    mesh::Field field(kSide, kSide);
-    for (int row = 0; row < kSide; ++row)
-        for (int column = 0; column < kSide; ++column)
-            field.at(column, row) =
-                6 * std::sin(0.11F * static_cast<float>(column)) * std::cos(0.07F * static_cast<float>(row)) +
-                base::unit_of(base::hash_of(base::Seed{9}, column, row)) * (column > 64 ? 0.9F : 0.3F);
-    return field;
-}
-
-struct Corner {
-    int column;
-    int row;
-};
-Corner corner(std::uint32_t index) { return {static_cast<int>(index) % kSide, static_cast<int>(index) / kSide}; }
+using tests::Corner;
+using tests::corner;
+using tests::kCell_m;
+using tests::kSide;
+using tests::rugged;
 
 // The drawn surface's height at every sample that is seen, with its vertices eased as shaders/common/grid.glsl does.
 std::vector<float> drawn_heights(const Blocks& blocks, const mesh::Field& field, const Frustum& frustum,
@@ -101,7 +88,7 @@ struct Moved {
 
 // A centimetre a frame, wherever on the way the triangles change.
 Moved flown(bool is_eased) {
-    const mesh::Field field = rugged();
+    const mesh::Field field = rugged(0.3F, 0.9F);
     const Blocks blocks(field, kCell_m, 16);
     Moved moved;
     constexpr float kFrame_m = 0.01F;

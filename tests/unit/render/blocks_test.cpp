@@ -7,24 +7,17 @@
 #include <cmath>
 #include <map>
 
-#include "base/seed.hpp"
 #include "scene/camera.hpp"
+#include "unit/render/rugged_ground.hpp"
 
 namespace quadrat::render::passes {
 namespace {
 
-constexpr int kSide = 129;
-constexpr float kCell_m = 2;
-
-mesh::Field rugged() {
-    mesh::Field field(kSide, kSide);
-    for (int row = 0; row < kSide; ++row)
-        for (int column = 0; column < kSide; ++column)
-            field.at(column, row) =
-                6 * std::sin(0.11F * static_cast<float>(column)) * std::cos(0.07F * static_cast<float>(row)) +
-                base::unit_of(base::hash_of(base::Seed{9}, column, row)) * (column > 64 ? 3.0F : 0.02F);
-    return field;
-}
+using tests::Corner;
+using tests::corner;
+using tests::kCell_m;
+using tests::kSide;
+using tests::rugged;
 
 // All of the land at once, however near: from straight above.
 Frustum from_above(glm::vec3& eye_m) {
@@ -33,14 +26,8 @@ Frustum from_above(glm::vec3& eye_m) {
     return Frustum(scene::clip_from_view(camera, 1) * scene::view_from_world(camera));
 }
 
-struct Corner {
-    int column;
-    int row;
-};
-Corner corner(std::uint32_t index) { return {static_cast<int>(index) % kSide, static_cast<int>(index) / kSide}; }
-
 TEST(Blocks, CoverTheLandOnceWithUpwardTrianglesAtAnyDetail) {
-    const Blocks blocks(rugged(), kCell_m, 32);
+    const Blocks blocks(rugged(0.02F, 3), kCell_m, 32);
     glm::vec3 eye_m;
     const Frustum frustum = from_above(eye_m);
     for (const float error_px : {0.01F, 0.3F, 1.0F, 4.0F, 60.0F}) {
@@ -62,7 +49,7 @@ TEST(Blocks, CoverTheLandOnceWithUpwardTrianglesAtAnyDetail) {
 }
 
 TEST(Blocks, LeaveNoCracksWhereLevelsMeet) {
-    const Blocks blocks(rugged(), kCell_m, 16);
+    const Blocks blocks(rugged(0.02F, 3), kCell_m, 16);
     glm::vec3 eye_m;
     const Frustum frustum = from_above(eye_m);
     for (const float error_px : {0.2F, 0.7F, 1.5F, 3.0F}) {
@@ -84,7 +71,7 @@ TEST(Blocks, LeaveNoCracksWhereLevelsMeet) {
 }
 
 TEST(Blocks, KeepTheirTriangleBudget) {
-    const Blocks blocks(rugged(), kCell_m, 16);
+    const Blocks blocks(rugged(0.02F, 3), kCell_m, 16);
     glm::vec3 eye_m;
     const Frustum frustum = from_above(eye_m);
     std::size_t before = 0;
@@ -99,7 +86,7 @@ TEST(Blocks, KeepTheirTriangleBudget) {
 }
 
 TEST(Blocks, KnowHowFarEachLevelLiesFromTheGround) {
-    const mesh::Field field = rugged();
+    const mesh::Field field = rugged(0.02F, 3);
     const Blocks blocks(field, kCell_m, 16);
     for (int level = 1; level <= blocks.coarsest_level(); ++level) {
         for (int block = 0; block < blocks.blocks_a_side() * blocks.blocks_a_side(); ++block) {
@@ -131,7 +118,7 @@ TEST(Blocks, KnowHowFarEachLevelLiesFromTheGround) {
 }
 
 TEST(Blocks, CountApartWhatBeginsNearer) {
-    const Blocks blocks(rugged(), kCell_m, 16);
+    const Blocks blocks(rugged(0.02F, 3), kCell_m, 16);
     const scene::Camera camera{{0, 20, 120}, {0, 0, 0}, 60};
     const Frustum frustum(scene::clip_from_view(camera, 1) * scene::view_from_world(camera));
     std::vector<std::uint32_t> indices;
@@ -152,8 +139,8 @@ TEST(Blocks, CountApartWhatBeginsNearer) {
 }
 
 TEST(Blocks, DrawNothingWhollyInsideTheHole) {
-    const Blocks whole(rugged(), kCell_m, 16);
-    const Blocks holed(rugged(), kCell_m, 16, 64);
+    const Blocks whole(rugged(0.02F, 3), kCell_m, 16);
+    const Blocks holed(rugged(0.02F, 3), kCell_m, 16, 64);
     glm::vec3 eye_m;
     const Frustum frustum = from_above(eye_m);
     std::vector<std::uint32_t> all;
