@@ -96,6 +96,8 @@ class Loop {
     void hear(Instant now) {
         for (const display::KeyMotion& key : parts_.display.take_keys()) {
             if (key.key == display::Key::Escape || key.key == display::Key::Q) wants_to_quit_ = true;
+            if (key.key == display::Key::F1 && key.move == display::KeyMove::Down && parts_.caretaker != nullptr)
+                parts_.caretaker->toggle_figures();
             const Motion motion = key.move == display::KeyMove::Down ? Motion::Down : Motion::Up;
             if (key_of(key.key) != 0) parts_.buttons.key(key_of(key.key), motion, now);
         }
@@ -121,7 +123,7 @@ class Loop {
         Theatre::Over over;
         if (parts_.caretaker != nullptr) over.board = parts_.caretaker->board();
         if (parts_.keepsakes != nullptr && shows_earlier_landscapes()) over.backdrop = parts_.keepsakes->at(now);
-        theatre_.draw(parts_.show, parts_.show.growing_progress(), now, canvas, over);
+        drawn_ = theatre_.draw(parts_.show, parts_.show.growing_progress(), now, canvas, over);
         if (parts_.caretaker == nullptr) return;
         if (const std::string file = parts_.caretaker->take_picture_wish(); !file.empty())
             parts_.caretaker->keep_picture(theatre_.read_back(), file);
@@ -131,6 +133,8 @@ class Loop {
         const auto configured = static_cast<float>(parts_.configuration.picture.alpha);
         return parts_.governor != nullptr ? parts_.governor->alpha() : configured;
     }
+
+    float scale() const { return parts_.governor != nullptr ? scale_for(parts_.governor->alpha()) : 1; }
 
     Instant period_of(const display::Presented& presented) const {
         return presented.period.count() > 0 ? presented.period : kFrame;
@@ -213,7 +217,7 @@ class Loop {
 
     void report(const display::Presented& presented, Instant now) {
         using display::Outcome;
-        if (parts_.caretaker != nullptr) parts_.caretaker->framed(presented, now, alpha());
+        if (parts_.caretaker != nullptr) parts_.caretaker->framed(presented, now, {alpha(), scale(), drawn_.triangles});
         if (presented.outcome != last_outcome_) {
             last_outcome_ = presented.outcome;
             if (presented.outcome == Outcome::Shown)
@@ -282,6 +286,7 @@ class Loop {
     Theatre theatre_;
     display::Power power_ = display::Power::On;
     display::Outcome last_outcome_ = display::Outcome::Shown;
+    render::Drawn drawn_;  // last
     bool wants_to_quit_ = false;
     bool is_announced_ = false;
     float progress_ = -1;

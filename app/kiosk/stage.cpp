@@ -91,12 +91,13 @@ render::Frame Stage::frame(const StageView& view, const display::Canvas& canvas)
     frame.framebuffer = canvas.framebuffer;
     frame.seconds = seconds_of(view.now);
     frame.detail.alpha = static_cast<float>(configuration_.picture.alpha);
-    const bool is_covered = view.board != nullptr && view.board->covers_all;
+    const bool is_covered = view.board != nullptr && view.board->cover == staff::Board::Cover::All;
     if (!is_covered && view.backdrop != nullptr)
         add_backdrop(frame, *view.backdrop);
     else if (!is_covered)
         add_views(frame, view);
-    if (view.board != nullptr) {
+    const bool is_strip = view.board != nullptr && view.board->cover == staff::Board::Cover::Strip;
+    if (view.board != nullptr && !is_strip) {
         add_board(frame, *view.board);
         return frame;
     }
@@ -104,6 +105,7 @@ render::Frame Stage::frame(const StageView& view, const display::Canvas& canvas)
     add_plate(frame, view);
     if (view.asked != nullptr) add_labels(frame, view);
     if (view.asked != nullptr && view.asked->slider) add_slider(frame, *view.asked->slider);
+    if (is_strip) add_strip(frame, *view.board);
     return frame;
 }
 
@@ -156,12 +158,30 @@ void Stage::add_backdrop(render::Frame& frame, const mesh::Image& picture) {
     frame.signs.push_back(sign);
 }
 
+// Lines above one another in the lower left corner.
+void Stage::add_strip(render::Frame& frame, const staff::Board& board) {
+    const int pad = frame.size.y / 90;
+    int y = pad;
+    for (auto line = board.lines.rbegin(); line != board.lines.rend(); ++line) {
+        const auto written = writer_.text(*line, static_cast<float>(frame.size.y) / 45.0F);
+        render::Sign back;
+        back.place = {0, y - pad, written.width + 2 * pad, written.height + 2 * pad};
+        back.colour = kPlate;
+        frame.signs.push_back(back);
+        render::Sign sign;
+        sign.texture = written.texture;
+        sign.place = {pad, y, written.width, written.height};
+        frame.signs.push_back(sign);
+        y += written.height + 2 * pad;
+    }
+}
+
 // The title large; the lines below it, small enough that all of them are on the screen.
 void Stage::add_board(render::Frame& frame, const staff::Board& board) {
     const int margin = frame.size.y / 20;
     render::Sign back;
     back.place = {0, 0, frame.size.x, frame.size.y};
-    back.colour = board.covers_all ? glm::vec4{0.05F, 0.06F, 0.07F, 1} : kPlate;
+    back.colour = board.cover == staff::Board::Cover::All ? glm::vec4{0.05F, 0.06F, 0.07F, 1} : kPlate;
     frame.signs.push_back(back);
     const int most_width = frame.size.x - 2 * margin;
     const float title_em = static_cast<float>(frame.size.y) / (board.lines.empty() ? 9.0F : 16.0F);

@@ -61,6 +61,7 @@ class Stage {
     void add_views(render::Frame& frame, const StageView& view);
     void add_quarter_signs(render::Frame& frame, const StageView& view);
     void add_board(render::Frame& frame, const staff::Board& board);
+    void add_strip(render::Frame& frame, const staff::Board& board);
     void add_backdrop(render::Frame& frame, const mesh::Image& picture);
     void add_plate(render::Frame& frame, const StageView& view);
     void add_progress(render::Frame& frame, const StageView& view, const render::Rect& plate);

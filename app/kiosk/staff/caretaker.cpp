@@ -63,14 +63,16 @@ void Caretaker::look(Panel& panel, Show& show, Instant now) {
     watch_faults(now);
     const bool has_news = has_looked_ && shown_since_ && now >= *shown_since_ + kFirstReport;
     const bool is_reporting = has_news && is_due(reported_at_, kReportEvery, now);
-    const bool is_drawing = service_.is_open(now) && is_due(drawn_at_, kServiceEvery, now);
+    const bool is_drawing = (service_.is_open(now) || shows_figures_) && is_due(drawn_at_, kServiceEvery, now);
     if (is_reporting || is_drawing) vitals_ = vitals(panel, show, now);
     if (is_reporting) report(now);
     if (is_due(remembered_at_, kRememberEvery, now)) show.remember("buttons", to_text(panel.health().memory()));
     if (service_.is_open(now))
         board_ = service_.board(vitals_, now);
     else if (curtain_ == Curtain::Card)
-        board_ = Board{text(parts_.configuration, "closed"), {}, false};
+        board_ = Board{text(parts_.configuration, "closed"), {}, Board::Cover::Tint};
+    else if (shows_figures_)
+        board_ = figures_board(vitals_);
     else
         board_.reset();
     climb(show, now);
@@ -141,8 +143,8 @@ void Caretaker::ask_for_power(const char* what) {
         [file = parts_.runtime / kPowerAsked, word = std::string(what)] { write_quietly(file, word + "\n"); });
 }
 
-void Caretaker::framed(const display::Presented& presented, Instant now, float alpha) {
-    alpha_ = alpha;
+void Caretaker::framed(const display::Presented& presented, Instant now, const DrawnWith& drawn) {
+    drawn_ = drawn;
     frames_.frame(now, presented.period);
     if (!shown_since_) shown_since_ = now;
     const bool is_fine = presented.outcome == display::Outcome::Shown || presented.outcome == display::Outcome::Off;
@@ -150,7 +152,7 @@ void Caretaker::framed(const display::Presented& presented, Instant now, float a
 }
 
 std::optional<firmware_io::Lamps> Caretaker::lamps(Instant now) const {
-    if (board_ && board_->covers_all) return service_.lamps(now);
+    if (board_ && board_->cover == Board::Cover::All) return service_.lamps(now);
     if (curtain_ != Curtain::Open) return firmware_io::Lamps{};
     return std::nullopt;
 }
@@ -195,7 +197,9 @@ Vitals Caretaker::vitals(const Panel& panel, const Show& show, Instant now) cons
     vitals.display = parts_.display;
     vitals.screen_trouble = screen_trouble_;
     vitals.frames = frames_;
-    vitals.alpha = alpha_;
+    vitals.alpha = drawn_.level;
+    vitals.scale = drawn_.scale;
+    vitals.triangles = drawn_.triangles;
     vitals.buttons = panel.status();
     vitals.presses = panel.presses();
     vitals.findings = panel.health().findings();

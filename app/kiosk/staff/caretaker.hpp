@@ -36,7 +36,14 @@ class Caretaker {
     void look(Panel& panel, Show& show, Instant now);
     // A press or a release; true: it was meant for staff, or woke the exhibit, and is no part of a visit.
     bool hear(const firmware_io::ButtonEdge& edge, Instant now);
-    void framed(const display::Presented& presented, Instant now, float alpha);
+    struct DrawnWith {
+        float level;  // the governor's
+        float scale;
+        std::size_t triangles;
+    };
+    void framed(const display::Presented& presented, Instant now, const DrawnWith& drawn);
+    // Shows how it draws, or no longer.
+    void toggle_figures() { shows_figures_ = !shows_figures_; }
 
     Curtain curtain() const { return curtain_; }
     const Board* board() const { return board_ ? &*board_ : nullptr; }  // what lies over the picture, or null
@@ -75,7 +82,8 @@ class Caretaker {
     int fault_pictures_ = 0;
     std::optional<Instant> looked_at_, shown_since_, reported_at_, remembered_at_, drawn_at_;
     bool has_looked_ = false;
-    float alpha_ = 1;  // detail, of the last frame
+    DrawnWith drawn_{1, 1, 0};  // the last frame
+    bool shows_figures_ = false;
     bool is_good_ = false;
     bool wants_restart_ = false;
     std::mutex mutex_;

@@ -51,6 +51,12 @@ std::string live_line(const Vitals& vitals) {
     return line;
 }
 
+std::string frames_line(const Vitals& vitals) {
+    return fmt::format("{:.0f} frames/s · {} late of {} · detail {:.2f} · {} thousand triangles · views at {:.0f} %",
+                       vitals.frames.per_second, vitals.frames.late, vitals.frames.frames, vitals.alpha,
+                       (vitals.triangles + 500) / 1000, 100 * vitals.scale);
+}
+
 }  // namespace
 
 void ServiceScreen::open(Instant now) {
@@ -108,6 +114,8 @@ firmware_io::Lamps ServiceScreen::lamps(Instant now) const {
     return lamps;
 }
 
+Board figures_board(const Vitals& vitals) { return {"", {frames_line(vitals), vitals.display}, Board::Cover::Strip}; }
+
 Board ServiceScreen::board(const Vitals& vitals, Instant now) const {
     Board board;
     board.title = fmt::format("Quadrat {} · {}{}", vitals.version, vitals.machine.name,
@@ -118,8 +126,7 @@ Board ServiceScreen::board(const Vitals& vitals, Instant now) const {
         vitals.machine.addresses.empty() ? "none" : fmt::format("{}", fmt::join(vitals.machine.addresses, " ")),
         span(vitals.running)));
     lines.push_back(vitals.display);
-    lines.push_back(fmt::format("{:.0f} frames/s · {} late of {} · detail {:.2f}", vitals.frames.per_second,
-                                vitals.frames.late, vitals.frames.frames, vitals.alpha));
+    lines.push_back(frames_line(vitals));
     lines.push_back(machine_line(vitals));
     lines.push_back(disk_line(vitals));
     lines.push_back(fmt::format("{} visits · {} presses · {} failures in ten minutes", vitals.visits, vitals.presses,

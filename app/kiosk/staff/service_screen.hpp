@@ -14,8 +14,12 @@ namespace quadrat::kiosk::staff {
 struct Board {
     std::string title;
     std::vector<std::string> lines;
-    bool covers_all = true;  // false: the picture is seen behind it
+    // All: nothing else is seen. Tint: the picture is seen behind it. Strip: lines only, in a corner of the picture.
+    enum class Cover { All, Tint, Strip } cover = Cover::All;
 };
+
+// How it draws just now, for whoever develops: frames, detail, triangles, GPU.
+Board figures_board(const Vitals& vitals);
 
 enum class StaffWish { Picture, Restart, ShutDown };
 

@@ -41,6 +41,8 @@ struct Vitals {
     std::string screen_trouble;  // "" while it shows
     FrameCount frames;
     double alpha = 1;  // detail
+    double scale = 1;  // of a side of the views, as they are drawn
+    std::size_t triangles = 0;
     firmware_io::SourceStatus buttons;
     std::uint64_t presses = 0;
     std::vector<firmware_io::Finding> findings;

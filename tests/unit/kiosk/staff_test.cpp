@@ -78,6 +78,16 @@ TEST(ServiceScreen, ShowsWhatStaffAskOnTheTelephone) {
         EXPECT_THAT(all, HasSubstr(what));
 }
 
+TEST(ServiceScreen, ItsFiguresLieInACornerOfThePicture) {
+    Vitals vitals = ailing();
+    vitals.triangles = 123'456;
+    vitals.scale = 0.75;
+    const Board board = figures_board(vitals);
+    EXPECT_EQ(board.cover, Board::Cover::Strip);
+    ASSERT_FALSE(board.lines.empty());
+    EXPECT_THAT(board.lines.front(), HasSubstr("123 thousand triangles · views at 75 %"));
+}
+
 TEST(ServiceScreen, RestartsAndShutsDownOnlyWhenAskedTwice) {
     ServiceScreen service;
     service.open(0s);

@@ -46,7 +46,7 @@ class AStage : public testing::Test {
 };
 
 TEST_F(AStage, ABoardCoversEverythingOrIsReadOverThePicture) {
-    staff::Board board{"Quadrat", {"one", "two", std::string(400, 'w')}, true};
+    staff::Board board{"Quadrat", {"one", "two", std::string(400, 'w')}, staff::Board::Cover::All};
     board_ = &board;
     EXPECT_TRUE(frame(3s).views.empty());
     for (const render::Sign& sign : frame(3s).signs) {
@@ -55,9 +55,19 @@ TEST_F(AStage, ABoardCoversEverythingOrIsReadOverThePicture) {
         EXPECT_LE(sign.place.x + sign.place.width, 320);
         EXPECT_LE(sign.place.y + sign.place.height, 180);
     }
-    board = {"Closed", {}, false};
+    board = {"Closed", {}, staff::Board::Cover::Tint};
     EXPECT_EQ(frame(3s).views.size(), 4U);
     EXPECT_EQ(frame(3s).signs.size(), 2U) << "the board alone, and its ground";
+}
+
+TEST_F(AStage, AStripLiesInACornerBesideAllTheRest) {
+    const std::size_t without = frame(3s).signs.size();
+    const staff::Board board{"", {"60 frames/s", "a GPU"}, staff::Board::Cover::Strip};
+    board_ = &board;
+    const render::Frame with = frame(3s);
+    EXPECT_EQ(with.views.size(), 4U);
+    ASSERT_EQ(with.signs.size(), without + 4) << "two lines, each on its ground";
+    for (std::size_t i = without; i < with.signs.size(); ++i) EXPECT_LT(with.signs[i].place.y, 180 / 4);
 }
 
 TEST_F(AStage, AnEarlierLandscapeStandsInForWhatHasNotGrown) {
