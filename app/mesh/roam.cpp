@@ -10,6 +10,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace quadrat::mesh {
 
@@ -108,7 +109,7 @@ void Roam::look_at_leaf(std::uint32_t t) {
     if (slack < 0)
         rough_.push_back(t);  // not at once: that could split what is being split
     else
-        push(splits_, gone_m_ + 0.999 * static_cast<double>(slack), t);
+        push(splits_, due_m(slack), t);
 }
 
 // Two split triangles at one base whose four children are whole; at the rim one of two.
@@ -119,6 +120,13 @@ bool Roam::is_diamond(std::uint32_t t) const {
     };
     const std::uint32_t base = triangles_[t].base;
     return has_whole_children(t) && (base == kNone || has_whole_children(base));
+}
+
+// When the eye may have gone so far. Never now: what is looked at again at once, with as little left, would be for
+// ever.
+double Roam::due_m(float slack_m) const {
+    return std::max(gone_m_ + 0.999 * static_cast<double>(slack_m),
+                    std::nextafter(gone_m_, std::numeric_limits<double>::infinity()));
 }
 
 void Roam::push_diamond(std::uint32_t t) {
@@ -135,7 +143,7 @@ void Roam::look_at_diamond(std::uint32_t t) {
     if (slack >= 0)
         merge(t);
     else
-        push(merges_, gone_m_ + 0.999 * static_cast<double>(-slack), t);
+        push(merges_, due_m(-slack), t);
 }
 
 void Roam::settle() {

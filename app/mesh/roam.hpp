@@ -67,6 +67,7 @@ class Roam {
     void make_roots();
     std::uint32_t bound_of(const Corners& corners);
     void restart();
+    double due_m(float slack_m) const;
     void settle();
     void look_at_leaf(std::uint32_t t);
     void look_at_diamond(std::uint32_t t);
