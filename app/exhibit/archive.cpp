@@ -30,73 +30,56 @@ std::string_view name_of(Ending ending) {
 
 std::int64_t milliseconds_of(WallTime at) { return at.time_since_epoch().count(); }
 
-base::Seed seed_from(const std::string& text) {
-    const auto seed = genome::seed_of(text);
-    if (!seed) throw base::InputError("a seed is not 16 hexadecimal digits");
-    return *seed;
-}
+std::int64_t as_integer(std::uint64_t value) { return static_cast<std::int64_t>(value); }
 
+// Rows of an older program hold answers alone.
 constexpr std::string_view kGenerations =
-    "SELECT visit, round, seed, flight, breeder, belief, offer, answers FROM generation ORDER BY id DESC";
-constexpr std::int64_t kSpare_pages = 256;
+    "SELECT visit, round, seed, breeder, deeds, digest, ifnull(trees, -1), ifnull(land, -1), ifnull(sky, -1) "
+    "FROM generation WHERE digest IS NOT NULL ORDER BY id DESC";
+constexpr std::int64_t kSpare_pages = 2048;
+constexpr std::int64_t kForgotten_visits = 16;  // at once: a page that is written for one row is written for nothing
+constexpr std::int64_t kForgotten_generations = 1000;           // at most
 constexpr std::int64_t kLargestNumber = std::int64_t{1} << 53;  // of a visit or a row; leaves room to count on
 
 // Throws InputError when the row is not whole.
 Generation generation_from(const Statement& row) {
     Generation generation;
     generation.visit = row.integer(0);
-    generation.seed = seed_from(row.text(2));
-    generation.flight = seed_from(row.text(3));
-    generation.breeder = row.text(4);
-    generation.belief = row.text(5);
-    genome::parse_json(generation.belief, "belief");
-    generation.offer = genome::offer_from_json(row.text(6), "offer");
-    generation.answers = genome::pick_from_json(row.text(7), "answers");
-    if (generation.offer.round != row.integer(1)) throw base::InputError("the offer is of another round than its row");
+    generation.seed.value = static_cast<std::uint64_t>(row.integer(2));
+    generation.breeder = row.text(3);
+    generation.deeds = deeds_from(row.text(4));
+    generation.digest = static_cast<std::uint64_t>(row.integer(5));
+    if (row.integer(1) != static_cast<std::int64_t>(generation.deeds.size()) + 1)
+        throw base::InputError("its round is not that of its deeds");
+    generation.round = static_cast<int>(row.integer(1));
+    for (std::size_t i = 0; i < genome::kAspects.size(); ++i) {
+        const std::int64_t candidate = row.integer(6 + static_cast<int>(i));
+        if (candidate >= std::int64_t{genome::kCandidates}) throw base::InputError("there is no such candidate");
+        if (candidate >= 0) generation.answers[genome::kAspects[i]] = static_cast<std::size_t>(candidate);
+    }
     return generation;
 }
 
-// The rows of `answer` are what holds; a generation's own column is what it began with. So an answer writes a page, not
-// the whole generation again.
-genome::Pick answers_of(const Connection& connection, std::int64_t visit, int round) {
-    genome::Pick answers;
-    Statement rows = connection.prepare("SELECT aspect, candidate FROM answer WHERE visit=? AND round=?");
-    rows.bind(visit).bind(round);
-    while (rows.step()) {
-        const std::string name = rows.text(0);
-        const std::int64_t candidate = rows.integer(1);
-        for (const genome::Aspect aspect : genome::kAspects)
-            if (genome::name_of(aspect) == name && candidate >= 0 && candidate < std::int64_t{genome::kCandidates})
-                answers[aspect] = static_cast<std::size_t>(candidate);
+Statement& bind_answers(Statement& statement, const genome::Pick& answers) {
+    for (const genome::Aspect aspect : genome::kAspects) {
+        if (answers[aspect])
+            statement.bind(static_cast<std::int64_t>(*answers[aspect]));
+        else
+            statement.bind_nothing();
     }
-    return answers;
+    return statement;
 }
 
-void set_answers(Connection& connection, std::int64_t visit, int round, const genome::Pick& answers, WallTime at) {
-    for (const genome::Aspect aspect : genome::kAspects) {
-        if (!answers[aspect]) {
-            connection.prepare("DELETE FROM answer WHERE visit=? AND round=? AND aspect=?")
-                .bind(visit)
-                .bind(round)
-                .bind(genome::name_of(aspect))
-                .run();
-            continue;
-        }
-        // An answer that stands keeps its time.
-        connection
-            .prepare(
-                "INSERT INTO answer VALUES(?,?,?,?,?) ON CONFLICT DO UPDATE SET candidate=excluded.candidate, "
-                "at_ms=excluded.at_ms WHERE candidate<>excluded.candidate")
-            .bind(visit)
-            .bind(round)
-            .bind(genome::name_of(aspect))
-            .bind(static_cast<std::int64_t>(*answers[aspect]))
-            .bind(milliseconds_of(at))
-            .run();
-    }
+// Of one landscape several words are asked.
+bool is_of_the_last_scene(const Connection& connection, const std::string& scene, const std::string& made_of) {
+    Statement last =
+        connection.prepare("SELECT scene, made_of FROM word_answer WHERE scene<>'' ORDER BY id DESC LIMIT 1");
+    return last.step() && last.text(0) == scene && last.text(1) == made_of;
 }
 
 }  // namespace
+
+std::uint64_t digest_of(const genome::Offer& offer) { return base::Seed{}.child(genome::to_json(offer)).value; }
 
 Archive::Archive(Connection connection, const Retention& retention)
     : connection_(std::move(connection)),
@@ -105,7 +88,8 @@ Archive::Archive(Connection connection, const Retention& retention)
 
 void Archive::require_whole() const {
     if (connection_.integer("SELECT min(id) FROM visit") < 0 || last_visit_ > kLargestNumber ||
-        connection_.integer("SELECT max(seq) FROM sqlite_sequence") > kLargestNumber)
+        connection_.integer("SELECT max(seq) FROM sqlite_sequence") > kLargestNumber ||
+        connection_.integer("SELECT max(id) FROM generation") > kLargestNumber)
         throw DamageError("it holds numbers that were never written");
     try {
         Statement rows = connection_.prepare(kGenerations);
@@ -127,13 +111,37 @@ Trouble Archive::attempt(std::string_view what, const Work& work) {
     }
 }
 
+Trouble Archive::together(Durability durability, const std::function<void()>& work) {
+    std::optional<Transaction> all;
+    try {
+        connection_.run(durability == Durability::Flushed ? "PRAGMA synchronous=FULL" : "PRAGMA synchronous=NORMAL");
+        all.emplace(connection_);
+    } catch (const SqliteError&) {
+        all.reset();  // each call then says for itself what is wrong
+    }
+    work();
+    try {
+        if (all && connection_.is_in_transaction()) all->commit();
+        connection_.run("PRAGMA synchronous=FULL");
+        return std::nullopt;
+    } catch (const SqliteError& error) {
+        return fmt::format("cannot keep what was done last: {}", error.what());
+    }
+}
+
 Archive::Begun Archive::begin_visit(WallTime at) {
     const std::int64_t visit = ++last_visit_;
     Trouble trouble = attempt("the visit", [&] {
         connection_.prepare("INSERT INTO visit(id, began_ms) VALUES(?,?)").bind(visit).bind(milliseconds_of(at)).run();
+        if (visit % kForgotten_visits != 0) return;
         const std::int64_t oldest = visit - retention_.visits;
         connection_.prepare("DELETE FROM visit WHERE id<=?").bind(oldest).run();
-        connection_.prepare("DELETE FROM answer WHERE visit<=?").bind(oldest).run();
+        // The oldest stand first: nobody looks through all of them.
+        connection_
+            .prepare("DELETE FROM generation WHERE visit<=? AND id IN (SELECT id FROM generation ORDER BY id LIMIT ?)")
+            .bind(oldest)
+            .bind(kForgotten_generations)
+            .run();
     });
     return {visit, std::move(trouble)};
 }
@@ -151,29 +159,23 @@ Trouble Archive::end_visit(std::int64_t visit, Ending ending, int rounds, WallTi
 
 Trouble Archive::append(const Generation& generation) {
     Trouble trouble = attempt("the generation", [&] {
-        connection_
-            .prepare(
-                "INSERT INTO generation(visit, round, seed, flight, breeder, belief, offer, answers) "
-                "VALUES(?,?,?,?,?,?,?,?)")
-            .bind(generation.visit)
-            .bind(generation.offer.round)
-            .bind(genome::text_of(generation.seed))
-            .bind(genome::text_of(generation.flight))
+        Statement row = connection_.prepare(
+            "INSERT INTO generation(visit, round, seed, breeder, deeds, digest, trees, land, sky) "
+            "VALUES(?,?,?,?,?,?,?,?,?)");
+        row.bind(generation.visit)
+            .bind(generation.round)
+            .bind(as_integer(generation.seed.value))
             .bind(generation.breeder)
-            .bind(generation.belief)
-            .bind(genome::to_json(generation.offer))
-            .bind(genome::to_json(generation.answers))
-            .run();
-        const std::int64_t oldest = connection_.last_row() - std::max(1, retention_.generations);
-        set_answers(connection_, generation.visit, generation.offer.round, generation.answers, {});
-        connection_.prepare("DELETE FROM generation WHERE id<=?").bind(oldest).run();
+            .bind(to_text(generation.deeds))
+            .bind(as_integer(generation.digest));
+        bind_answers(row, generation.answers).run();
     });
     if (trouble) return trouble;
     try {
         // A few pages a time give back what was deleted, without a pause that anyone could notice. What the next
         // generations will fill again stays: pages that come and go wear a card out.
         if (connection_.integer("PRAGMA freelist_count") > kSpare_pages)
-            connection_.prepare("PRAGMA incremental_vacuum(16)").run();
+            connection_.prepare("PRAGMA incremental_vacuum(64)").run();
     } catch (const SqliteError& error) {
         return fmt::format("kept the generation, but cannot give back disk space: {}", error.what());
     }
@@ -182,21 +184,37 @@ Trouble Archive::append(const Generation& generation) {
 
 Trouble Archive::keep_answers(std::int64_t visit, int round, const genome::Pick& answers, WallTime at) {
     return attempt("the answers", [&] {
-        set_answers(connection_, visit, round, answers, at);
+        // An answer that stands keeps its time.
+        Statement row = connection_.prepare(
+            "UPDATE generation SET trees=?1, land=?2, sky=?3,"
+            " trees_ms=CASE WHEN ?1 IS NULL THEN NULL WHEN trees IS ?1 THEN trees_ms ELSE ?4 END,"
+            " land_ms=CASE WHEN ?2 IS NULL THEN NULL WHEN land IS ?2 THEN land_ms ELSE ?4 END,"
+            " sky_ms=CASE WHEN ?3 IS NULL THEN NULL WHEN sky IS ?3 THEN sky_ms ELSE ?4 END"
+            " WHERE id=(SELECT max(id) FROM generation) AND visit=?5 AND round=?6");
+        bind_answers(row, answers).bind(milliseconds_of(at)).bind(visit).bind(round).run();
     });
 }
 
 Trouble Archive::keep_word(const genome::WordAnswer& answer, WallTime at) {
     return attempt("what was said of the landscape", [&] {
+        std::string scene = genome::to_json(answer.scene);
+        std::string made_of = answer.made_of ? genome::words_json(*answer.made_of) : "";
+        if (is_of_the_last_scene(connection_, scene, made_of)) scene = made_of = "";
         connection_.prepare("INSERT INTO word_answer(at_ms, word, step, scene, made_of) VALUES(?,?,?,?,?)")
             .bind(milliseconds_of(at))
             .bind(word(answer.word).name)
             .bind(static_cast<std::int64_t>(answer.step))
-            .bind(genome::to_json(answer.scene))
-            .bind(answer.made_of ? genome::words_json(*answer.made_of) : "")
+            .bind(scene)
+            .bind(made_of)
             .run();
         const std::int64_t oldest = connection_.last_row() - std::max(1, retention_.word_answers);
-        connection_.prepare("DELETE FROM word_answer WHERE id<=?").bind(oldest).run();
+        // With a scene go those that were said of it.
+        connection_
+            .prepare(
+                "DELETE FROM word_answer WHERE id<=?1 OR "
+                "id<(SELECT min(id) FROM word_answer WHERE id>?1 AND scene<>'')")
+            .bind(oldest)
+            .run();
     });
 }
 
@@ -238,9 +256,7 @@ std::optional<Generation> Archive::latest() const {
         Statement rows = connection_.prepare(kGenerations);
         while (rows.step()) {
             try {
-                Generation generation = generation_from(rows);
-                generation.answers = answers_of(connection_, generation.visit, generation.offer.round);
-                return generation;
+                return generation_from(rows);
             } catch (const base::InputError&) {
                 continue;
             }
@@ -258,6 +274,15 @@ bool Archive::is_open(std::int64_t visit) const {
     } catch (const SqliteError&) {
         return false;
     }
+}
+
+Kept Archive::kept() const {
+    Kept kept;
+    kept.interrupted = latest();
+    if (kept.interrupted && !is_open(kept.interrupted->visit)) kept.interrupted.reset();
+    kept.buttons = remembered("buttons");
+    kept.detail = remembered("detail");
+    return kept;
 }
 
 }  // namespace quadrat::exhibit

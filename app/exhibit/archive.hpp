@@ -3,12 +3,14 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/seed.hpp"
+#include "exhibit/deeds.hpp"
 #include "exhibit/sqlite.hpp"
 #include "exhibit/visit.hpp"
 #include "genome/offer.hpp"
@@ -21,22 +23,23 @@ using WallTime = std::chrono::sys_time<std::chrono::milliseconds>;
 // Why something was not kept, in one line; nothing when it was. The exhibit says so and goes on.
 using Trouble = std::optional<std::string>;
 
-// The four that were on screen, and all that is needed to go on from them.
+// The four that were on screen, by what they came from: the same deeds lead to the same four again.
 struct Generation {
     std::int64_t visit = 0;
-    base::Seed seed;       // the session's
-    base::Seed flight;     // the camera's path
-    std::string breeder;   // its name
-    std::string belief;    // JSON, the breeder's own
-    genome::Offer offer;   // the round is in it
-    genome::Pick answers;  // of this round, so far
+    int round = 1;
+    base::Seed seed;           // the session's
+    std::string breeder;       // its name
+    std::vector<Deed> deeds;   // since the visit began; as many as rounds before this one
+    std::uint64_t digest = 0;  // of the offer, digest_of(): what the deeds led to
+    genome::Pick answers;      // of this round, so far
     friend bool operator==(const Generation&, const Generation&) = default;
 };
 
-// How much is kept; the oldest goes first. A generation takes about 4 kB with 21 parameters, a visit under 1 kB.
+std::uint64_t digest_of(const genome::Offer& offer);
+
+// How much is kept; the oldest goes first, a few at a time. A visit of six rounds takes about 1 kB.
 struct Retention {
-    int generations = 1000;
-    int visits = 200'000;
+    int visits = 200'000;     // with their generations and answers
     int word_answers = 5000;  // about 5 kB each
 };
 
@@ -47,8 +50,21 @@ struct WordAnswers {
     int unreadable = 0;
 };
 
-// What visitors did and where the exhibit stands, in one SQLite file (WAL, synchronous=FULL), quadrat.db.
-// Each call is one transaction: after a kill or a pulled plug all of it is there or none. No personal data.
+// What an exhibit that was switched off goes on with.
+struct Kept {
+    std::optional<Generation> interrupted;  // the last one, of a visit that has not ended
+    std::string buttons, detail;            // what was remembered under these names
+};
+using TellKept = std::function<void(const Kept&)>;
+
+enum class Durability {
+    Flushed,  // on the disk when the call returns
+    Written,  // with the system: a kill loses nothing, a pulled plug the last seconds
+};
+
+// What visitors did and where the exhibit stands, in one SQLite file (WAL), quadrat.db. Each call is one transaction,
+// flushed to the disk, or part of the one that together() makes of several: after a kill or a pulled plug all of it is
+// there or none. No personal data.
 class Archive {
   public:
     enum class Condition {
@@ -59,10 +75,17 @@ class Archive {
     };
     struct Opened;
 
-    // Never throws for what it finds on disk. A damaged file (not SQLite, cut off, a schema version from the future, a check that
-    // fails, a last row that cannot be read) is renamed, with its -wal and -shm, to quadrat.db.damaged-YYYYMMDD-HHMMSS
-    // in UTC. An older schema version is brought up to date. The directory is created when missing.
-    static Opened open(const std::filesystem::path& directory, WallTime now, const Retention& retention = {});
+    // Never throws for what it finds on disk. A damaged file (not SQLite, cut off, a schema version from the future, a
+    // check that fails, a last row that cannot be read) is renamed, with its -wal and -shm, to
+    // quadrat.db.damaged-YYYYMMDD-HHMMSS in UTC. An older schema version is brought up to date. The directory is
+    // created when missing. `tell` hears what was kept as soon as it is known, before anything is written: a disk may
+    // take seconds for that. It may hear nothing more than once after that, where the file turns out to be of no use.
+    static Opened open(const std::filesystem::path& directory, WallTime now, const Retention& retention = {},
+                       const TellKept& tell = {});
+
+    // One transaction of all calls that `work` makes, so that what belongs together is written once. What could not be
+    // kept, each call says; the trouble here is that of the whole.
+    [[nodiscard]] Trouble together(Durability durability, const std::function<void()>& work);
 
     // The number of a new visit, from 1; unique in the file, also when writing it failed.
     struct Begun;
@@ -93,6 +116,8 @@ class Archive {
     // The last whole generation; an older one when rows after it cannot be read. Nothing when there is none.
     std::optional<Generation> latest() const;
 
+    Kept kept() const;
+
     // Whether the visit has begun and not ended: to be taken up again after a pulled plug.
     bool is_open(std::int64_t visit) const;
 
@@ -100,11 +125,12 @@ class Archive {
     Archive(Connection connection, const Retention& retention);
 
     // The three ways open() may go. open_file throws DamageError and SqliteError; the others follow from them.
-    static Opened open_file(const std::filesystem::path& file, WallTime now, const Retention& retention);
+    static Opened open_file(const std::filesystem::path& file, WallTime now, const Retention& retention,
+                            const TellKept& tell);
     static Opened open_in_memory(const std::filesystem::path& file, std::string_view why, WallTime now,
-                                 const Retention& retention);
+                                 const Retention& retention, const TellKept& tell);
     static Opened replace(const std::filesystem::path& file, std::string_view damage, WallTime now,
-                          const Retention& retention);
+                          const Retention& retention, const TellKept& tell);
 
     // Throws DamageError when the last row is not whole, or a number is beyond what we ever write.
     void require_whole() const;

@@ -88,12 +88,15 @@ auto opened_or_damage(const Open& open) {
 
 }  // namespace
 
-Archive::Opened Archive::open_file(const fs::path& file, WallTime now, const Retention& retention) {
+Archive::Opened Archive::open_file(const fs::path& file, WallTime now, const Retention& retention,
+                                   const TellKept& tell) {
     return opened_or_damage([&] {
         Connection connection(file);
+        if (tell && holds_nothing(connection)) tell({});
         const Found found = prepare_schema(connection);
         Archive archive(std::move(connection), retention);
         archive.require_whole();
+        if (tell && found != Found::Nothing) tell(archive.kept());
         note_start(archive.connection_, now);
         archive.connection_.trust_file();
         constexpr std::array<const char*, 3> kWords{"a new state file", "the state file is whole",
@@ -104,39 +107,40 @@ Archive::Opened Archive::open_file(const fs::path& file, WallTime now, const Ret
 }
 
 Archive::Opened Archive::open_in_memory(const fs::path& file, std::string_view why, WallTime now,
-                                        const Retention& retention) {
-    Opened opened = open_file(":memory:", now, retention);
+                                        const Retention& retention, const TellKept& tell) {
+    Opened opened = open_file(":memory:", now, retention, tell);
     opened.condition = Condition::MemoryOnly;
     opened.message = fmt::format("{}: {}; the state is kept in memory only and is lost at the end", file.string(), why);
     return opened;
 }
 
 Archive::Opened Archive::replace(const fs::path& file, std::string_view damage, WallTime now,
-                                 const Retention& retention) {
+                                 const Retention& retention, const TellKept& tell) {
     const fs::path aside = name_aside(file, now);
     if (const auto failure = set_aside(file, aside)) {
         const std::string why = fmt::format("damaged ({}) and cannot be set aside ({})", damage, failure.message());
-        return open_in_memory(file, why, now, retention);
+        return open_in_memory(file, why, now, retention, tell);
     }
-    Opened opened = open_file(file, now, retention);
+    Opened opened = open_file(file, now, retention, tell);
     opened.condition = Condition::Replaced;
     opened.message = fmt::format("{}: damaged ({}); set aside as {}, and a fresh one begun", file.string(), damage,
                                  aside.filename().string());
     return opened;
 }
 
-Archive::Opened Archive::open(const fs::path& directory, WallTime now, const Retention& retention) {
+Archive::Opened Archive::open(const fs::path& directory, WallTime now, const Retention& retention,
+                              const TellKept& tell) {
     const fs::path file = directory / "quadrat.db";
     std::error_code ignored;  // opening the file says it better
     fs::create_directories(directory, ignored);
     try {
         try {
-            return open_file(file, now, retention);
+            return open_file(file, now, retention, tell);
         } catch (const DamageError& damage) {
-            return replace(file, one_line(damage.what()), now, retention);
+            return replace(file, one_line(damage.what()), now, retention, tell);
         }
     } catch (const SqliteError& trouble) {
-        return open_in_memory(file, one_line(trouble.what()), now, retention);
+        return open_in_memory(file, one_line(trouble.what()), now, retention, tell);
     }
 }
 

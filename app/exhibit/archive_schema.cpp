@@ -2,6 +2,7 @@
 #include "exhibit/archive_schema.hpp"
 
 #include <fmt/format.h>
+#include <sqlite3.h>
 
 #include <array>
 #include <string>
@@ -10,7 +11,9 @@ namespace quadrat::exhibit {
 namespace {
 
 constexpr std::int64_t kApplication = 0x51445254;  // "QDRT"
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
+// What is written is written in whole pages, to the log and to the file; most calls change a row of 100 bytes.
+constexpr std::int64_t kPage_bytes = 512;
 
 // Times are milliseconds since 1970, UTC. Seeds are text: SQLite's integers are signed.
 constexpr const char* kTables = R"(
@@ -36,6 +39,27 @@ CREATE TABLE memory(name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE outbox(id INTEGER PRIMARY KEY AUTOINCREMENT, topic TEXT NOT NULL, payload TEXT NOT NULL);
 )",
      "DROP TABLE memory; DROP TABLE outbox"},
+    // A generation by what it came from instead of all that it is, and in the same row what was answered, each when it
+    // was given: a hundredth of what was written. Generations of before cannot be told so, nor those of since in the
+    // old way: a visit that was interrupted then is not taken up. And a word answer without a scene is of the same one
+    // as the answer before.
+    {R"(
+DROP TABLE generation;
+CREATE TABLE generation(id INTEGER PRIMARY KEY, visit INTEGER NOT NULL, round INTEGER NOT NULL, seed INTEGER, breeder TEXT, deeds TEXT, digest INTEGER, trees INTEGER, land INTEGER, sky INTEGER, trees_ms INTEGER, land_ms INTEGER, sky_ms INTEGER);
+INSERT INTO generation(visit, round, trees, land, sky, trees_ms, land_ms, sky_ms)
+SELECT visit, round, max(CASE aspect WHEN 'trees' THEN candidate END), max(CASE aspect WHEN 'land' THEN candidate END), max(CASE aspect WHEN 'sky' THEN candidate END), max(CASE aspect WHEN 'trees' THEN at_ms END), max(CASE aspect WHEN 'land' THEN at_ms END), max(CASE aspect WHEN 'sky' THEN at_ms END) FROM answer GROUP BY visit, round ORDER BY visit, round;
+DROP TABLE answer;
+)",
+     R"(
+UPDATE word_answer SET (scene, made_of)=(SELECT w.scene, w.made_of FROM word_answer w WHERE w.id<word_answer.id AND w.scene<>'' ORDER BY w.id DESC LIMIT 1) WHERE scene='' AND id>(SELECT min(id) FROM word_answer WHERE scene<>'');
+DELETE FROM word_answer WHERE scene='';
+CREATE TABLE answer(visit INTEGER NOT NULL, round INTEGER NOT NULL, aspect TEXT NOT NULL, candidate INTEGER NOT NULL, at_ms INTEGER NOT NULL, PRIMARY KEY(visit, round, aspect)) WITHOUT ROWID;
+INSERT OR REPLACE INTO answer SELECT visit, round, 'trees', trees, ifnull(trees_ms, 0) FROM generation WHERE trees IS NOT NULL ORDER BY id;
+INSERT OR REPLACE INTO answer SELECT visit, round, 'land', land, ifnull(land_ms, 0) FROM generation WHERE land IS NOT NULL ORDER BY id;
+INSERT OR REPLACE INTO answer SELECT visit, round, 'sky', sky, ifnull(sky_ms, 0) FROM generation WHERE sky IS NOT NULL ORDER BY id;
+DROP TABLE generation;
+CREATE TABLE generation(id INTEGER PRIMARY KEY AUTOINCREMENT, visit INTEGER NOT NULL, round INTEGER NOT NULL, seed TEXT NOT NULL, flight TEXT NOT NULL, breeder TEXT NOT NULL, belief TEXT NOT NULL, offer TEXT NOT NULL, answers TEXT NOT NULL);
+)"},
 }};
 
 std::string schema_of(const Connection& connection) {
@@ -92,13 +116,30 @@ void require_whole(const Connection& connection) {
     if (!check.step() || check.text(0) != "ok") throw DamageError("it fails SQLite's check: " + check.text(0));
 }
 
+// A file of an older program has larger pages. Not while somebody else reads it: then at the next start.
+void use_small_pages(Connection& connection) {
+    if (connection.integer("PRAGMA page_size") == kPage_bytes) return;
+    try {
+        connection.run("PRAGMA journal_mode=DELETE");
+        connection.run(fmt::format("PRAGMA page_size={}; VACUUM", kPage_bytes).c_str());
+    } catch (const SqliteError& error) {
+        if (error.code() != SQLITE_BUSY && error.code() != SQLITE_LOCKED && error.code() != SQLITE_FULL) throw;
+    }
+    connection.run("PRAGMA journal_mode=WAL");
+}
+
 }  // namespace
+
+bool holds_nothing(const Connection& connection) {
+    return schema_of(connection).empty() && connection.integer("PRAGMA user_version") == 0;
+}
 
 Found prepare_schema(Connection& connection) {
     const std::string schema = schema_of(connection);
-    const bool is_empty = schema.empty() && connection.integer("PRAGMA user_version") == 0;
+    const bool is_empty = holds_nothing(connection);
     const int version = is_empty ? 0 : version_of_ours(connection, schema);
-    if (is_empty) connection.run("PRAGMA auto_vacuum=INCREMENTAL");
+    if (is_empty)
+        connection.run(fmt::format("PRAGMA page_size={}; PRAGMA auto_vacuum=INCREMENTAL", kPage_bytes).c_str());
     connection.run("PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL");
     if (is_empty) {
         create(connection);
@@ -106,6 +147,7 @@ Found prepare_schema(Connection& connection) {
     }
     require_whole(connection);
     move_schema(connection, kVersion);
+    use_small_pages(connection);
     return version == kVersion ? Found::Ours : Found::Older;
 }
 

@@ -14,6 +14,8 @@ class DamageError : public std::runtime_error {
 
 enum class Found { Nothing, Ours, Older };
 
+bool holds_nothing(const Connection& connection);  // no table, and no version
+
 // Makes the tables where there are none, and brings those of an older version to this one. Throws DamageError for a
 // file that holds anything else than the tables of its version or fails SQLite's own check; SqliteError as SQLite does.
 Found prepare_schema(Connection& connection);

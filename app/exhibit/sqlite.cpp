@@ -30,6 +30,11 @@ Statement& Statement::bind(std::string_view text) {
     return *this;
 }
 
+Statement& Statement::bind_nothing() {
+    check(sqlite3_bind_null(statement_.get(), ++bound_));
+    return *this;
+}
+
 bool Statement::step() {
     const int code = sqlite3_step(statement_.get());
     if (code != SQLITE_ROW && code != SQLITE_DONE) fail(sqlite3_db_handle(statement_.get()), code);
@@ -89,18 +94,23 @@ std::int64_t Connection::last_row() const { return sqlite3_last_insert_rowid(dat
 
 bool Connection::is_in_transaction() const { return sqlite3_get_autocommit(database_.get()) == 0; }
 
-Transaction::Transaction(Connection& connection) : connection_(connection) { connection_.run("BEGIN IMMEDIATE"); }
+Transaction::Transaction(Connection& connection) : connection_(connection), is_part_(connection.is_in_transaction()) {
+    connection_.run(is_part_ ? "SAVEPOINT part" : "BEGIN IMMEDIATE");
+}
 
 Transaction::~Transaction() {
     // Some errors have rolled back already; a rollback that fails leaves nothing that we could still undo.
-    if (!connection_.is_in_transaction()) return;
+    if (is_done_ || !connection_.is_in_transaction()) return;
     try {
-        connection_.run("ROLLBACK");
+        connection_.run(is_part_ ? "ROLLBACK TO part; RELEASE part" : "ROLLBACK");
     } catch (const SqliteError&) {
         return;
     }
 }
 
-void Transaction::commit() { connection_.run("COMMIT"); }
+void Transaction::commit() {
+    connection_.run(is_part_ ? "RELEASE part" : "COMMIT");
+    is_done_ = true;
+}
 
 }  // namespace quadrat::exhibit

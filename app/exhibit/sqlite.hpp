@@ -27,6 +27,7 @@ class Statement {
     // The next parameter, from the left.
     Statement& bind(std::int64_t value);
     Statement& bind(std::string_view text);
+    Statement& bind_nothing();  // NULL
 
     bool step();  // true: a row
     void run();   // to the end
@@ -69,7 +70,7 @@ class Connection {
     std::unique_ptr<sqlite3, Close> database_;
 };
 
-// All or nothing: rolled back unless committed.
+// All or nothing: rolled back unless committed. Within another it is a part of that, and commits with it.
 class Transaction {
   public:
     explicit Transaction(Connection& connection);
@@ -80,6 +81,8 @@ class Transaction {
 
   private:
     Connection& connection_;
+    bool is_part_;
+    bool is_done_ = false;
 };
 
 }  // namespace quadrat::exhibit

@@ -325,10 +325,11 @@ Step opening(Instant now) {
     return {state, {PrepareVisit{generation}}};
 }
 
-State resumed(int rounds, const genome::Pick& answers, Instant now) {
+State resumed(std::vector<genome::Pick> past, const genome::Pick& answers, Instant now) {
     State state;
     state.screen = Screen::Breed;
-    state.rounds = std::max(0, rounds);
+    state.rounds = static_cast<int>(past.size());
+    state.past_answers = std::move(past);
     state.since = now;
     state.last_press = now;
     new_generation(state);
@@ -340,7 +341,8 @@ State resumed(int rounds, const genome::Pick& answers, Instant now) {
 }
 
 State resumed_sliding(int turns, Instant now) {
-    State state = resumed(turns / kTurnsARound, {}, now);
+    State state = resumed({}, {}, now);
+    state.rounds = std::max(0, turns) / kTurnsARound;
     state.turns = std::max(0, turns);
     return state;
 }

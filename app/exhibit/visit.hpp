@@ -178,9 +178,9 @@ struct Step {
 Step opening(Instant now);
 
 // Switched on again after a plug was pulled in the middle of a visit: Breed until the four of then are ready
-// (GenerationReady{state.generation}), then the first question without an answer. Back reaches this round's answers,
-// not earlier rounds. `answers` holds those given: trees, or trees and land; anything else is taken as none.
-State resumed(int rounds, const genome::Pick& answers, Instant now);
+// (GenerationReady{state.generation}), then the first question without an answer. `past` are the answers of the rounds
+// before, oldest first. `answers` holds those given since: trees, or trees and land; anything else is taken as none.
+State resumed(std::vector<genome::Pick> past, const genome::Pick& answers, Instant now);
 
 // The same for a visit in which so many sliders had been turned; Back reaches none of them.
 State resumed_sliding(int turns, Instant now);

@@ -12,7 +12,7 @@ namespace quadrat::exhibit {
 namespace {
 
 // Throws InputError when the row is not whole.
-genome::WordAnswer answer_from(const Statement& row) {
+genome::WordAnswer answer_from(const Statement& row, const std::string& scene, const std::string& words) {
     genome::WordAnswer answer;
     const auto word = genome::word_named(row.text(0));
     if (!word) throw base::InputError("there is no such word");
@@ -21,9 +21,8 @@ genome::WordAnswer answer_from(const Statement& row) {
     if (step < 0 || step >= static_cast<std::int64_t>(genome::kAnswerSteps.size()))
         throw base::InputError("there is no such answer");
     answer.step = static_cast<std::size_t>(step);
-    answer.scene = genome::from_json(row.text(2), "scene");
-    if (const std::string words = row.text(3); !words.empty())
-        answer.made_of = genome::words_from(genome::parse_json(words, "words"), "words", "words");
+    answer.scene = genome::from_json(scene, "scene");
+    if (!words.empty()) answer.made_of = genome::words_from(genome::parse_json(words, "words"), "words", "words");
     return answer;
 }
 
@@ -51,9 +50,15 @@ auto with_state_of(const std::filesystem::path& directory, const Work& work) {
 WordAnswers word_answers_of(const Connection& connection) {
     WordAnswers answers;
     Statement rows = connection.prepare("SELECT word, step, scene, made_of FROM word_answer ORDER BY id");
+    std::string scene, made_of;
     while (rows.step()) {
+        // Without a scene: the same as before.
+        if (!rows.text(2).empty()) {
+            scene = rows.text(2);
+            made_of = rows.text(3);
+        }
         try {
-            answers.readable.push_back(answer_from(rows));
+            answers.readable.push_back(answer_from(rows, scene, made_of));
         } catch (const base::InputError&) {
             ++answers.unreadable;
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kiosk/keeper.hpp"
 
+#include <utility>
+
 #include "base/log.hpp"
 
 namespace quadrat::kiosk {
@@ -8,7 +10,13 @@ namespace {
 constexpr std::size_t kMostWaiting = 1000;
 }
 
-Keeper::Keeper(exhibit::Archive archive) : archive_(std::move(archive)), thread_([this] { work(); }) {}
+Keeper::Keeper(exhibit::Archive archive) : archive_(std::move(archive)), kept_(archive_->kept()) {
+    thread_ = std::thread([this] { work(); });
+}
+
+Keeper::Keeper(Open open) : open_(std::move(open)) {
+    thread_ = std::thread([this] { work(); });
+}
 
 Keeper::~Keeper() {
     {
@@ -19,11 +27,31 @@ Keeper::~Keeper() {
     thread_.join();
 }
 
-Keeper::Ticket Keeper::post(Work work) {
+std::optional<exhibit::Kept> Keeper::kept() {
+    const std::scoped_lock lock(mutex_);
+    return kept_;
+}
+
+std::optional<exhibit::Kept> Keeper::kept_within(std::chrono::milliseconds patience) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, patience, [this] { return kept_.has_value(); });
+    return kept_;
+}
+
+// The first word counts: what is opened in its place, when it turns out to be of no use, holds nothing.
+void Keeper::tell(const exhibit::Kept& kept) {
+    const std::scoped_lock lock(mutex_);
+    if (kept_) return;
+    kept_ = kept;
+    changed_.notify_all();
+}
+
+Keeper::Ticket Keeper::post(Work work, Urgency urgency) {
     const std::scoped_lock lock(mutex_);
     // A disk that hangs for hours must not fill the memory: what is lost then is lost with the disk.
     if (queue_.size() >= kMostWaiting) return posted_;
-    queue_.push_back(std::move(work));
+    queue_.push_back({std::move(work), urgency, std::chrono::steady_clock::now()});
+    if (urgency == Urgency::Now) ++urgent_;
     changed_.notify_all();
     return ++posted_;
 }
@@ -50,23 +78,53 @@ std::chrono::milliseconds Keeper::waited_for() {
 }
 
 void Keeper::work() {
+    using std::chrono::steady_clock;
     std::unique_lock lock(mutex_);
-    for (;;) {
-        changed_.wait(lock, [this] { return !queue_.empty() || is_ending_; });
-        if (queue_.empty()) return;
-        const Work next = std::move(queue_.front());
-        queue_.pop_front();
-        begun_ = std::chrono::steady_clock::now();
+    const auto waiting_for_the_disk = [&](const auto& task) {
+        begun_ = steady_clock::now();
         is_working_ = true;
         lock.unlock();
-        const exhibit::Trouble trouble = next(archive_);
+        task();
         lock.lock();
         is_working_ = false;
-        if (trouble && *trouble != last_trouble_) base::log::error("state: {}", *trouble);
-        last_trouble_ = trouble.value_or("");
-        ++done_;
+    };
+    if (!archive_)
+        waiting_for_the_disk([this] { archive_ = open_([this](const exhibit::Kept& kept) { tell(kept); }); });
+    const auto is_due = [this] {
+        return urgent_ > 0 || is_ending_ || (!queue_.empty() && steady_clock::now() - queue_.front().at >= kHold);
+    };
+    for (;;) {
+        if (queue_.empty())
+            changed_.wait(lock, [this] { return !queue_.empty() || is_ending_; });
+        else
+            changed_.wait_until(lock, queue_.front().at + kHold, is_due);
+        if (queue_.empty() && is_ending_) return;
+        if (!is_due()) continue;
+        std::deque<Posted> batch = std::exchange(queue_, {});
+        const bool is_urgent = std::exchange(urgent_, 0) > 0 || is_ending_;
+        const std::size_t count = batch.size();
+        waiting_for_the_disk([&] {
+            do_together(std::move(batch), is_urgent ? exhibit::Durability::Flushed : exhibit::Durability::Written);
+        });
+        done_ += count;
         changed_.notify_all();
     }
+}
+
+void Keeper::do_together(std::deque<Posted> batch, exhibit::Durability durability) {
+    exhibit::Trouble last;
+    const auto note = [&](const exhibit::Trouble& trouble) {
+        const std::scoped_lock lock(mutex_);
+        if (trouble && *trouble != last_trouble_) base::log::error("state: {}", *trouble);
+        if (trouble) last_trouble_ = *trouble;
+        if (trouble) last = trouble;
+    };
+    const exhibit::Trouble of_all = archive_->together(durability, [&] {
+        for (const Posted& one : batch) note(one.work(*archive_));
+    });
+    note(of_all);
+    const std::scoped_lock lock(mutex_);
+    last_trouble_ = last.value_or("");
 }
 
 }  // namespace quadrat::kiosk

@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -12,19 +13,32 @@
 
 namespace quadrat::kiosk {
 
-// The archive on a thread of its own: a commit waits for the disk, and a frame must not. Work is done in order; what
-// could not be kept is logged, once for each kind of trouble.
+// The archive on a thread of its own: a commit waits for the disk, and a frame must not. Work is done in order, and
+// what has gathered is written as one; what could not be kept is logged, once for each kind of trouble.
 class Keeper {
   public:
     using Work = std::function<exhibit::Trouble(exhibit::Archive&)>;
     using Ticket = std::uint64_t;
+    using Open = std::function<exhibit::Archive(const exhibit::TellKept& tell)>;
+
+    enum class Urgency {
+        Now,  // and all before it; on the disk when it is done
+        Soon  // with what comes next, within kHold: a killed program loses it, and it is nothing that was on screen
+    };
+    static constexpr std::chrono::seconds kHold{15};
 
     explicit Keeper(exhibit::Archive archive);
+    // Opens it on that thread: first reads what was kept, and tells; then writes, for as long as the disk takes.
+    explicit Keeper(Open open);
     ~Keeper();  // does all that was asked for, then ends
     Keeper(const Keeper&) = delete;
     Keeper& operator=(const Keeper&) = delete;
 
-    Ticket post(Work work);
+    // What the last run left; nothing until that is known.
+    std::optional<exhibit::Kept> kept();
+    std::optional<exhibit::Kept> kept_within(std::chrono::milliseconds patience);
+
+    Ticket post(Work work, Urgency urgency);
     bool is_done(Ticket ticket);
     void wait(Ticket ticket);
     std::string trouble();  // of what was done last, "" if it was kept
@@ -32,12 +46,22 @@ class Keeper {
     std::chrono::milliseconds waited_for();
 
   private:
+    struct Posted {
+        Work work;
+        Urgency urgency;
+        std::chrono::steady_clock::time_point at;
+    };
+    void tell(const exhibit::Kept& kept);
     void work();
+    void do_together(std::deque<Posted> batch, exhibit::Durability durability);
 
-    exhibit::Archive archive_;
+    std::optional<exhibit::Archive> archive_;  // of the thread alone, once that runs
+    Open open_;
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::deque<Work> queue_;
+    std::optional<exhibit::Kept> kept_;
+    std::deque<Posted> queue_;
+    std::size_t urgent_ = 0;  // of them
     Ticket posted_ = 0;
     Ticket done_ = 0;
     bool is_ending_ = false;

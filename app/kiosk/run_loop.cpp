@@ -11,6 +11,7 @@
 #include "firmware-io/keyboard/keyboard_buttons.hpp"
 #include "kiosk/detail/memory.hpp"
 #include "kiosk/service.hpp"
+#include "kiosk/start_report.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -73,10 +74,13 @@ class Loop {
             const display::Canvas canvas = parts_.display.begin_frame();
             theatre_.enter(canvas);
             // One frame ahead of the GPU is enough: more would be late, and take memory.
-            if (!parts_.clock.is_simulated()) theatre_.is_drawn_within(kLongestFrame);
+            if (!parts_.clock.is_simulated() && theatre_.is_drawn_within(kLongestFrame) && frames_ > 0)
+                start_.drawn(had_landscapes_);
             hear(now);
             show_what_has_grown(now);
             if (!is_dark()) draw(canvas, now);
+            had_landscapes_ = !parts_.show.on_stage().scenes.empty();
+            ++frames_;
             const bool had_room = has_room(now);
             wait_for_its_period();
             const display::Presented presented = parts_.display.present();
@@ -287,6 +291,9 @@ class Loop {
     display::Power power_ = display::Power::On;
     display::Outcome last_outcome_ = display::Outcome::Shown;
     render::Drawn drawn_;  // last
+    StartReport start_;
+    std::uint64_t frames_ = 0;
+    bool had_landscapes_ = false;  // the last frame
     bool wants_to_quit_ = false;
     bool is_announced_ = false;
     float progress_ = -1;

@@ -15,6 +15,7 @@ namespace quadrat::kiosk {
 namespace {
 
 using exhibit::Screen;
+using Urgency = Keeper::Urgency;
 // So long a generation waits to be kept before it is shown. A healthy disk takes milliseconds, a bad card seconds; one
 // that hangs must not end the visit.
 constexpr std::chrono::seconds kDiskPatience{4};
@@ -63,16 +64,13 @@ breeding::BreederOptions breeder_options_of(const Configuration& configuration) 
     return options;
 }
 
-Show::Show(const Configuration& configuration, ShowOptions options, exhibit::Archive archive)
+Show::Show(const Configuration& configuration, ShowOptions options, std::unique_ptr<Keeper> keeper)
     : timings_(timings_of(configuration)),
       breeder_options_(breeder_options_of(configuration)),
       options_(std::move(options)),
       visit_(std::make_shared<std::int64_t>(0)),
       school_(std::make_shared<School>(options_.state)),
-      keeper_([&]() -> exhibit::Archive {
-          if (const auto latest = archive.latest(); latest && archive.is_open(latest->visit)) interrupted_ = latest;
-          return std::move(archive);
-      }()),
+      keeper_(std::move(keeper)),
       grower_(options_.growing),
       is_in_fleet_(!configuration.fleet.broker.empty()),
       language_(configuration.visit.language) {
@@ -80,19 +78,32 @@ Show::Show(const Configuration& configuration, ShowOptions options, exhibit::Arc
     for (const std::string& name : configuration.breeding.locked) locked_.push_back(genome::aspect_named(name).value());
 }
 
+Show::Show(const Configuration& configuration, ShowOptions options, exhibit::Archive archive)
+    : Show(configuration, std::move(options), std::make_unique<Keeper>(std::move(archive))) {}
+
 void Show::open(Instant now) {
     study();
-    if (interrupted_ && resume(*interrupted_, now)) return;
-    step(exhibit::opening(now), now);
+    if (!take_up(now)) step(exhibit::opening(now), now);
+}
+
+bool Show::take_up(Instant now) {
+    if (has_asked_keeper_) return false;
+    const auto kept = keeper_->kept();
+    if (!kept) return false;
+    has_asked_keeper_ = true;
+    const bool is_free = state_.screen == Screen::Attract && visits_ended_ == 0;
+    return kept->interrupted && is_free && resume(*kept->interrupted, now);
 }
 
 // Beside the first visit, which has the map of before.
 void Show::study() {
     studied_night_ = night_of(options_.local_time());
-    study_ = keeper_.post([school = school_](const exhibit::Archive& archive) -> exhibit::Trouble {
-        school->begin(archive.word_answers());
-        return std::nullopt;
-    });
+    study_ = keeper_->post(
+        [school = school_](const exhibit::Archive& archive) -> exhibit::Trouble {
+            school->begin(archive.word_answers());
+            return std::nullopt;
+        },
+        Urgency::Now);
 }
 
 void Show::study_at_night() {
@@ -109,12 +120,21 @@ std::string Show::why_not_resumed(const exhibit::Generation& kept, const breedin
         breeding::Breeder breeder(options);
         if (breeder.name() != kept.breeder)
             return fmt::format("the breeder is {} now, and was {}", breeder.name(), kept.breeder);
-        breeder.believe(kept.belief, "state");
+        for (const genome::Aspect aspect : locked_) breeder.set_lock(aspect, breeding::Lock::Locked);
         session_.emplace(std::move(breeder), kept.seed);
+        for (const exhibit::Deed& deed : kept.deeds) {
+            if (deed.step && static_cast<std::size_t>(deed.step->slider) >= session_->breeder().sliders())
+                throw base::InputError(fmt::format("there is no slider {}", deed.step->slider));
+            if (deed.step)
+                session_->slide(static_cast<std::size_t>(deed.step->slider), deed.step->direction);
+            else
+                session_->next(deed.pick);
+        }
     } catch (const base::InputError& error) {
+        session_.reset();
         return error.what();
     }
-    if (session_->offer() == kept.offer) return "";
+    if (exhibit::digest_of(session_->offer()) == kept.digest) return "";
     session_.reset();
     return "the breeding is tuned differently now, so the four would not be the same";
 }
@@ -129,9 +149,14 @@ bool Show::resume(const exhibit::Generation& kept, Instant now) {
         return false;
     }
     *visit_ = kept.visit;
-    base::log::info("taking up visit {} at round {}, which was interrupted", kept.visit, kept.offer.round);
-    const int done = kept.offer.round - 1;
-    step({is_sliding() ? exhibit::resumed_sliding(done, now) : exhibit::resumed(done, kept.answers, now), {}}, now);
+    base::log::info("taking up visit {} at round {}, which was interrupted", kept.visit, kept.round);
+    deeds_ = kept.deeds;
+    std::vector<genome::Pick> picks;
+    for (const exhibit::Deed& deed : kept.deeds) picks.push_back(deed.pick);
+    step({is_sliding() ? exhibit::resumed_sliding(kept.round - 1, now)
+                       : exhibit::resumed(std::move(picks), kept.answers, now),
+          {}},
+         now);
     grow_offer(state_.generation, 0);
     return true;
 }
@@ -141,6 +166,7 @@ void Show::happen(const exhibit::Event& event, Instant now) {
     if (std::exchange(progress_, progress) != progress)
         step(exhibit::next(state_, exhibit::Grew{}, now, timings_), now);
     step(exhibit::next(state_, event, now, timings_), now);
+    take_up(now);
     study_at_night();
 }
 
@@ -173,20 +199,21 @@ void Show::grow_offer(int generation, Keeper::Ticket kept) {
 
 exhibit::Generation Show::generation_of(const genome::Pick& answers) const {
     exhibit::Generation generation;
+    generation.round = session_->offer().round;
     generation.seed = session_->seed();
-    generation.flight = session_->flight();
     generation.breeder = session_->breeder().name();
-    generation.belief = session_->breeder().belief_json();
-    generation.offer = session_->offer();
+    generation.deeds = deeds_;
+    generation.digest = exhibit::digest_of(session_->offer());
     generation.answers = answers;
     return generation;
 }
 
 Keeper::Ticket Show::keep_generation(const genome::Pick& answers) {
-    return keeper_.post([generation = generation_of(answers), visit = visit_](exhibit::Archive& archive) mutable {
+    const auto keep = [generation = generation_of(answers), visit = visit_](exhibit::Archive& archive) mutable {
         generation.visit = *visit;
         return archive.append(generation);
-    });
+    };
+    return keeper_->post(keep, Urgency::Now);
 }
 
 void Show::carry_out(const exhibit::Acknowledge& wish, Instant now) {
@@ -198,6 +225,7 @@ void Show::carry_out(const exhibit::Acknowledge& wish, Instant now) {
 
 void Show::carry_out(const exhibit::PrepareVisit& wish, Instant /*now*/) {
     session_.emplace(fresh_session());
+    deeds_.clear();
     grow_offer(wish.generation, 0);
 }
 
@@ -205,11 +233,13 @@ void Show::carry_out(const exhibit::BeginVisit& /*wish*/, Instant now) {
     offered_.arrived = now;  // the four grow in before the visitor's eyes
     caption_.clear();        // the last visitor's
     visit_ = std::make_shared<std::int64_t>(0);
-    keeper_.post([visit = visit_, at = options_.wall_time()](exhibit::Archive& archive) {
-        const auto begun = archive.begin_visit(at);
-        *visit = begun.visit;
-        return begun.trouble;
-    });
+    keeper_->post(
+        [visit = visit_, at = options_.wall_time()](exhibit::Archive& archive) {
+            const auto begun = archive.begin_visit(at);
+            *visit = begun.visit;
+            return begun.trouble;
+        },
+        Urgency::Soon);
     const Keeper::Ticket kept = keep_generation({});
     if (waiting_) waiting_->kept = kept;
     base::log::info("a visit begins");
@@ -217,9 +247,9 @@ void Show::carry_out(const exhibit::BeginVisit& /*wish*/, Instant now) {
 
 void Show::keep_answers(const genome::Pick& answers) {
     const int round = session_->offer().round;
-    keeper_.post([visit = visit_, round, answers, at = options_.wall_time()](exhibit::Archive& archive) {
-        return archive.keep_answers(*visit, round, answers, at);
-    });
+    keeper_->post([visit = visit_, round, answers, at = options_.wall_time()](
+                      exhibit::Archive& archive) { return archive.keep_answers(*visit, round, answers, at); },
+                  Urgency::Soon);
 }
 
 void Show::carry_out(const exhibit::KeepAnswers& wish, Instant /*now*/) {
@@ -246,12 +276,17 @@ void Show::carry_out(const exhibit::GrowNext& wish, Instant /*now*/) {
     keep_answers(wish.answers);
     const auto before = session_->favourite().words;
     session_->next(wish.answers);
+    deeds_.push_back({wish.answers, std::nullopt});
     caption_ = before ? heredity(*before, *session_->favourite().words, wish.answers) : "";
     grow_offer(wish.generation, keep_generation({}));
 }
 
+void Show::undo() {
+    if (session_->undo() && !deeds_.empty()) deeds_.pop_back();
+}
+
 void Show::carry_out(const exhibit::UndoRound& wish, Instant /*now*/) {
-    session_->undo();
+    undo();
     caption_.clear();
     grow_offer(wish.generation, keep_generation(wish.answers));
 }
@@ -291,11 +326,12 @@ std::vector<genome::WordId> Show::words_to_ask() const {
 
 void Show::carry_out(const exhibit::TurnSlider& wish, Instant /*now*/) {
     session_->slide(static_cast<std::size_t>(wish.slider), wish.direction);
+    deeds_.push_back({{}, exhibit::SliderStep{wish.slider, wish.direction}});
     grow_offer(wish.generation, keep_generation({}));
 }
 
 void Show::carry_out(const exhibit::UndoTurn& wish, Instant /*now*/) {
-    session_->undo();
+    undo();
     grow_offer(wish.generation, keep_generation({}));
 }
 
@@ -303,28 +339,30 @@ void Show::carry_out(const exhibit::KeepWord& wish, Instant /*now*/) {
     const genome::WordAnswer answer{bred_.recipe, bred_.words, bred_.asked.at(static_cast<std::size_t>(wish.which)),
                                     wish.answer};
     base::log::info("it was called {}", genome::language("en").answers(answer.word).at(answer.step));
-    keeper_.post(
-        [answer, at = options_.wall_time()](exhibit::Archive& archive) { return archive.keep_word(answer, at); });
+    keeper_->post(
+        [answer, at = options_.wall_time()](exhibit::Archive& archive) { return archive.keep_word(answer, at); },
+        Urgency::Soon);
 }
 
 void Show::carry_out(const exhibit::EndVisit& wish, Instant /*now*/) {
     ++visits_ended_;
     if (is_in_fleet_) {
         constexpr const char* kNames[] = {"finished", "left", "stuck"};
-        keeper_.post([text = fmt::format(R"({{"ended_ms":{},"ending":"{}","rounds":{}}})",
-                                         options_.wall_time().time_since_epoch().count(),
-                                         kNames[static_cast<std::size_t>(wish.ending)], wish.rounds)](
-                         exhibit::Archive& archive) { return archive.post("visits", text); });
+        keeper_->post([text = fmt::format(R"({{"ended_ms":{},"ending":"{}","rounds":{}}})",
+                                          options_.wall_time().time_since_epoch().count(),
+                                          kNames[static_cast<std::size_t>(wish.ending)], wish.rounds)](
+                          exhibit::Archive& archive) { return archive.post("visits", text); },
+                      Urgency::Soon);
     }
-    keeper_.post([visit = visit_, wish, at = options_.wall_time()](exhibit::Archive& archive) {
-        return archive.end_visit(*visit, wish.ending, wish.rounds, at);
-    });
+    keeper_->post([visit = visit_, wish, at = options_.wall_time()](
+                      exhibit::Archive& archive) { return archive.end_visit(*visit, wish.ending, wish.rounds, at); },
+                  Urgency::Soon);
     constexpr const char* kEndings[] = {"with its finale", "unanswered", "because its landscapes did not come"};
     base::log::info("the visit ends {}, after {} rounds", kEndings[static_cast<std::size_t>(wish.ending)], wish.rounds);
 }
 
 const Act* Show::waiting_for_upload() {
-    if (!waiting_ || (!keeper_.is_done(waiting_->kept) && keeper_.waited_for() < kDiskPatience)) return nullptr;
+    if (!waiting_ || (!keeper_->is_done(waiting_->kept) && keeper_->waited_for() < kDiskPatience)) return nullptr;
     if (!waiting_->act) {
         auto scenes = grower_.take();
         if (!scenes) return nullptr;
@@ -352,10 +390,10 @@ void Show::uploaded(Instant now) {
 }
 
 void Show::finish_growing() {
-    keeper_.wait(study_);
+    keeper_->wait(study_);
     school_->wait();
     if (!waiting_) return;
-    keeper_.wait(waiting_->kept);
+    keeper_->wait(waiting_->kept);
     if (!waiting_->act) grower_.wait();
 }
 
@@ -371,12 +409,13 @@ void Show::follow(const Configuration& configuration) {
 }
 
 void Show::remember(const std::string& name, std::string text) {
-    keeper_.post([name, text = std::move(text)](exhibit::Archive& archive) { return archive.remember(name, text); });
+    keeper_->post([name, text = std::move(text)](exhibit::Archive& archive) { return archive.remember(name, text); },
+                  Urgency::Soon);
 }
 
 std::string Show::state_trouble() const {
-    const auto waited = keeper_.waited_for();
-    if (waited < kDiskPatience) return keeper_.trouble();
+    const auto waited = keeper_->waited_for();
+    if (waited < kDiskPatience) return keeper_->trouble();
     return fmt::format("the disk has not answered for {} s",
                        std::chrono::duration_cast<std::chrono::seconds>(waited).count());
 }

@@ -57,9 +57,11 @@ struct Bred {
 // come from. One thread; no call waits, but finish_growing().
 class Show {
   public:
+    Show(const Configuration& configuration, ShowOptions options, std::unique_ptr<Keeper> keeper);
     Show(const Configuration& configuration, ShowOptions options, exhibit::Archive archive);
 
-    // Takes up the visit that a pulled plug interrupted, or opens with Attract.
+    // Takes up the visit that a pulled plug interrupted, or opens with Attract. Where the disk has not told yet whether
+    // there is one, Attract too, and the visit is taken up as long as nobody has come meanwhile.
     void open(Instant now);
 
     void happen(const exhibit::Event& event, Instant now);
@@ -108,6 +110,7 @@ class Show {
 
     std::string heredity(const genome::Description& before, const genome::Description& now,
                          const genome::Pick& answers) const;
+    bool take_up(Instant now);
     bool resume(const exhibit::Generation& kept, Instant now);
     std::string why_not_resumed(const exhibit::Generation& kept, const breeding::WordMap& map);
     std::vector<genome::WordId> words_to_ask() const;
@@ -115,6 +118,7 @@ class Show {
     void study_at_night();
     bool is_sliding() const { return timings_.asking == exhibit::Asking::Sliders; }
     breeding::Session fresh_session();
+    void undo();
     void grow_offer(int generation, Keeper::Ticket kept);
     void keep_answers(const genome::Pick& answers);
     Keeper::Ticket keep_generation(const genome::Pick& answers);
@@ -125,8 +129,9 @@ class Show {
     std::vector<genome::Aspect> locked_;
     ShowOptions options_;
     exhibit::State state_;
-    std::optional<exhibit::Generation> interrupted_;
+    bool has_asked_keeper_ = false;  // what the last run left
     std::optional<breeding::Session> session_;
+    std::vector<exhibit::Deed> deeds_;  // of the session, from its first four to those of now
     std::uint64_t sessions_ = 0;
     std::shared_ptr<std::int64_t> visit_;  // its number in the archive, written and read by the keeper's thread
     std::optional<Waiting> waiting_;
@@ -142,7 +147,7 @@ class Show {
     std::shared_ptr<School> school_;
     std::int64_t studied_night_ = 0;
     Keeper::Ticket study_ = 0;
-    mutable Keeper keeper_;
+    std::unique_ptr<Keeper> keeper_;
     Grower grower_;
     bool is_in_fleet_;  // visits are kept for whoever publishes them
     std::string language_;

@@ -39,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     if (opened.message.find('\n') != std::string::npos) std::abort();
     Generation generation;
     generation.visit = opened.archive.begin_visit(WallTime{}).visit;
-    generation.belief = "{}";
+    generation.breeder = "belief";
     const bool is_kept = !opened.archive.append(generation).has_value();
     if (opened.condition != Archive::Condition::Continued && !is_kept) std::abort();
     if (is_kept && opened.archive.latest() != generation) std::abort();

@@ -173,18 +173,29 @@ Buttons buttons_for(Configuration& configuration, const display::Display& screen
     return open_buttons(configuration.inputs);
 }
 
-exhibit::Archive open_archive(const fs::path& state) {
+exhibit::Archive open_archive(const fs::path& state, const exhibit::TellKept& tell) {
     using Condition = exhibit::Archive::Condition;
-    auto opened = exhibit::Archive::open(state, wall_time());
+    auto opened = exhibit::Archive::open(state, wall_time(), {}, tell);
     const bool is_trouble = opened.condition == Condition::Replaced || opened.condition == Condition::MemoryOnly;
     base::log::log(is_trouble ? base::log::level::warn : base::log::level::info, "state: {}", opened.message);
     return std::move(opened.archive);
+}
+
+// What the last run left is read while the screen is set up. A disk that takes longer keeps nobody from a picture.
+exhibit::Kept kept_by(Keeper& keeper, const Clock& clock) {
+    constexpr std::chrono::milliseconds kPatience{400};
+    constexpr std::chrono::hours kUntilItIsKnown{1};
+    if (const auto kept = keeper.kept_within(clock.is_simulated() ? kUntilItIsKnown : kPatience)) return *kept;
+    base::log::warn("state: the disk has not answered yet; the show begins without it");
+    return {};
 }
 
 int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const fs::path& state) {
     Configuration configuration = configuration_for(options);
     climb(ladder, configuration);
     const bool is_safe = ladder.rung().mode == staff::Mode::Safe;
+    auto keeper =
+        std::make_unique<Keeper>([state](const exhibit::TellKept& tell) { return open_archive(state, tell); });
     const auto screen = display::open_display(display_options(configuration));
     const bool is_demonstration = needs_a_visitor(configuration, *screen);
     const base::Seed seed = seed_for(options);
@@ -197,12 +208,11 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
         base::log::info("no screen and no buttons here: a visitor of {} rounds is played, pictures go to {}",
                         configuration.visit.rounds, folder);
 
-    exhibit::Archive archive = open_archive(state);
-    Panel panel(*buttons.source, health_memory_from(archive.remembered("buttons")));
-    const std::string remembered_detail = archive.remembered("detail");
     const auto clock = clock_for(options, screen->kind() == "headless" && buttons.is_all_scripted);
+    const exhibit::Kept kept = kept_by(*keeper, *clock);
+    Panel panel(*buttons.source, health_memory_from(kept.buttons));
     const GrowerOptions growing{0, fineness_of(configuration.picture.land_samples)};
-    Show show(configuration, {seed, growing, wall_time, local_time, state}, std::move(archive));
+    Show show(configuration, {seed, growing, wall_time, local_time, state}, std::move(keeper));
     std::optional<staff::Caretaker> caretaker;
     std::optional<staff::Keepsakes> keepsakes;
     if (!clock->is_simulated()) {
@@ -213,7 +223,7 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
     std::optional<DetailGovernor> governor;
     if (!clock->is_simulated())
         governor.emplace(
-            options_for(static_cast<float>(configuration.picture.alpha), remembered_detail, screen->description()));
+            options_for(static_cast<float>(configuration.picture.alpha), kept.detail, screen->description()));
     RunLoopParts parts{configuration, *clock, *screen, panel, *buttons.source, show};
     parts.caretaker = caretaker ? &*caretaker : nullptr;
     parts.keepsakes = keepsakes ? &*keepsakes : nullptr;

@@ -66,6 +66,7 @@ void Caretaker::look(Panel& panel, Show& show, Instant now) {
     const bool is_drawing = (service_.is_open(now) || shows_figures_) && is_due(drawn_at_, kServiceEvery, now);
     if (is_reporting || is_drawing) vitals_ = vitals(panel, show, now);
     if (is_reporting) report(now);
+    if (!remembered_at_) remembered_at_ = now;  // what was read at the start is on the disk already
     if (is_due(remembered_at_, kRememberEvery, now)) show.remember("buttons", to_text(panel.health().memory()));
     if (service_.is_open(now))
         board_ = service_.board(vitals_, now);

@@ -18,16 +18,16 @@ inline const WallTime kNow{std::chrono::sys_days{std::chrono::year{2031} / 2 / 3
 inline Generation generation_of(std::int64_t visit, int round) {
     Generation generation;
     generation.visit = visit;
-    generation.seed = base::Seed{static_cast<std::uint64_t>(visit)};
-    generation.flight = generation.seed.child("flight").child(static_cast<std::uint64_t>(round));
+    generation.round = round;
+    generation.seed = base::Seed{static_cast<std::uint64_t>(visit)}.child("session");
     generation.breeder = "pbil";
-    generation.belief = fmt::format(R"({{"round":{}}})", round);
-    generation.offer.round = round;
-    for (std::size_t c = 0; c < genome::kCandidates; ++c) {
-        const genome::Recipe recipe = genome::random_recipe(generation.flight.child(c));
-        generation.offer.candidates[c] = {
-            encode(recipe.values, genome::Genome::Classic), recipe.values, recipe.seeds, {}};
+    for (int past = 1; past < round; ++past) {
+        Deed deed;
+        deed.pick[genome::Aspect::Trees] = static_cast<std::size_t>(past % 4);
+        if (past % 3 == 0) deed.pick[genome::Aspect::Sky] = static_cast<std::size_t>(past % 2);
+        generation.deeds.push_back(deed);
     }
+    generation.digest = generation.seed.child(static_cast<std::uint64_t>(round)).value;
     return generation;
 }
 

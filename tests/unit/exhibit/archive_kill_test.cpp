@@ -14,7 +14,7 @@
 namespace quadrat::exhibit {
 namespace {
 
-constexpr Retention kRetention{25, 10};  // small, so that kills also fall into forgetting and vacuuming
+constexpr Retention kRetention{10, 25};  // small, so that kills also fall into forgetting and vacuuming
 
 struct Pipe {
     base::OwnedDescriptor read;
@@ -31,7 +31,7 @@ Pipe open_pipe() {
 [[noreturn]] void breed_until_killed(const std::filesystem::path& directory, int told) {
     Archive archive = std::move(Archive::open(directory, kNow, kRetention).archive);
     const std::optional<Generation> last = archive.latest();
-    for (int round = last ? last->offer.round + 1 : 1;; ++round) {
+    for (int round = last ? last->round + 1 : 1;; ++round) {
         if (archive.append(generation_of(1, round)).has_value()) ::_exit(1);
         if (::write(told, &round, sizeof round) != sizeof round) ::_exit(2);
         genome::Pick answers;
@@ -86,11 +86,11 @@ TEST_P(KilledArchive, LosesNoToldRoundInAHundredKillsAtRandomMoments) {
         ASSERT_NE(opened.condition, Archive::Condition::Replaced) << opened.message << ", kill " << kill;
         ASSERT_NE(opened.condition, Archive::Condition::MemoryOnly) << opened.message << ", kill " << kill;
         const std::optional<Generation> latest = opened.archive.latest();
-        const int kept = latest ? latest->offer.round : 0;
+        const int kept = latest ? latest->round : 0;
         ASSERT_GE(kept, told_round) << "kill " << kill;
         ASSERT_LE(kept, told_round + 1) << "kill " << kill;
         if (latest) {
-            ASSERT_EQ(latest->offer, generation_of(1, kept).offer) << "kill " << kill;
+            ASSERT_EQ(latest->deeds, generation_of(1, kept).deeds) << "kill " << kill;
         }
         rounds_lost_in_the_telling += kept - told_round;
         told_round = kept;

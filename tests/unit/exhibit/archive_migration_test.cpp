@@ -42,8 +42,11 @@ TEST_F(ArchiveOfVersionOne, IsBroughtUpToDateWithAllThatIsInIt) {
     EXPECT_EQ(opened.archive.begin_visit(kNow).visit, 9);
     EXPECT_EQ(opened.archive.remember("health", "well"), std::nullopt);
     EXPECT_EQ(number("SELECT count(*) FROM visit"), 3);
-    EXPECT_EQ(number("SELECT candidate FROM answer WHERE visit=7"), 2);
-    EXPECT_EQ(number("PRAGMA user_version"), 3);
+    EXPECT_EQ(number("SELECT trees FROM generation WHERE visit=7 AND land IS NULL"), 2);
+    EXPECT_EQ(number("SELECT trees_ms FROM generation WHERE visit=7"), 1500);
+    EXPECT_EQ(opened.archive.latest(), std::nullopt) << "what was answered then is no generation to go on with";
+    EXPECT_EQ(number("PRAGMA user_version"), 4);
+    EXPECT_EQ(number("PRAGMA page_size"), 512);
 }
 
 TEST_F(ArchiveOfVersionOne, CanBeHadBackWithAllThatItHasRoomFor) {
@@ -52,16 +55,21 @@ TEST_F(ArchiveOfVersionOne, CanBeHadBackWithAllThatItHasRoomFor) {
         Archive::Opened opened = open();
         const auto begun = opened.archive.begin_visit(kNow);
         ASSERT_EQ(opened.archive.append(generation_of(begun.visit, 1)), std::nullopt);
+        genome::Pick answers;
+        answers[genome::Aspect::Land] = 3;
+        ASSERT_EQ(opened.archive.keep_answers(begun.visit, 1, answers, kNow), std::nullopt);
         ASSERT_EQ(opened.archive.remember("health", "well"), std::nullopt);
     }
-    EXPECT_EQ(move_state(directory_, 1), 3);
+    EXPECT_EQ(move_state(directory_, 1), 4);
     EXPECT_EQ(number("PRAGMA user_version"), 1);
     EXPECT_EQ(number("SELECT count(*) FROM sqlite_schema WHERE name IN ('memory', 'outbox')"), 0);
     EXPECT_EQ(number("SELECT count(*) FROM visit"), 3);
-    EXPECT_EQ(number("SELECT count(*) FROM generation"), 1);
+    EXPECT_EQ(number("SELECT candidate FROM answer WHERE visit=7 AND aspect='trees' AND at_ms=1500"), 2);
+    EXPECT_EQ(number("SELECT candidate FROM answer WHERE visit=9 AND aspect='land'"), 3);
+    EXPECT_EQ(number("SELECT count(*) FROM generation"), 0) << "it could not go on from what ours keeps of it";
     const Archive::Opened again = open();
     EXPECT_EQ(again.condition, Condition::Continued);
-    EXPECT_EQ(again.archive.latest(), generation_of(9, 1));
+    EXPECT_EQ(number("SELECT land FROM generation WHERE visit=9"), 3);
 }
 
 TEST_F(ArchiveOfVersionOne, IsWholeAfterAKillInTheMiddleOfTheMove) {
@@ -86,7 +94,7 @@ TEST_F(ArchiveOfVersionOne, IsWholeAfterAKillInTheMiddleOfTheMove) {
 TEST_F(ArchiveOfVersionOne, MovesNothingThatIsNotOurs) {
     EXPECT_THROW(move_state(directory_, 1), base::InputError);
     write();
-    EXPECT_THROW(move_state(directory_, 4), base::InputError);
+    EXPECT_THROW(move_state(directory_, 5), base::InputError);
     EXPECT_THROW(move_state(directory_, 0), base::InputError);
     Connection{directory_ / "quadrat.db"}.run("CREATE TABLE other(x)");
     EXPECT_THROW(move_state(directory_, 2), base::InputError);

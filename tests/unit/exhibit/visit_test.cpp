@@ -214,7 +214,7 @@ TEST(Visit, IsTakenUpAgainAtTheFirstQuestionWithoutAnAnswer) {
          std::vector<std::pair<genome::Pick, Aspect>>{{pick_of({}, {}, {}), Aspect::Trees},
                                                       {pick_of(3, {}, {}), Aspect::Land},
                                                       {pick_of(3, 1, {}), Aspect::Sky}}) {
-        State state = resumed(2, answers, seconds(1));
+        State state = resumed({pick_of(0, 1, 2), pick_of(3, 3, 3)}, answers, seconds(1));
         EXPECT_EQ(state.screen, Screen::Breed);
         state = next(state, GenerationReady{state.generation}, seconds(2), {}).state;
         EXPECT_EQ(state.screen, Screen::Ask);
@@ -222,7 +222,8 @@ TEST(Visit, IsTakenUpAgainAtTheFirstQuestionWithoutAnAnswer) {
         EXPECT_EQ(state.answers, answers);
         EXPECT_EQ(state.rounds, 2);
     }
-    EXPECT_EQ(resumed(2, pick_of({}, 1, 2), seconds(1)).answers, genome::Pick{}) << "no question was answered in order";
+    EXPECT_EQ(resumed({}, pick_of({}, 1, 2), seconds(1)).answers, genome::Pick{})
+        << "no question was answered in order";
 }
 
 TEST(Visit, HasAPromptForEveryScreenAndQuestion) {
