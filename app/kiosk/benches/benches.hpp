@@ -33,6 +33,7 @@ void sky(Results& results);
 void breeding(Results& results);
 void detail(Results& results);
 void visit(Results& results, const Options& options);
+void start(Results& results, const Options& options);
 
 // Shared by the groups.
 double milliseconds_of(const std::function<void()>& work);

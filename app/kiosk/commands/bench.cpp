@@ -30,6 +30,7 @@ int bench(const Options& options) {
                                     {"sky", benches::sky},
                                     {"breeding", benches::breeding},
                                     {"detail", benches::detail},
+                                    {"start", [&](auto& results) { benches::start(results, options.how); }},
                                     {"visit", [&](auto& results) { benches::visit(results, options.how); }}};
     benches::Results results;
     for (const Group& group : groups) {
@@ -51,9 +52,11 @@ void add_bench(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("bench", "Measure this machine: growing, frames, memory");
     command
-        ->add_option("group", options->group,
-                     "all, frame, generation, trees, land, sky, breeding, detail; or visit, which is not among all")
-        ->check(CLI::IsMember({"all", "frame", "generation", "trees", "land", "sky", "breeding", "detail", "visit"}))
+        ->add_option(
+            "group", options->group,
+            "all, frame, generation, trees, land, sky, breeding, detail, start; or visit, which is not among all")
+        ->check(CLI::IsMember(
+            {"all", "frame", "generation", "trees", "land", "sky", "breeding", "detail", "start", "visit"}))
         ->capture_default_str();
     command->add_flag("--json", options->is_json, "One JSON object instead of a table");
     command->add_option("--size", options->how.size, "Pixels of the frames")->capture_default_str();

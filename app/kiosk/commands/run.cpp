@@ -23,6 +23,7 @@
 #include "kiosk/screen.hpp"
 #include "kiosk/service.hpp"
 #include "kiosk/staff/machine.hpp"
+#include "kiosk/staff/presence.hpp"
 #include "kiosk/state_folder.hpp"
 #include "kiosk/visitor.hpp"
 
@@ -215,7 +216,9 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
     Show show(configuration, {seed, growing, wall_time, local_time, state}, std::move(keeper));
     std::optional<staff::Caretaker> caretaker;
     std::optional<staff::Keepsakes> keepsakes;
+    std::optional<staff::Presence> presence;
     if (!clock->is_simulated()) {
+        presence.emplace(staff::runtime_folder(state));
         keepsakes.emplace(state);
         caretaker.emplace(staff::CaretakerParts{configuration, options.configuration, staff::runtime_folder(state),
                                                 state, ladder, screen->description()});

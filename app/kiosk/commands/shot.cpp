@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "kiosk/commands/commands.hpp"
+#include "kiosk/staff/presence.hpp"
 #include "kiosk/staff/watch.hpp"
 #include "kiosk/state_folder.hpp"
 
@@ -31,9 +32,18 @@ fs::path watched_folder(const std::string& state) {
     return staff::runtime_folder(state_folder(state));
 }
 
+void require_exhibit(const fs::path& folder) {
+    if (staff::is_exhibit_present(folder)) return;
+    std::error_code ignored;
+    fs::remove(folder / staff::kPictureAsked, ignored);
+    throw base::InputError(fmt::format(
+        "no exhibit runs in {}: systemctl status quadrat; started by hand, name its --state", folder.string()));
+}
+
 int shoot(const Options& options) {
     const fs::path folder = watched_folder(options.state);
     const fs::path asked = folder / staff::kPictureAsked;
+    require_exhibit(folder);
     base::write_file(asked, "");
     const auto until = std::chrono::steady_clock::now() + kPatience;
     std::error_code error;
@@ -41,10 +51,10 @@ int shoot(const Options& options) {
         if (std::chrono::steady_clock::now() > until) {
             fs::remove(asked, error);
             throw base::InputError(
-                fmt::format("no exhibit answers in {}: is it running? systemctl status quadrat; "
-                            "started by hand, name its --state",
-                            folder.string()));
+                fmt::format("the exhibit in {} does not answer within {} s: journalctl -u quadrat -n 50",
+                            folder.string(), kPatience.count()));
         }
+        require_exhibit(folder);
         std::this_thread::sleep_for(std::chrono::milliseconds{20});
     }
     base::write_file(options.output, base::read_file(folder / staff::kPicture));

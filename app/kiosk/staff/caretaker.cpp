@@ -179,6 +179,8 @@ void Caretaker::keep_picture(mesh::Image picture, const std::filesystem::path& f
     for (std::size_t i = 3; i < picture.bytes.size(); i += 4) picture.bytes[i] = 255;
     errands_.send([runtime = parts_.runtime, file, picture = std::move(picture)] {
         try {
+            std::error_code exists;
+            std::filesystem::create_directories((runtime / file).parent_path(), exists);
             write_image_file(runtime / file, file.string(), picture, "");
         } catch (const base::InputError& error) {
             base::log::info("picture: {}", error.what());

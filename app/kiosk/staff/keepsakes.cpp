@@ -3,10 +3,9 @@
 
 #include <fmt/format.h>
 
-
 #include "base/error.hpp"
 #include "base/log.hpp"
-#include "kiosk/image_file.hpp"
+#include "kiosk/png_picture.hpp"
 
 namespace quadrat::kiosk::staff {
 namespace {
@@ -21,7 +20,6 @@ fs::path file_of(const fs::path& folder, std::size_t number) {
 
 Keepsakes::Keepsakes(const fs::path& state) : folder_(state / "earlier") {
     std::error_code error;
-    fs::create_directories(folder_, error);
     fs::file_time_type oldest = fs::file_time_type::max();
     for (std::size_t i = 0; i < kKept; ++i) {
         const fs::path file = file_of(folder_, i);
@@ -33,7 +31,7 @@ Keepsakes::Keepsakes(const fs::path& state) : folder_(state / "earlier") {
         }
         if (error) continue;
         try {
-            images_.push_back(read_image_file(file));
+            images_.push_back(read_png_quickly(file));
         } catch (const base::InputError& damaged) {
             base::log::debug("earlier landscapes: {}", damaged.what());
         }

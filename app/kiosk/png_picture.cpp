@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/png_picture.hpp"
+
+#include <cairo.h>
+#include <fmt/format.h>
+
+#include <cstring>
+#include <memory>
+
+#include "base/error.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+struct Destroy {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+};
+
+constexpr int kLargestSide = 4096;
+
+}  // namespace
+
+mesh::Image read_png_quickly(const std::filesystem::path& path) {
+    const std::unique_ptr<cairo_surface_t, Destroy> png(cairo_image_surface_create_from_png(path.c_str()));
+    if (const auto status = cairo_surface_status(png.get()); status != CAIRO_STATUS_SUCCESS)
+        throw base::InputError(fmt::format("{}: {}", path.string(), cairo_status_to_string(status)));
+    const auto format = cairo_image_surface_get_format(png.get());
+    mesh::Image image(cairo_image_surface_get_width(png.get()), cairo_image_surface_get_height(png.get()), 4);
+    const bool is_usual = format == CAIRO_FORMAT_ARGB32 || format == CAIRO_FORMAT_RGB24;
+    if (!is_usual || image.width > kLargestSide || image.height > kLargestSide)
+        throw base::InputError(fmt::format("{}: not a picture of eight bits a colour", path.string()));
+    const unsigned char* const rows = cairo_image_surface_get_data(png.get());
+    const int stride = cairo_image_surface_get_stride(png.get());
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            std::uint32_t word = 0;
+            std::memcpy(&word, rows + y * stride + x * 4, sizeof word);
+            std::uint8_t* const to = image.pixel(x, y);
+            to[0] = static_cast<std::uint8_t>(word >> 16U);
+            to[1] = static_cast<std::uint8_t>(word >> 8U);
+            to[2] = static_cast<std::uint8_t>(word);
+            to[3] = 255;
+        }
+    return image;
+}
+
+}  // namespace quadrat::kiosk

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// A visit that a pulled plug interrupted, taken up: its deeds lead to the same four again, or it is left alone.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "kiosk/show.hpp"
+
+namespace quadrat::kiosk {
+
+using exhibit::Screen;
+
+bool Show::take_up(Instant now) {
+    if (has_asked_keeper_) return false;
+    const auto kept = keeper_->kept();
+    if (!kept) return false;
+    has_asked_keeper_ = true;
+    const bool is_free = state_.screen == Screen::Attract && visits_ended_ == 0;
+    if (!kept->interrupted || !is_free) return false;
+    const std::optional<breeding::Session> prepared = session_;
+    if (resume(*kept->interrupted, now)) return true;
+    session_ = prepared;
+    return false;
+}
+
+// What is wrong; "" when the session is the one that was interrupted.
+std::string Show::why_not_resumed(const exhibit::Generation& kept, const breeding::WordMap& map) {
+    session_.reset();
+    try {
+        breeding::BreederOptions options = breeder_options_;
+        options.map = map;
+        breeding::Breeder breeder(options);
+        if (breeder.name() != kept.breeder)
+            return fmt::format("the breeder is {} now, and was {}", breeder.name(), kept.breeder);
+        for (const genome::Aspect aspect : locked_) breeder.set_lock(aspect, breeding::Lock::Locked);
+        session_.emplace(std::move(breeder), kept.seed);
+        for (const exhibit::Deed& deed : kept.deeds) {
+            if (deed.step && static_cast<std::size_t>(deed.step->slider) >= session_->breeder().sliders())
+                throw base::InputError(fmt::format("there is no slider {}", deed.step->slider));
+            if (deed.step)
+                session_->slide(static_cast<std::size_t>(deed.step->slider), deed.step->direction);
+            else
+                session_->next(deed.pick);
+        }
+    } catch (const base::InputError& error) {
+        session_.reset();
+        return error.what();
+    }
+    if (exhibit::digest_of(session_->offer()) == kept.digest) return "";
+    session_.reset();
+    return "the breeding is tuned differently now, so the four would not be the same";
+}
+
+bool Show::resume(const exhibit::Generation& kept, Instant now) {
+    std::string why_not = why_not_resumed(kept, school_->map());
+    // The visit may have begun before the last lesson.
+    if (const auto before = why_not.empty() ? std::nullopt : school_->map_before())
+        if (why_not_resumed(kept, *before).empty()) why_not.clear();
+    if (!why_not.empty()) {
+        base::log::warn("the interrupted visit is not taken up: {}", why_not);
+        return false;
+    }
+    *visit_ = kept.visit;
+    base::log::info("taking up visit {} at round {}, which was interrupted", kept.visit, kept.round);
+    deeds_ = kept.deeds;
+    std::vector<genome::Pick> picks;
+    for (const exhibit::Deed& deed : kept.deeds) picks.push_back(deed.pick);
+    step({is_sliding() ? exhibit::resumed_sliding(kept.round - 1, now)
+                       : exhibit::resumed(std::move(picks), kept.answers, now),
+          {}},
+         now);
+    grow_offer(state_.generation, 0);
+    return true;
+}
+
+}  // namespace quadrat::kiosk
