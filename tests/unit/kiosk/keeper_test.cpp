@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is kept while the show goes on: opened, read and written on a thread of its own.
+#include "kiosk/keeper.hpp"
+
+#include <gtest/gtest.h>
+
+#include <future>
+
+#include "kiosk/show.hpp"
+#include "support/process.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+using namespace std::chrono_literals;
+using Urgency = Keeper::Urgency;
+
+exhibit::WallTime noon() { return exhibit::WallTime{std::chrono::hours{12}}; }
+
+exhibit::Archive opened(const std::filesystem::path& folder, const exhibit::TellKept& tell = {}) {
+    return exhibit::Archive::open(folder, noon(), {}, tell).archive;
+}
+
+exhibit::Trouble nothing(exhibit::Archive&) { return std::nullopt; }
+
+TEST(Keeper, WritesWhatCanWaitWithWhatCannot) {
+    const tests::TemporaryFolder folder;
+    {
+        Keeper keeper(opened(folder.path()));
+        const auto first =
+            keeper.post([](exhibit::Archive& archive) { return archive.remember("a", "1"); }, Urgency::Soon);
+        std::this_thread::sleep_for(50ms);
+        EXPECT_FALSE(keeper.is_done(first)) << "it waits for company";
+        const auto second =
+            keeper.post([](exhibit::Archive& archive) { return archive.remember("b", "2"); }, Urgency::Now);
+        keeper.wait(second);
+        EXPECT_TRUE(keeper.is_done(first));
+        keeper.post([](exhibit::Archive& archive) { return archive.remember("c", "3"); }, Urgency::Soon);
+    }
+    const exhibit::Archive archive = opened(folder.path());
+    EXPECT_EQ(archive.remembered("a"), "1");
+    EXPECT_EQ(archive.remembered("b"), "2");
+    EXPECT_EQ(archive.remembered("c"), "3") << "an orderly end loses nothing";
+}
+
+TEST(Keeper, TellsWhatWasKeptBeforeTheDiskHasTakenAnything) {
+    const tests::TemporaryFolder folder;
+    ASSERT_EQ(opened(folder.path()).remember("buttons", "fine"), std::nullopt);
+    std::promise<void> disk;
+    Keeper keeper([&](const exhibit::TellKept& tell) {
+        auto archive = opened(folder.path(), tell);
+        disk.get_future().wait();
+        return archive;
+    });
+    const auto kept = keeper.kept_within(60s);
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(kept->buttons, "fine");
+    const auto ticket = keeper.post(nothing, Urgency::Now);
+    EXPECT_FALSE(keeper.is_done(ticket));
+    std::this_thread::sleep_for(20ms);
+    EXPECT_GT(keeper.waited_for(), 0ms);
+    disk.set_value();
+    keeper.wait(ticket);
+}
+
+// A visit of one press was interrupted; the disk tells so when it is told to.
+class ShowOnASlowDisk : public testing::Test {
+  protected:
+    ShowOnASlowDisk() {
+        configuration_.picture.land_samples = 65;
+        Show before(configuration_, options(), opened(folder_.path()));
+        before.open(1s);
+        ready(before, 2s);
+        before.happen(exhibit::Pressed{exhibit::Choice::A}, 5s);
+    }
+    ShowOptions options() const { return {base::Seed{4}, {1, {65, 64, 128}}, noon, noon, folder_.path()}; }
+    static void ready(Show& show, Instant now) {
+        show.finish_growing();
+        if (show.waiting_for_upload() != nullptr) show.uploaded(now);
+    }
+    std::unique_ptr<Show> slow_show() {
+        auto keeper = std::make_unique<Keeper>([this](const exhibit::TellKept& tell) {
+            disk_.get_future().wait();
+            return opened(folder_.path(), tell);
+        });
+        keeper_ = keeper.get();
+        return std::make_unique<Show>(configuration_, options(), std::move(keeper));
+    }
+    void disk_answers() {
+        disk_.set_value();
+        ASSERT_TRUE(keeper_->kept_within(60s));
+    }
+
+    tests::TemporaryFolder folder_;
+    Configuration configuration_;
+    std::promise<void> disk_;
+    Keeper* keeper_ = nullptr;
+};
+
+TEST_F(ShowOnASlowDisk, BeginsWithoutItAndTakesUpTheVisitWhenItHasAnswered) {
+    auto show = slow_show();
+    show->open(1s);
+    EXPECT_EQ(show->state().screen, exhibit::Screen::Attract);
+    show->happen(exhibit::Tick{}, 2s);
+    EXPECT_EQ(show->state().screen, exhibit::Screen::Attract);
+    disk_answers();
+    show->happen(exhibit::Tick{}, 3s);
+    EXPECT_EQ(show->state().screen, exhibit::Screen::Breed);
+    ready(*show, 4s);
+    EXPECT_EQ(show->state().screen, exhibit::Screen::Ask);
+}
+
+TEST_F(ShowOnASlowDisk, LeavesTheVisitAloneWhenSomebodyElseHasCome) {
+    auto show = slow_show();
+    show->open(1s);
+    show->happen(exhibit::Pressed{exhibit::Choice::A}, 2s);
+    EXPECT_NE(show->state().screen, exhibit::Screen::Attract);
+    disk_answers();
+    const exhibit::State before = show->state();
+    show->happen(exhibit::Tick{}, 3s);
+    EXPECT_EQ(show->state().rounds, before.rounds);
+    EXPECT_EQ(show->state().generation, before.generation);
+}
+
+TEST_F(ShowOnASlowDisk, GoesOnWithWhatItPreparedWhenTheVisitCannotBeTakenUp) {
+    configuration_.breeding.breeder = "random";
+    auto show = slow_show();
+    show->open(1s);
+    disk_answers();
+    testing::internal::CaptureStderr();
+    show->happen(exhibit::Tick{}, 2s);
+    testing::internal::GetCapturedStderr();
+    EXPECT_EQ(show->state().screen, exhibit::Screen::Attract);
+    ready(*show, 3s);
+    show->happen(exhibit::Pressed{exhibit::Choice::A}, 5s);
+    EXPECT_EQ(show->state().screen, exhibit::Screen::Ask);
+}
+
+}  // namespace
+}  // namespace quadrat::kiosk
