@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "exhibit/archive_schema.hpp"
+#include "exhibit/scene_rows.hpp"
 #include "exhibit/word_answers.hpp"
 #include "genome/json_text.hpp"
 #include "genome/offer_json.hpp"
@@ -197,7 +198,7 @@ Trouble Archive::keep_answers(std::int64_t visit, int round, const genome::Pick&
 
 Trouble Archive::keep_word(const genome::WordAnswer& answer, WallTime at) {
     return attempt("what was said of the landscape", [&] {
-        std::string scene = genome::to_json(answer.scene);
+        std::string scene = scene_row(connection_, answer.scene);
         std::string made_of = answer.made_of ? genome::words_json(*answer.made_of) : "";
         if (is_of_the_last_scene(connection_, scene, made_of)) scene = made_of = "";
         connection_.prepare("INSERT INTO word_answer(at_ms, word, step, scene, made_of) VALUES(?,?,?,?,?)")

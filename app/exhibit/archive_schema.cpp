@@ -42,17 +42,20 @@ CREATE TABLE outbox(id INTEGER PRIMARY KEY AUTOINCREMENT, topic TEXT NOT NULL, p
     // A generation by what it came from instead of all that it is, and in the same row what was answered, each when it
     // was given: a hundredth of what was written. Generations of before cannot be told so, nor those of since in the
     // old way: a visit that was interrupted then is not taken up. And a word answer without a scene is of the same one
-    // as the answer before.
+    // as the answer before; one with a legend has its numbers there and their names in the legend.
     {R"(
 DROP TABLE generation;
 CREATE TABLE generation(id INTEGER PRIMARY KEY, visit INTEGER NOT NULL, round INTEGER NOT NULL, seed INTEGER, breeder TEXT, deeds TEXT, digest INTEGER, trees INTEGER, land INTEGER, sky INTEGER, trees_ms INTEGER, land_ms INTEGER, sky_ms INTEGER);
 INSERT INTO generation(visit, round, trees, land, sky, trees_ms, land_ms, sky_ms)
 SELECT visit, round, max(CASE aspect WHEN 'trees' THEN candidate END), max(CASE aspect WHEN 'land' THEN candidate END), max(CASE aspect WHEN 'sky' THEN candidate END), max(CASE aspect WHEN 'trees' THEN at_ms END), max(CASE aspect WHEN 'land' THEN at_ms END), max(CASE aspect WHEN 'sky' THEN at_ms END) FROM answer GROUP BY visit, round ORDER BY visit, round;
 DROP TABLE answer;
+CREATE TABLE legend(id INTEGER PRIMARY KEY, names TEXT NOT NULL UNIQUE);
 )",
      R"(
 UPDATE word_answer SET (scene, made_of)=(SELECT w.scene, w.made_of FROM word_answer w WHERE w.id<word_answer.id AND w.scene<>'' ORDER BY w.id DESC LIMIT 1) WHERE scene='' AND id>(SELECT min(id) FROM word_answer WHERE scene<>'');
 DELETE FROM word_answer WHERE scene='';
+UPDATE word_answer SET scene='{"quadrat":"scene","version":1,"seeds":' || json_extract(scene, '$.seeds') || ',"camera":"' || json_extract(scene, '$.camera') || '","parameters":' || (SELECT json_group_object(name.value, number.value) FROM legend, json_each(legend.names) name JOIN json_each(word_answer.scene, '$.values') number ON number.key=name.key WHERE legend.id=json_extract(word_answer.scene, '$.legend')) || '}' WHERE json_valid(scene) AND json_extract(scene, '$.legend') IN (SELECT id FROM legend);
+DROP TABLE legend;
 CREATE TABLE answer(visit INTEGER NOT NULL, round INTEGER NOT NULL, aspect TEXT NOT NULL, candidate INTEGER NOT NULL, at_ms INTEGER NOT NULL, PRIMARY KEY(visit, round, aspect)) WITHOUT ROWID;
 INSERT OR REPLACE INTO answer SELECT visit, round, 'trees', trees, ifnull(trees_ms, 0) FROM generation WHERE trees IS NOT NULL ORDER BY id;
 INSERT OR REPLACE INTO answer SELECT visit, round, 'land', land, ifnull(land_ms, 0) FROM generation WHERE land IS NOT NULL ORDER BY id;

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "exhibit/archive_schema.hpp"
+#include "exhibit/scene_rows.hpp"
 #include "genome/json_text.hpp"
 #include "genome/words_json.hpp"
 
@@ -12,7 +13,7 @@ namespace quadrat::exhibit {
 namespace {
 
 // Throws InputError when the row is not whole.
-genome::WordAnswer answer_from(const Statement& row, const std::string& scene, const std::string& words) {
+genome::WordAnswer answer_from(const Statement& row, const genome::Recipe& scene, const std::string& words) {
     genome::WordAnswer answer;
     const auto word = genome::word_named(row.text(0));
     if (!word) throw base::InputError("there is no such word");
@@ -21,7 +22,7 @@ genome::WordAnswer answer_from(const Statement& row, const std::string& scene, c
     if (step < 0 || step >= static_cast<std::int64_t>(genome::kAnswerSteps.size()))
         throw base::InputError("there is no such answer");
     answer.step = static_cast<std::size_t>(step);
-    answer.scene = genome::from_json(scene, "scene");
+    answer.scene = scene;
     if (!words.empty()) answer.made_of = genome::words_from(genome::parse_json(words, "words"), "words", "words");
     return answer;
 }
@@ -50,6 +51,7 @@ auto with_state_of(const std::filesystem::path& directory, const Work& work) {
 WordAnswers word_answers_of(const Connection& connection) {
     WordAnswers answers;
     Statement rows = connection.prepare("SELECT word, step, scene, made_of FROM word_answer ORDER BY id");
+    const SceneRows scenes(connection);
     std::string scene, made_of;
     while (rows.step()) {
         // Without a scene: the same as before.
@@ -58,7 +60,7 @@ WordAnswers word_answers_of(const Connection& connection) {
             made_of = rows.text(3);
         }
         try {
-            answers.readable.push_back(answer_from(rows, scene, made_of));
+            answers.readable.push_back(answer_from(rows, scenes.scene(scene), made_of));
         } catch (const base::InputError&) {
             ++answers.unreadable;
         }

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -16,14 +17,20 @@ struct Destroy {
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
 };
 
+using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
+
 constexpr int kLargestSide = 4096;
+
+void require_success(cairo_status_t status, const std::filesystem::path& path) {
+    if (status != CAIRO_STATUS_SUCCESS)
+        throw base::InputError(fmt::format("{}: {}", path.string(), cairo_status_to_string(status)));
+}
 
 }  // namespace
 
 mesh::Image read_png_quickly(const std::filesystem::path& path) {
-    const std::unique_ptr<cairo_surface_t, Destroy> png(cairo_image_surface_create_from_png(path.c_str()));
-    if (const auto status = cairo_surface_status(png.get()); status != CAIRO_STATUS_SUCCESS)
-        throw base::InputError(fmt::format("{}: {}", path.string(), cairo_status_to_string(status)));
+    const Surface png(cairo_image_surface_create_from_png(path.c_str()));
+    require_success(cairo_surface_status(png.get()), path);
     const auto format = cairo_image_surface_get_format(png.get());
     mesh::Image image(cairo_image_surface_get_width(png.get()), cairo_image_surface_get_height(png.get()), 4);
     const bool is_usual = format == CAIRO_FORMAT_ARGB32 || format == CAIRO_FORMAT_RGB24;
@@ -42,6 +49,23 @@ mesh::Image read_png_quickly(const std::filesystem::path& path) {
             to[3] = 255;
         }
     return image;
+}
+
+void write_png_quickly(const std::filesystem::path& path, const mesh::Image& image) {
+    const Surface png(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height));
+    require_success(cairo_surface_status(png.get()), path);
+    unsigned char* const rows = cairo_image_surface_get_data(png.get());
+    const int stride = cairo_image_surface_get_stride(png.get());
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const std::uint8_t* const from = image.pixel(x, y);
+            const std::uint32_t word = std::uint32_t{from[0]} << 16U | std::uint32_t{from[1]} << 8U | from[2];
+            std::memcpy(rows + y * stride + x * 4, &word, sizeof word);
+        }
+    cairo_surface_mark_dirty(png.get());
+    base::write_file_by(path, [&](const std::filesystem::path& temporary) {
+        require_success(cairo_surface_write_to_png(png.get(), temporary.c_str()), path);
+    });
 }
 
 }  // namespace quadrat::kiosk

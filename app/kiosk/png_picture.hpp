@@ -6,8 +6,13 @@
 
 namespace quadrat::kiosk {
 
-// A PNG as opaque RGBA, without the library of pictures (image_file.hpp): loading that takes longer than the exhibit
-// may take to its first frame. Throws InputError naming the file.
+// PNG without the library of pictures (image_file.hpp): loading that takes longer than the exhibit may take to its
+// first frame, and 70 MB that stay. Both throw InputError naming the file.
+
+// As opaque RGBA.
 mesh::Image read_png_quickly(const std::filesystem::path& path);
+
+// RGBA, taken for opaque; replaces the file whole or not at all.
+void write_png_quickly(const std::filesystem::path& path, const mesh::Image& image);
 
 }  // namespace quadrat::kiosk

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
-#include "kiosk/image_file.hpp"
+#include "kiosk/png_picture.hpp"
 
 namespace quadrat::kiosk::staff {
 namespace {
@@ -175,13 +175,11 @@ std::string Caretaker::take_picture_wish() {
 }
 
 void Caretaker::keep_picture(mesh::Image picture, const std::filesystem::path& file) {
-    // What the screen's buffer says of transparency is nobody's business.
-    for (std::size_t i = 3; i < picture.bytes.size(); i += 4) picture.bytes[i] = 255;
     errands_.send([runtime = parts_.runtime, file, picture = std::move(picture)] {
         try {
             std::error_code exists;
             std::filesystem::create_directories((runtime / file).parent_path(), exists);
-            write_image_file(runtime / file, file.string(), picture, "");
+            write_png_quickly(runtime / file, picture);
         } catch (const base::InputError& error) {
             base::log::info("picture: {}", error.what());
         }
