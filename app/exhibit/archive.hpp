@@ -40,7 +40,7 @@ std::uint64_t digest_of(const genome::Offer& offer);
 // How much is kept; the oldest goes first, a few at a time. A visit of six rounds takes about 1 kB.
 struct Retention {
     int visits = 200'000;     // with their generations and answers
-    int word_answers = 5000;  // about 5 kB each
+    int word_answers = 5000;  // about 2 kB a landscape
 };
 
 // What visitors said of landscapes, oldest first. Rows that cannot be read, or that speak of words or parameters which
