@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "kiosk/image_file.hpp"
+#include "kiosk/png_picture.hpp"
 #include "kiosk/staff/errands.hpp"
 #include "kiosk/staff/keepsakes.hpp"
 #include "kiosk/staff/service_screen.hpp"
@@ -199,13 +199,14 @@ TEST(Keepsakes, AreFewAndSeldomAndTheOldestGoes) {
     mesh::Image picture(8, 6, 4);
     std::fill(picture.bytes.begin(), picture.bytes.end(), std::uint8_t{100});
     EXPECT_EQ(Keepsakes(state.path()).at(0s), nullptr);
+    std::filesystem::create_directory(state / "earlier");
     for (int i = 0; i < 5; ++i) {
         Keepsakes keepsakes(state.path());
         EXPECT_TRUE(keepsakes.wants_another(1s));
         const auto file = keepsakes.keep(1s);
         EXPECT_FALSE(keepsakes.wants_another(2h));
         EXPECT_TRUE(keepsakes.wants_another(4h));
-        write_image_file(file, file.string(), halved(picture), "");
+        write_png_quickly(file, halved(picture));
         std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now() + std::chrono::seconds{i});
     }
     const Keepsakes keepsakes(state.path());
