@@ -51,7 +51,8 @@ Keeper::Ticket Keeper::post(Work work, Urgency urgency) {
     // A disk that hangs for hours must not fill the memory: what is lost then is lost with the disk.
     if (queue_.size() >= kMostWaiting) return posted_;
     queue_.push_back({std::move(work), urgency, std::chrono::steady_clock::now()});
-    if (urgency == Urgency::Now) ++urgent_;
+    if (urgency == Urgency::Flushed) asked_ = exhibit::Durability::Flushed;
+    if (urgency == Urgency::Written && !asked_) asked_ = exhibit::Durability::Written;
     changed_.notify_all();
     return ++posted_;
 }
@@ -91,7 +92,7 @@ void Keeper::work() {
     if (!archive_)
         waiting_for_the_disk([this] { archive_ = open_([this](const exhibit::Kept& kept) { tell(kept); }); });
     const auto is_due = [this] {
-        return urgent_ > 0 || is_ending_ || (!queue_.empty() && steady_clock::now() - queue_.front().at >= kHold);
+        return asked_ || is_ending_ || (!queue_.empty() && steady_clock::now() - queue_.front().at >= kHold);
     };
     for (;;) {
         if (queue_.empty())
@@ -101,11 +102,11 @@ void Keeper::work() {
         if (queue_.empty() && is_ending_) return;
         if (!is_due()) continue;
         std::deque<Posted> batch = std::exchange(queue_, {});
-        const bool is_urgent = std::exchange(urgent_, 0) > 0 || is_ending_;
+        const auto asked = std::exchange(asked_, std::nullopt);
+        const auto durability =
+            is_ending_ ? exhibit::Durability::Flushed : asked.value_or(exhibit::Durability::Written);
         const std::size_t count = batch.size();
-        waiting_for_the_disk([&] {
-            do_together(std::move(batch), is_urgent ? exhibit::Durability::Flushed : exhibit::Durability::Written);
-        });
+        waiting_for_the_disk([&] { do_together(std::move(batch), durability); });
         done_ += count;
         changed_.notify_all();
     }

@@ -22,8 +22,9 @@ class Keeper {
     using Open = std::function<exhibit::Archive(const exhibit::TellKept& tell)>;
 
     enum class Urgency {
-        Now,  // and all before it; on the disk when it is done
-        Soon  // with what comes next, within kHold: a killed program loses it, and it is nothing that was on screen
+        Flushed,  // at once, with all before it; on the disk when it is done
+        Written,  // at once, with all before it; with the system when it is done: a pulled plug may lose it
+        Soon      // with what comes next, within kHold: a killed program loses it, and it is nothing that was on screen
     };
     static constexpr std::chrono::seconds kHold{15};
 
@@ -61,7 +62,7 @@ class Keeper {
     std::condition_variable changed_;
     std::optional<exhibit::Kept> kept_;
     std::deque<Posted> queue_;
-    std::size_t urgent_ = 0;  // of them
+    std::optional<exhibit::Durability> asked_;  // by what is urgent among them
     Ticket posted_ = 0;
     Ticket done_ = 0;
     bool is_ending_ = false;

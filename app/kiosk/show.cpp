@@ -94,7 +94,7 @@ void Show::study() {
             school->begin(archive.word_answers());
             return std::nullopt;
         },
-        Urgency::Now);
+        Urgency::Written);
 }
 
 void Show::study_at_night() {
@@ -154,7 +154,8 @@ Keeper::Ticket Show::keep_generation(const genome::Pick& answers) {
         generation.visit = *visit;
         return archive.append(generation);
     };
-    return keeper_->post(keep, Urgency::Now);
+    // The first four cost the visitor nothing yet, and many visits end with them.
+    return keeper_->post(keep, deeds_.empty() ? Urgency::Written : Urgency::Flushed);
 }
 
 void Show::carry_out(const exhibit::Acknowledge& wish, Instant now) {

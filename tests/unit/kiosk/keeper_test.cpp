@@ -32,7 +32,7 @@ TEST(Keeper, WritesWhatCanWaitWithWhatCannot) {
         std::this_thread::sleep_for(50ms);
         EXPECT_FALSE(keeper.is_done(first)) << "it waits for company";
         const auto second =
-            keeper.post([](exhibit::Archive& archive) { return archive.remember("b", "2"); }, Urgency::Now);
+            keeper.post([](exhibit::Archive& archive) { return archive.remember("b", "2"); }, Urgency::Flushed);
         keeper.wait(second);
         EXPECT_TRUE(keeper.is_done(first));
         keeper.post([](exhibit::Archive& archive) { return archive.remember("c", "3"); }, Urgency::Soon);
@@ -55,7 +55,7 @@ TEST(Keeper, TellsWhatWasKeptBeforeTheDiskHasTakenAnything) {
     const auto kept = keeper.kept_within(60s);
     ASSERT_TRUE(kept);
     EXPECT_EQ(kept->buttons, "fine");
-    const auto ticket = keeper.post(nothing, Urgency::Now);
+    const auto ticket = keeper.post(nothing, Urgency::Flushed);
     EXPECT_FALSE(keeper.is_done(ticket));
     std::this_thread::sleep_for(20ms);
     EXPECT_GT(keeper.waited_for(), 0ms);
