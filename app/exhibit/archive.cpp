@@ -71,6 +71,41 @@ Statement& bind_answers(Statement& statement, const genome::Pick& answers) {
     return statement;
 }
 
+// An older one when rows after it cannot be read.
+std::optional<Generation> latest_in(const Connection& connection) {
+    try {
+        Statement rows = connection.prepare(kGenerations);
+        while (rows.step()) {
+            try {
+                return generation_from(rows);
+            } catch (const base::InputError&) {
+                continue;
+            }
+        }
+    } catch (const SqliteError&) {
+        return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+bool is_open_in(const Connection& connection, std::int64_t visit) {
+    try {
+        Statement row = connection.prepare("SELECT 1 FROM visit WHERE id=? AND ended_ms IS NULL");
+        return row.bind(visit).step();
+    } catch (const SqliteError&) {
+        return false;
+    }
+}
+
+std::string remembered_in(const Connection& connection, std::string_view name) {
+    try {
+        Statement row = connection.prepare("SELECT value FROM memory WHERE name=?");
+        return row.bind(name).step() ? row.text(0) : std::string{};
+    } catch (const SqliteError&) {
+        return {};
+    }
+}
+
 // Of one landscape several words are asked.
 bool is_of_the_last_scene(const Connection& connection, const std::string& scene, const std::string& made_of) {
     Statement last =
@@ -236,14 +271,7 @@ Trouble Archive::remember(std::string_view name, std::string_view value) {
     });
 }
 
-std::string Archive::remembered(std::string_view name) const {
-    try {
-        Statement row = connection_.prepare("SELECT value FROM memory WHERE name=?");
-        return row.bind(name).step() ? row.text(0) : std::string{};
-    } catch (const SqliteError&) {
-        return {};
-    }
-}
+std::string Archive::remembered(std::string_view name) const { return remembered_in(connection_, name); }
 
 Trouble Archive::post(std::string_view topic, std::string_view payload, int most) {
     return attempt("a message", [&] {
@@ -252,38 +280,19 @@ Trouble Archive::post(std::string_view topic, std::string_view payload, int most
     });
 }
 
-std::optional<Generation> Archive::latest() const {
-    try {
-        Statement rows = connection_.prepare(kGenerations);
-        while (rows.step()) {
-            try {
-                return generation_from(rows);
-            } catch (const base::InputError&) {
-                continue;
-            }
-        }
-    } catch (const SqliteError&) {
-        return std::nullopt;
-    }
-    return std::nullopt;
-}
+std::optional<Generation> Archive::latest() const { return latest_in(connection_); }
 
-bool Archive::is_open(std::int64_t visit) const {
-    try {
-        Statement row = connection_.prepare("SELECT 1 FROM visit WHERE id=? AND ended_ms IS NULL");
-        return row.bind(visit).step();
-    } catch (const SqliteError&) {
-        return false;
-    }
-}
+bool Archive::is_open(std::int64_t visit) const { return is_open_in(connection_, visit); }
 
-Kept Archive::kept() const {
+Kept Archive::kept_in(const Connection& connection) {
     Kept kept;
-    kept.interrupted = latest();
-    if (kept.interrupted && !is_open(kept.interrupted->visit)) kept.interrupted.reset();
-    kept.buttons = remembered("buttons");
-    kept.detail = remembered("detail");
+    kept.interrupted = latest_in(connection);
+    if (kept.interrupted && !is_open_in(connection, kept.interrupted->visit)) kept.interrupted.reset();
+    kept.buttons = remembered_in(connection, "buttons");
+    kept.detail = remembered_in(connection, "detail");
     return kept;
 }
+
+Kept Archive::kept() const { return kept_in(connection_); }
 
 }  // namespace quadrat::exhibit

@@ -78,8 +78,10 @@ class Archive {
     // Never throws for what it finds on disk. A damaged file (not SQLite, cut off, a schema version from the future, a
     // check that fails, a last row that cannot be read) is renamed, with its -wal and -shm, to
     // quadrat.db.damaged-YYYYMMDD-HHMMSS in UTC. An older schema version is brought up to date. The directory is
-    // created when missing. `tell` hears what was kept as soon as it is known, before anything is written: a disk may
-    // take seconds for that. It may hear nothing more than once after that, where the file turns out to be of no use.
+    // created when missing.
+    // `tell` hears what was kept as soon as it is known: before anything is written, for which a disk may take seconds,
+    // and before the whole file is checked, which takes longer the more there is in it. It hears once more, of nothing,
+    // where the file turns out to be of no use.
     static Opened open(const std::filesystem::path& directory, WallTime now, const Retention& retention = {},
                        const TellKept& tell = {});
 
@@ -131,6 +133,8 @@ class Archive {
                                  const Retention& retention, const TellKept& tell);
     static Opened replace(const std::filesystem::path& file, std::string_view damage, WallTime now,
                           const Retention& retention, const TellKept& tell);
+
+    static Kept kept_in(const Connection& connection);
 
     // Throws DamageError when the last row is not whole, or a number is beyond what we ever write.
     void require_whole() const;

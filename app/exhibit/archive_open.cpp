@@ -92,11 +92,12 @@ Archive::Opened Archive::open_file(const fs::path& file, WallTime now, const Ret
                                    const TellKept& tell) {
     return opened_or_damage([&] {
         Connection connection(file);
-        if (tell && holds_nothing(connection)) tell({});
+        const bool is_known = holds_nothing(connection) || is_of_this_version(connection);
+        if (tell && is_known) tell(kept_in(connection));
         const Found found = prepare_schema(connection);
         Archive archive(std::move(connection), retention);
         archive.require_whole();
-        if (tell && found != Found::Nothing) tell(archive.kept());
+        if (tell && !is_known) tell(archive.kept());
         note_start(archive.connection_, now);
         archive.connection_.trust_file();
         constexpr std::array<const char*, 3> kWords{"a new state file", "the state file is whole",

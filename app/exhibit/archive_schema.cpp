@@ -137,6 +137,12 @@ bool holds_nothing(const Connection& connection) {
     return schema_of(connection).empty() && connection.integer("PRAGMA user_version") == 0;
 }
 
+bool is_of_this_version(const Connection& connection) {
+    return connection.integer("PRAGMA application_id") == kApplication &&
+           connection.integer("PRAGMA user_version") == kVersion &&
+           schema_of(connection) == schema_of_version(kVersion);
+}
+
 Found prepare_schema(Connection& connection) {
     const std::string schema = schema_of(connection);
     const bool is_empty = holds_nothing(connection);

@@ -14,7 +14,8 @@ class DamageError : public std::runtime_error {
 
 enum class Found { Nothing, Ours, Older };
 
-bool holds_nothing(const Connection& connection);  // no table, and no version
+bool holds_nothing(const Connection& connection);       // no table, and no version
+bool is_of_this_version(const Connection& connection);  // the tables of this program; what is in them is not checked
 
 // Makes the tables where there are none, and brings those of an older version to this one. Throws DamageError for a
 // file that holds anything else than the tables of its version or fails SQLite's own check; SqliteError as SQLite does.

@@ -187,7 +187,7 @@ exhibit::Kept kept_by(Keeper& keeper, const Clock& clock) {
     constexpr std::chrono::milliseconds kPatience{400};
     constexpr std::chrono::hours kUntilItIsKnown{1};
     if (const auto kept = keeper.kept_within(clock.is_simulated() ? kUntilItIsKnown : kPatience)) return *kept;
-    base::log::warn("state: the disk has not answered yet; the show begins without it");
+    base::log::info("state: the disk has not answered yet; the show begins without it");
     return {};
 }
 
