@@ -218,7 +218,7 @@ TEST(Staff, OnADiskOfTwoSecondsAFlushTheFirstPictureWaitsForNone) {
     RecordProperty("first_frame_ms", static_cast<int>(1000 * frame_s));
     RecordProperty("first_landscapes_ms", static_cast<int>(1000 * landscapes_s));
 #ifndef QUADRAT_SANITIZED
-    EXPECT_LT(frame_s, 3.0) << "it is a fifth of a second where nothing else runs";
+    EXPECT_LT(frame_s, 8.0) << "all flushes take 24; it is a fifth of a second where nothing else runs";
 #endif
     exhibit.kill(SIGKILL);
     exhibit.wait();
