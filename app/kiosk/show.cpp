@@ -182,8 +182,7 @@ void Show::carry_out(const exhibit::BeginVisit& /*wish*/, Instant now) {
             return begun.trouble;
         },
         Urgency::Soon);
-    const Keeper::Ticket kept = keep_generation({});
-    if (waiting_) waiting_->kept = kept;
+    keep_generation({});  // nobody waits for it: what is lost of it cost the visitor one press
     base::log::info("a visit begins");
 }
 
