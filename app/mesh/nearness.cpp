@@ -16,23 +16,33 @@ constexpr std::uint32_t kLeaf = 4;
 
 float squared(glm::vec3 v) { return glm::dot(v, v); }
 
-glm::vec3 nearest_on_edge(glm::vec3 p, glm::vec3 a, glm::vec3 b) {
-    const glm::vec3 along = b - a;
-    const float length2 = squared(along);
-    return length2 > 0 ? a + glm::clamp(glm::dot(p - a, along) / length2, 0.0F, 1.0F) * along : a;
-}
-
-float squared_to_triangle(glm::vec3 p, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
-    const glm::vec3 n = glm::cross(b - a, c - a);
-    const float n2 = squared(n);
-    const bool is_over = n2 > 0 && glm::dot(glm::cross(b - a, p - a), n) >= 0 &&
-                         glm::dot(glm::cross(c - b, p - b), n) >= 0 && glm::dot(glm::cross(a - c, p - c), n) >= 0;
-    if (is_over) {
-        const float height = glm::dot(p - a, n);
-        return height * height / n2;
-    }
-    return std::min({squared(p - nearest_on_edge(p, a, b)), squared(p - nearest_on_edge(p, b, c)),
-                     squared(p - nearest_on_edge(p, c, a))});
+// By the corner, edge or face whose region the point lies in (Ericson 2005, Real-Time Collision Detection, 5.1.5). In
+// double: areas are differences of products, and of a sliver nothing would be left of them.
+glm::vec3 nearest_on_triangle(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+    const glm::dvec3 ab = b - a;
+    const glm::dvec3 ac = c - a;
+    const double ab_a = glm::dot(ab, p - a);
+    const double ac_a = glm::dot(ac, p - a);
+    if (ab_a <= 0 && ac_a <= 0) return a;
+    const double ab_b = glm::dot(ab, p - b);
+    const double ac_b = glm::dot(ac, p - b);
+    if (ab_b >= 0 && ac_b <= ab_b) return b;
+    const double over_c = ab_a * ac_b - ab_b * ac_a;
+    if (over_c <= 0 && ab_a >= 0 && ab_b <= 0) return ab_a > ab_b ? a + ab * (ab_a / (ab_a - ab_b)) : a;
+    const double ab_c = glm::dot(ab, p - c);
+    const double ac_c = glm::dot(ac, p - c);
+    if (ac_c >= 0 && ab_c <= ac_c) return c;
+    const double over_b = ab_c * ac_a - ab_a * ac_c;
+    if (over_b <= 0 && ac_a >= 0 && ac_c <= 0) return ac_a > ac_c ? a + ac * (ac_a / (ac_a - ac_c)) : a;
+    const double over_a = ab_b * ac_c - ab_c * ac_b;
+    const double to_c = ac_b - ab_b;
+    const double to_b = ab_c - ac_c;
+    if (over_a <= 0 && to_c >= 0 && to_b >= 0) return to_c + to_b > 0 ? b + (c - b) * (to_c / (to_c + to_b)) : b;
+    const double all = over_a + over_b + over_c;
+    if (!(all > 0)) return a;
+    // A sliver far away leaves rounding errors: the point is never off the triangle.
+    const double of_b = glm::clamp(over_b / all, 0.0, 1.0);
+    return a + ab * of_b + ac * glm::clamp(over_c / all, 0.0, 1 - of_b);
 }
 
 float squared_to_box(glm::vec3 p, glm::vec3 low, glm::vec3 high) { return squared(p - glm::clamp(p, low, high)); }
@@ -79,9 +89,20 @@ void Nearness::split(std::size_t at, std::span<const glm::vec3> middles) {
     split(boxes_.size() - 1, middles);
 }
 
-float Nearness::distance_m(glm::vec3 p) const {
-    float best = std::numeric_limits<float>::infinity();
-    if (boxes_.empty()) return best;
+float Nearness::distance_m(glm::vec3 from_m) const {
+    return boxes_.empty() ? std::numeric_limits<float>::infinity() : nearest(from_m).distance_m;
+}
+
+Nearness::Nearest Nearness::on(std::uint32_t triangle, glm::vec3 p) const {
+    const std::uint32_t* corner = &mesh_.indices[3 * std::size_t{triangle}];
+    const glm::vec3 at_m = nearest_on_triangle(p, mesh_.positions_m[corner[0]], mesh_.positions_m[corner[1]],
+                                               mesh_.positions_m[corner[2]]);
+    return {at_m, squared(p - at_m), triangle};
+}
+
+Nearness::Nearest Nearness::nearest(glm::vec3 p, std::uint32_t guess, float slack) const {
+    const float slack2 = (1 + slack) * (1 + slack);
+    Nearest best = on(guess, p);
     struct Waiting {
         std::size_t box;
         float least;
@@ -91,13 +112,11 @@ float Nearness::distance_m(glm::vec3 p) const {
     stack[depth++] = {0, 0};
     while (depth > 0) {
         const Waiting next = stack[--depth];
-        if (next.least >= best) continue;
+        if (next.least * slack2 >= best.distance_m) continue;
         const Box& box = boxes_[next.box];
         for (std::uint32_t i = box.first; i < box.first + box.count; ++i) {
-            const std::size_t t = 3 * std::size_t{order_[i]};
-            best = std::min(best, squared_to_triangle(p, mesh_.positions_m[mesh_.indices[t]],
-                                                      mesh_.positions_m[mesh_.indices[t + 1]],
-                                                      mesh_.positions_m[mesh_.indices[t + 2]]));
+            const Nearest other = on(order_[i], p);
+            if (other.distance_m < best.distance_m) best = other;
         }
         if (box.count > 0) continue;
         Waiting near{next.box + 1, squared_to_box(p, boxes_[next.box + 1].low, boxes_[next.box + 1].high)};
@@ -106,7 +125,8 @@ float Nearness::distance_m(glm::vec3 p) const {
         stack[depth++] = far;
         stack[depth++] = near;
     }
-    return std::sqrt(best);
+    best.distance_m = std::sqrt(best.distance_m);
+    return best;
 }
 
 Deviation deviation_of(const Mesh& coarse, const Mesh& exact) {

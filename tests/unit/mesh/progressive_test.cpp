@@ -262,5 +262,33 @@ TEST(Nearness, IsTheDistanceToTheNearestTriangle) {
     EXPECT_GT(Nearness(Mesh{}).distance_m({0, 0, 0}), 1e30F);
 }
 
+TEST(Nearness, FindsAPointOfTheTriangleThatNoOtherIsNearerThan) {
+    base::RandomStream random{base::Seed{12}};
+    const auto anywhere = [&](float reach) {
+        return glm::vec3{random.between(-reach, reach), random.between(-reach, reach), random.between(-reach, reach)};
+    };
+    for (int i = 0; i < 3000; ++i) {
+        // Of any shape, slivers too.
+        const float size = std::exp2(random.between(-9, 2));
+        Mesh one;
+        one.positions_m = {anywhere(5), {}, {}};
+        one.positions_m[1] = one.positions_m[0] + anywhere(size);
+        one.positions_m[2] =
+            i % 3 == 0 ? one.positions_m[1] + anywhere(0.001F * size) : one.positions_m[0] + anywhere(size);
+        one.indices = {0, 1, 2};
+        const glm::vec3 from = anywhere(8);
+        const Nearness nearness(one);
+        const Nearness::Nearest found = nearness.nearest(from);
+        EXPECT_NEAR(found.distance_m, glm::distance(from, found.at_m), 1e-5F);
+        EXPECT_LT(nearness.distance_m(found.at_m), 1e-5F);
+        for (int k = 0; k < 40; ++k) {
+            const float a = random.unit_f();
+            const float b = (1 - a) * random.unit_f();
+            const glm::vec3 other = a * one.positions_m[0] + b * one.positions_m[1] + (1 - a - b) * one.positions_m[2];
+            EXPECT_LE(found.distance_m, glm::distance(from, other) + 1e-4F);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace quadrat::mesh
