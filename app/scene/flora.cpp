@@ -16,7 +16,11 @@ std::size_t bytes_of(const Species& species) {
                         bytes_in(species.leaves.indices) + bytes_in(species.leaves.plain_indices);
     for (const Wood& wood : species.wood)
         bytes += bytes_in(wood.mesh.positions_m) + bytes_in(wood.mesh.normals) + bytes_in(wood.mesh.texcoords) +
-                 bytes_in(wood.mesh.indices) + bytes_in(wood.grains) + bytes_in(wood.ages) + bytes_in(wood.sways);
+                 bytes_in(wood.mesh.indices) + bytes_in(wood.grains) + bytes_in(wood.ages) + bytes_in(wood.sways) +
+                 bytes_in(wood.coarser_m) + bytes_in(wood.coarser_sways);
+    for (const CrownMass& mass : species.masses)
+        bytes += bytes_in(mass.mesh.positions_m) + bytes_in(mass.mesh.normals) + bytes_in(mass.mesh.indices) +
+                 bytes_in(mass.colours) + bytes_in(mass.shades) + bytes_in(mass.ages) + bytes_in(mass.sways);
     return bytes;
 }
 

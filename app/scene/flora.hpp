@@ -14,13 +14,16 @@
 namespace quadrat::scene {
 
 // Trunk and limbs of one species at one level of detail. Roots at the origin, y up. Closed; texture coordinates in
-// metres, across and along the limb.
+// metres, across and along the limb. Levels change without a step: each vertex knows where it goes before the next
+// coarser level takes its place.
 struct Wood {
     mesh::Mesh mesh;
     std::vector<glm::vec4>
         grains;                // a vertex: xyz the limb's direction, unit; w the side of it: coordinates run with w
     std::vector<float> ages;   // a vertex: when it appears as the tree grows, 0 seed to 1 grown
     std::vector<float> sways;  // a vertex: 0 rigid to 1 the freest twig
+    std::vector<glm::vec3> coarser_m;  // a vertex: on the next level's surface; empty in the coarsest
+    std::vector<float> coarser_sways;  // there
 };
 
 // Leaves are opaque folded blades, in shuffled order: any prefix, its blades enlarged by 1/sqrt(share), is a good
@@ -45,6 +48,17 @@ struct Leaves {
     std::size_t indices_per_plain_blade() const { return blades == 0 ? 0 : plain_indices.size() / blades; }
 };
 
+// A crown as one mass, for when it is too far away for its leaves: a closed mesh about where they are dense, so that
+// the sky still shows through what is thin. Its vertices are coloured and shaded as the leaves about them are.
+struct CrownMass {
+    mesh::Mesh mesh;                 // without texture coordinates
+    std::vector<glm::vec3> colours;  // a vertex, linear
+    std::vector<float> shades;       // as of leaves
+    std::vector<float> ages;
+    std::vector<float> sways;
+    float share = 1;  // of the crown's leaves, by area, that it stands for: those within it
+};
+
 // Bark pictures: channels 0 and 1 the slope of its relief across and along the limb, 128 level; channel 2 its
 // lightness, 128 the bark's own colour; channel 3 unused.
 // Leaf pictures: one channel, lightness, 128 a blade's own colour and the mean of all, so that a blade too small to
@@ -58,6 +72,7 @@ struct Species {
     Storey storey = Storey::Tree;
     std::vector<Wood> wood;                      // finest first, at least one
     Leaves leaves;                               // may have no blades
+    std::vector<CrownMass> masses;               // of them, finest first; none where they nowhere stand so close
     glm::vec3 bark_colour{0.25F, 0.18F, 0.12F};  // linear
     mesh::Image bark;                            // four channels, tileable: see above; may be empty: plain
     mesh::Image leaf;                            // one channel, see above; may be empty: plain

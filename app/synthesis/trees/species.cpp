@@ -5,39 +5,14 @@
 #include <cmath>
 
 #include "synthesis/trees/bark.hpp"
+#include "synthesis/trees/crown_mass.hpp"
 #include "synthesis/trees/leaf_picture.hpp"
-#include "synthesis/trees/limb_mesh.hpp"
+#include "synthesis/trees/wood_levels.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
 
-constexpr std::size_t kSmoothTriangles = 3600;
-constexpr std::size_t kTwigNodes = 420;  // beside them
 constexpr int kBarkSide = 128;
-
-// The thickest that counts: a trunk, not its foot.
-std::vector<scene::Wood> levels_of(const TreeSkeleton& skeleton) {
-    MetaTubeDetail smooth;
-    smooth.cell_m = cell_for(skeleton, kSmoothTriangles);
-    smooth.most_nodes = kTwigNodes + 4 * skeleton.limbs.front().nodes.size();
-    smooth.twig_sides = 3;
-    std::vector<scene::Wood> levels{mesh_meta_tubes(skeleton, smooth)};
-    const std::size_t trunk = skeleton.limbs.front().nodes.size();
-    struct Level {
-        int sides;
-        std::size_t nodes;  // beside the trunk's
-        float flattest;
-    };
-    constexpr Level kLevels[] = {{8, 260, 0.15F}, {6, 90, 0.4F}, {4, 26, 0.9F}, {3, 0, 2.0F}};
-    for (const Level& level : kLevels) {
-        TubeDetail detail;
-        detail.trunk_sides = level.sides;
-        detail.most_nodes = trunk + level.nodes;
-        detail.flattest = level.flattest;
-        levels.push_back(sweep_tubes(skeleton, detail));
-    }
-    return levels;
-}
 
 FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
     const HabitTraits& t = traits(f.habit);
@@ -111,9 +86,12 @@ scene::Species make_species(const Form& f, base::Seed seed) {
     species.height_m = skeleton.high_m.y;
     species.crown_radius_m = f.habit == Habit::Palm ? 0.28F * skeleton.high_m.y : crown_radius(skeleton);
     species.trunk_radius_m = skeleton.limbs.front().nodes.front().radius_m * (f.stems > 1 ? 2.2F : 1.0F);
-    species.wood = levels_of(skeleton);
+    species.wood = wood_levels(skeleton);
     const FoliageOptions foliage = foliage_of(f, species);
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
+    if (f.habit != Habit::Palm) species.masses = crown_masses(species.leaves);
+    if (species.leaves.blades > 0) add_spindle(species.wood, species.height_m, species.trunk_radius_m);
+    set_coarser(species.wood);
     if (f.habit == Habit::Palm) {
         species.crown_radius_m = std::max(species.crown_radius_m, 0.8F * foliage.length_m);
         species.height_m += 0.3F * foliage.length_m;

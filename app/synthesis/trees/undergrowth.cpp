@@ -8,10 +8,12 @@
 #include <utility>
 
 #include "scene/colour.hpp"
+#include "synthesis/trees/crown_mass.hpp"
 #include "synthesis/trees/foliage.hpp"
 #include "synthesis/trees/leaf_picture.hpp"
 #include "synthesis/trees/limb_mesh.hpp"
 #include "synthesis/trees/phyllotaxis.hpp"
+#include "synthesis/trees/wood_levels.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -257,6 +259,7 @@ scene::Species shrub(const ShrubOptions& o, base::Seed seed) {
     far.most_nodes = 18;
     far.flattest = 2;
     species.wood = {sweep_tubes(skeleton, near), sweep_tubes(skeleton, far)};
+    set_coarser(species.wood);
     FoliageOptions foliage;
     foliage.kind = LeafKind::Ovate;
     const float ratio = o.height_m * o.height_m / (o.leaf_m * o.leaf_m);
@@ -271,6 +274,7 @@ scene::Species shrub(const ShrubOptions& o, base::Seed seed) {
     foliage.colours.second = o.second;
     foliage.colours.blossom = o.blossom;
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
+    species.masses = crown_masses(species.leaves);
     species.leaf = leaf_picture(foliage.kind, seed.child("leaf"));
     species.bark_colour = o.bark;
     species.height_m = o.height_m;

@@ -7,9 +7,12 @@
 #include <mutex>
 
 #include "genome/recipe.hpp"
+#include "mesh/nearness.hpp"
 #include "support/effort.hpp"
 #include "support/manifold.hpp"
 #include "synthesis/grow.hpp"
+#include "synthesis/trees/crown_mass.hpp"
+#include "synthesis/trees/foliage.hpp"
 #include "synthesis/trees/form.hpp"
 #include "synthesis/trees/limb_mesh.hpp"
 #include "synthesis/trees/species.hpp"
@@ -34,6 +37,44 @@ std::string wood_fault(const scene::Wood& wood) {
     }
     if (std::string fault = tests::manifold_fault(wood.mesh.indices, n); !fault.empty()) return fault;
     return n > 0 && tests::volume_of(wood.mesh) <= 0 ? "inside out" : "";
+}
+
+// Of all levels: that each knows the way to the next one's surface.
+std::string levels_fault(const std::vector<scene::Wood>& levels) {
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+        const scene::Wood& wood = levels[level];
+        const std::size_t ways = level + 1 < levels.size() ? wood.mesh.positions_m.size() : 0;
+        if (wood.coarser_m.size() != ways || wood.coarser_sways.size() != ways) return "a vertex without a way";
+        if (ways == 0) continue;
+        const mesh::Nearness next(levels[level + 1].mesh);
+        for (std::size_t i = 0; i < ways; ++i) {
+            if (next.distance_m(wood.coarser_m[i]) > 1e-3F) return "a way that ends beside the next level";
+            if (!(wood.coarser_sways[i] >= 0 && wood.coarser_sways[i] <= 1)) return "a sway beyond 0 to 1";
+        }
+    }
+    return {};
+}
+
+std::string masses_fault(const scene::Species& species) {
+    float reach_m = 0;
+    for (const scene::Leaves::Vertex& v : species.leaves.vertices)
+        reach_m = std::max(reach_m, glm::length(v.site_m + v.corner_m));
+    std::size_t triangles = 1000;
+    for (const scene::CrownMass& mass : species.masses) {
+        const std::size_t n = mass.mesh.positions_m.size();
+        if (mass.colours.size() != n || mass.shades.size() != n || mass.ages.size() != n || mass.sways.size() != n)
+            return "an attribute of the crown's mass is missing";
+        if (const std::string fault = tests::manifold_fault(mass.mesh.indices, n); !fault.empty()) return fault;
+        if (tests::volume_of(mass.mesh) <= 0) return "a crown's mass inside out";
+        for (const glm::vec3& at_m : mass.mesh.positions_m)
+            if (!(glm::length(at_m) < 1.1F * reach_m)) return "a crown's mass beyond its leaves";
+        for (const glm::vec3& colour : mass.colours)
+            if (!(glm::length(colour) < 3)) return "a mass of no colour";
+        if (mass.mesh.triangle_count() >= triangles) return "a coarser mass of more triangles";
+        triangles = mass.mesh.triangle_count();
+        if (!(mass.share > 0 && mass.share <= 1)) return "a mass of no share";
+    }
+    return {};
 }
 
 std::string leaves_fault(const scene::Leaves& leaves) {
@@ -68,10 +109,12 @@ TEST_P(EveryHabit, GrowsSoundClosedWoodAndLeavesWithinItsBudget) {
         SCOPED_TRACE(species.name);
         ASSERT_FALSE(species.wood.empty());
         for (const scene::Wood& wood : species.wood) EXPECT_EQ(wood_fault(wood), "");
+        EXPECT_EQ(levels_fault(species.wood), "");
         EXPECT_EQ(leaves_fault(species.leaves), "");
+        EXPECT_EQ(masses_fault(species), "");
     }
     const scene::Species& tree = flora.species.front();
-    ASSERT_EQ(tree.wood.size(), 5U);
+    ASSERT_EQ(tree.wood.size(), tree.leaves.blades > 0 ? 6U : 5U);
     EXPECT_LE(tree.wood[0].mesh.triangle_count(), kMostWoodTriangles);
     EXPECT_LE(tree.wood[1].mesh.triangle_count(), 4500U);
     EXPECT_LE(tree.wood[4].mesh.triangle_count(), 200U);
@@ -153,7 +196,9 @@ TEST(Trees, OfTenThousandRandomGenomesHoldTheirBudgets) {
             if (wood.mesh.triangle_count() > kMostWoodTriangles)
                 blame(i, "too many triangles of wood: " + std::to_string(wood.mesh.triangle_count()));
         }
+        if (const std::string fault = levels_fault(species.wood); !fault.empty()) blame(i, fault);
         if (const std::string fault = leaves_fault(species.leaves); !fault.empty()) blame(i, fault);
+        if (const std::string fault = masses_fault(species); !fault.empty()) blame(i, fault);
         if (species.leaves.indices.size() / 3 > kMostLeafTriangles) blame(i, "too many leaves");
         if (scene::bytes_of(species) > kMostBytes) blame(i, "too much memory");
         if (species.leaves.blades == 0 && form.bareness < 0.9F) blame(i, "no leaves");
@@ -241,6 +286,45 @@ TEST(SweptTubes, KnowWhichLimbEachRingBelongsTo) {
     }
     EXPECT_EQ(wood.ages.front(), 0);
     EXPECT_GT(*std::max_element(wood.ages.begin(), wood.ages.end()), 0.8F);
+}
+
+// Blades on a sphere's surface, of a third of a metre each way.
+scene::Leaves blades_on_a_ball(std::size_t blades) {
+    scene::Leaves leaves;
+    base::RandomStream random{base::Seed{8}};
+    for (std::size_t i = 0; i < blades; ++i) {
+        glm::vec3 out{random.normal(), random.normal(), random.normal()};
+        out = glm::normalize(out);
+        BladeShape blade;
+        blade.site_m = glm::vec3{0, 5, 0} + 2.0F * std::cbrt(random.unit_f()) * out;
+        blade.along = out;
+        blade.face = glm::normalize(glm::cross(out, glm::vec3{0.3F, 1, 0.2F}));
+        scene::Leaves::Vertex common;
+        common.colour = {0.2F, 0.4F, 0.1F};
+        common.shade = 0.5F;
+        add_blade(leaves, LeafKind::Ovate, blade, common);
+        ++leaves.blades;
+    }
+    return leaves;
+}
+
+TEST(CrownMass, StandsWhereLeavesAreDenseInTheirColours) {
+    const auto masses = crown_masses(blades_on_a_ball(3500));
+    ASSERT_GE(masses.size(), 3U);
+    EXPECT_LE(masses.back().mesh.triangle_count(), 24U);
+    EXPECT_GT(masses.front().share, 0.6F);
+    const double ball_m3 = 4.18879 * 8;
+    EXPECT_NEAR(tests::volume_of(masses.front().mesh), ball_m3, 0.45 * ball_m3);
+    for (std::size_t i = 0; i < masses.front().colours.size(); ++i) {
+        EXPECT_LT(glm::distance(masses.front().colours[i], glm::vec3(0.2F, 0.4F, 0.1F)), 0.03F);
+        const glm::vec3 out = masses.front().mesh.positions_m[i] - glm::vec3{0, 5, 0};
+        EXPECT_GT(glm::dot(masses.front().mesh.normals[i], glm::normalize(out)), 0.3F);
+    }
+}
+
+TEST(CrownMass, IsNotThereWhereTheSkyShinesThrough) {
+    EXPECT_TRUE(crown_masses(blades_on_a_ball(12)).empty());
+    EXPECT_TRUE(crown_masses({}).empty());
 }
 
 TEST(Cylinders, AreOneForEveryInternode) {

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/trees/crown_mass.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <span>
+
+#include "mesh/isosurface.hpp"
+#include "mesh/progressive.hpp"
+#include "mesh/sparse_field.hpp"
+
+namespace quadrat::synthesis::trees {
+namespace {
+
+constexpr int kAcross = 13;                // samples over a crown's longest side
+constexpr int kRim = 3;                    // and beside it, for the blur
+constexpr float kDense = 0.50F;            // leaf area in a cell, in areas of the cell's side, where the mass begins
+constexpr std::size_t kFewestInside = 10;  // samples; less is no mass
+constexpr std::size_t kFinest = 130;       // vertices
+constexpr std::size_t kCoarsest = 7;
+
+// What the leaves about a sample are, weighted by their area.
+struct Sample {
+    float area_m2 = 0;
+    glm::vec3 colour{0};
+    float shade = 0, age = 0, sway = 0;
+
+    Sample& operator+=(const Sample& o) {
+        area_m2 += o.area_m2;
+        colour += o.colour;
+        shade += o.shade;
+        age += o.age;
+        sway += o.sway;
+        return *this;
+    }
+    Sample operator*(float f) const { return {area_m2 * f, colour * f, shade * f, age * f, sway * f}; }
+};
+
+class Density {
+  public:
+    explicit Density(const scene::Leaves& leaves) {
+        glm::vec3 low = leaves.vertices.front().site_m;
+        glm::vec3 high = low;
+        for (const scene::Leaves::Vertex& v : leaves.vertices) {
+            low = glm::min(low, v.site_m + v.corner_m);
+            high = glm::max(high, v.site_m + v.corner_m);
+        }
+        const glm::vec3 extent = high - low;
+        cell_m_ = std::max({extent.x, extent.y, extent.z, 0.01F}) / kAcross;
+        size_ = glm::ivec3{glm::ceil(extent / cell_m_)} + 2 * kRim + 1;
+        origin_m_ = low - static_cast<float>(kRim) * cell_m_;
+        samples_.resize(static_cast<std::size_t>(size_.x * size_.y * size_.z));
+        const std::size_t per_blade = leaves.indices_per_blade();
+        for (std::size_t blade = 0; blade < leaves.blades; ++blade)
+            add(leaves, std::span(leaves.indices).subspan(blade * per_blade, per_blade));
+        for (int axis = 0; axis < 3; ++axis) blur(axis);
+    }
+
+    const glm::ivec3& size() const { return size_; }
+    float cell_m() const { return cell_m_; }
+    float area_m2(bool is_inside_only) const {
+        float sum = 0;
+        for (const Sample& sample : samples_)
+            if (!is_inside_only || sample.area_m2 > kDense * cell_m_ * cell_m_) sum += sample.area_m2;
+        return sum;
+    }
+    const Sample& at(glm::ivec3 i) const { return samples_[index(i)]; }
+    float over(glm::ivec3 i) const { return at(i).area_m2 / (cell_m_ * cell_m_) / kDense - 1; }
+    glm::vec3 place_m(glm::vec3 in_samples) const { return origin_m_ + in_samples * cell_m_; }
+    // Of the eight about a place, by how near they are.
+    Sample between(glm::vec3 at_m) const {
+        const glm::vec3 in = glm::clamp((at_m - origin_m_) / cell_m_, glm::vec3{0}, glm::vec3{size_ - 1} - 1e-3F);
+        const glm::ivec3 low{in};
+        const glm::vec3 f = in - glm::vec3{low};
+        Sample sum;
+        for (int k = 0; k < 8; ++k) {
+            const glm::ivec3 step{k & 1, (k >> 1) & 1, k >> 2};
+            const glm::vec3 share = glm::mix(1.0F - f, f, glm::vec3{step});
+            sum += at(low + step) * (share.x * share.y * share.z);
+        }
+        return sum;
+    }
+    // Outward, not of unit length.
+    glm::vec3 falling(glm::vec3 at_m) const {
+        glm::vec3 fall{0};
+        for (int axis = 0; axis < 3; ++axis) {
+            glm::vec3 step{0};
+            step[axis] = cell_m_;
+            fall[axis] = between(at_m - step).area_m2 - between(at_m + step).area_m2;
+        }
+        return fall;
+    }
+
+  private:
+    std::size_t index(glm::ivec3 i) const { return static_cast<std::size_t>((i.z * size_.y + i.y) * size_.x + i.x); }
+
+    void add(const scene::Leaves& leaves, std::span<const std::uint32_t> blade) {
+        Sample leaf;
+        glm::vec3 middle{0};
+        for (std::size_t i = 0; i + 2 < blade.size(); i += 3) {
+            std::array<glm::vec3, 3> corner{};
+            for (std::size_t k = 0; k < 3; ++k)
+                corner[k] = leaves.vertices[blade[i + k]].site_m + leaves.vertices[blade[i + k]].corner_m;
+            const float area = 0.5F * glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
+            leaf.area_m2 += area;
+            for (std::size_t k = 0; k < 3; ++k) leaf.colour += area / 3 * leaves.vertices[blade[i + k]].colour;
+            middle += area / 3 * (corner[0] + corner[1] + corner[2]);
+        }
+        if (leaf.area_m2 <= 0) return;
+        middle /= leaf.area_m2;
+        const scene::Leaves::Vertex& v = leaves.vertices[blade.front()];
+        leaf.shade = v.shade * leaf.area_m2;
+        leaf.age = v.age * leaf.area_m2;
+        leaf.sway = v.sway * leaf.area_m2;
+        samples_[index(glm::ivec3{glm::round((middle - origin_m_) / cell_m_)})] += leaf;
+    }
+
+    // By a quarter to each neighbour.
+    void blur(int axis) {
+        glm::ivec3 step{0};
+        step[axis] = 1;
+        std::vector<Sample> blurred(samples_.size());
+        glm::ivec3 i;
+        for (i.z = 1; i.z + 1 < size_.z; ++i.z) {
+            for (i.y = 1; i.y + 1 < size_.y; ++i.y) {
+                for (i.x = 1; i.x + 1 < size_.x; ++i.x) {
+                    Sample sum = at(i) * 0.5F;
+                    sum += at(i - step) * 0.25F;
+                    sum += at(i + step) * 0.25F;
+                    blurred[index(i)] = sum;
+                }
+            }
+        }
+        samples_ = std::move(blurred);
+    }
+
+    glm::ivec3 size_{0};
+    glm::vec3 origin_m_{0};
+    float cell_m_ = 1;
+    std::vector<Sample> samples_;
+};
+
+// Nothing where too little is inside.
+mesh::SparseField field_of(const Density& density, std::size_t& inside) {
+    constexpr int kSide = mesh::SparseField::kSide;
+    const glm::ivec3 blocks = (density.size() + kSide - 1) / kSide;
+    mesh::SparseField field(blocks);
+    glm::ivec3 place;
+    for (place.z = 0; place.z < blocks.z; ++place.z) {
+        for (place.y = 0; place.y < blocks.y; ++place.y) {
+            for (place.x = 0; place.x < blocks.x; ++place.x) {
+                mesh::SparseField::Block& block = field.block(static_cast<std::size_t>(field.make(place)));
+                for (int n = 0; n < mesh::SparseField::kSamples; ++n) {
+                    const glm::ivec3 i = place * kSide + glm::ivec3{n % kSide, n / kSide % kSide, n / (kSide * kSide)};
+                    const bool is_known =
+                        glm::all(glm::greaterThanEqual(i, glm::ivec3{0})) && glm::all(glm::lessThan(i, density.size()));
+                    block[static_cast<std::size_t>(n)] = is_known ? std::clamp(density.over(i), -1.0F, 1.0F) : -1.0F;
+                    inside += block[static_cast<std::size_t>(n)] > 0;
+                }
+            }
+        }
+    }
+    return field;
+}
+
+scene::CrownMass coloured(const mesh::Mesh& mesh, const Density& density, float share) {
+    scene::CrownMass mass;
+    mass.share = share;
+    mass.mesh = mesh;
+    mass.mesh.normals.clear();
+    for (const glm::vec3& at_m : mesh.positions_m) {
+        const glm::vec3 fall = density.falling(at_m);
+        const float length = glm::length(fall);
+        const glm::vec3 out = length > 1e-9F ? fall / length : glm::vec3{0, 1, 0};
+        // The leaves that are seen of a crown are those outside.
+        Sample near = density.between(at_m + out * density.cell_m());
+        if (near.area_m2 <= 0) near = density.between(at_m);
+        const float per_m2 = 1 / std::max(near.area_m2, 1e-9F);
+        mass.mesh.normals.push_back(out);
+        mass.colours.push_back(near.colour * per_m2);
+        mass.shades.push_back(std::clamp(near.shade * per_m2, 0.0F, 1.0F));
+        mass.ages.push_back(std::clamp(near.age * per_m2, 0.0F, 1.0F));
+        mass.sways.push_back(std::clamp(near.sway * per_m2, 0.0F, 1.0F));
+    }
+    return mass;
+}
+
+}  // namespace
+
+std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves) {
+    if (leaves.blades == 0) return {};
+    const Density density(leaves);
+    std::size_t inside = 0;
+    const mesh::SparseField field = field_of(density, inside);
+    if (inside < kFewestInside) return {};
+    const mesh::Surface surface = mesh::polygonise(field);
+    mesh::Mesh whole;
+    for (const glm::vec3& p : surface.positions) whole.positions_m.push_back(density.place_m(p));
+    whole.indices = surface.indices;
+    mesh::ProgressiveOptions options;
+    options.fewest = kCoarsest;
+    std::vector<scene::CrownMass> masses;
+    const float share = density.area_m2(true) / std::max(density.area_m2(false), 1e-9F);
+    const mesh::Progressive chain = mesh::make_progressive(whole, options);
+    for (const mesh::Progressive::Level& level : chain.levels)
+        if (level.mesh.positions_m.size() <= kFinest) masses.push_back(coloured(level.mesh, density, share));
+    if (masses.empty()) masses.push_back(coloured(chain.levels.back().mesh, density, share));
+    return masses;
+}
+
+}  // namespace quadrat::synthesis::trees

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <vector>
+
+#include "scene/flora.hpp"
+#include "synthesis/trees/skeleton.hpp"
+
+namespace quadrat::synthesis::trees {
+
+// Levels of a tree's wood, finest first, from what its grower knows: which limbs are strongest, and how their rings
+// follow one another. Of a tree with leaves the last is a spindle of four triangles, which is what is seen of a stem
+// behind far leaves.
+std::vector<scene::Wood> wood_levels(const TreeSkeleton& skeleton);
+void add_spindle(std::vector<scene::Wood>& levels, float height_m, float radius_m);
+
+// Where each vertex of a level goes as the next takes its place: the nearest point of that, so that limbs which are
+// left out sink into those that bear them.
+void set_coarser(std::vector<scene::Wood>& levels);
+
+}  // namespace quadrat::synthesis::trees
