@@ -22,6 +22,11 @@ enum class Rotation { None, Quarter, Half, ThreeQuarters };  // how the panel ha
 enum class Mirroring { None, Mirrored };                     // Mirrored: rear projection
 enum class Power { On, Off };
 
+struct Pace {
+    double hz = 60;
+    std::chrono::nanoseconds from{0};  // after the display was opened
+};
+
 struct DisplayOptions {
     Kind kind = Kind::Auto;
     // Pixels to draw. 0x0: the screen's own (kms), the whole monitor (window), 1280x720 (headless).
@@ -32,8 +37,8 @@ struct DisplayOptions {
     Rotation rotation = Rotation::None;  // handed on in the Canvas; the projection turns the picture, never the plane
     Mirroring mirroring = Mirroring::None;
     std::string title = "Quadrat";
-    // headless: frames reach nobody at this rate, each when it is drawn, as a screen would take them. 0: at once.
-    double paced_hz = 0;
+    // headless: frames reach nobody at these rates, each when it is drawn, as a screen would take them. None: at once.
+    std::vector<Pace> paces;  // in the order of time
 };
 
 // "1280x720". Throws InputError naming `what` (an option, a key), the text and the range of what would be right.

@@ -51,23 +51,28 @@ class HeadlessDisplay final : public Display {
     Presented present() override {
         if (!context_)
             return {Outcome::Fault, shown_frame_, shown_at_, {}, "the GPU was reset, and does not start again"};
-        if (options_.paced_hz > 0)
+        if (!options_.paces.empty())
             wait_as_a_screen_would();
         else
             glFlush();
         ++frame_;
-        const auto now = options_.paced_hz > 0 ? refreshed_at_ : monotonic_now();
+        const auto now = !options_.paces.empty() ? refreshed_at_ : monotonic_now();
         if (power_ == Power::Off) return {Outcome::Off, shown_frame_, shown_at_, {}, "switched off"};
         shown_frame_ = frame_;
         shown_at_ = now;
-        return {Outcome::Shown, shown_frame_, shown_at_, options_.paced_hz > 0 ? period() : Instant{0}, {}};
+        return {Outcome::Shown, shown_frame_, shown_at_, !options_.paces.empty() ? period() : Instant{0}, {}};
     }
     void set_power(Power power) override { power_ = power; }
 
   private:
     using Instant = std::chrono::nanoseconds;
 
-    Instant period() const { return Instant{static_cast<Instant::rep>(1e9 / options_.paced_hz)}; }
+    Instant period() const {
+        const Pace* now = &options_.paces.front();
+        for (const Pace& pace : options_.paces)
+            if (refreshed_at_ >= began_at_ + pace.from) now = &pace;
+        return Instant{static_cast<Instant::rep>(1e9 / now->hz)};
+    }
     // Until the first refresh after the frame was drawn.
     void wait_as_a_screen_would() {
         glFinish();
@@ -96,7 +101,8 @@ class HeadlessDisplay final : public Display {
     std::uint64_t frame_ = 0;
     std::uint64_t shown_frame_ = 0;
     Instant shown_at_{0};
-    Instant refreshed_at_{0};
+    Instant began_at_ = monotonic_now();
+    Instant refreshed_at_ = began_at_;
 };
 
 }  // namespace
