@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the ground is made of, its coarse relief and the light on it lie multiplied in one picture, encoded for the
 // display already: air and the clouds' shadow scale it, which is nearly what they would do to the light.
-#include "common/view.glsl"
-#include "common/cloud_light.glsl"
+precision highp float;
 
 layout(binding = 0) uniform sampler2D ground;  // rgb: shown
 
 in vec2 over_land;
 in vec3 veil;
 in float clear;
-in vec2 over_clouds;
 layout(location = 0) out vec4 pixel;
 
 void main() {
-    pixel = vec4(texture(ground, over_land).rgb * (clear * cloud_light(over_clouds)) + veil, 1.0);
+    pixel = vec4(texture(ground, over_land).rgb * clear + veil, 1.0);
 }

@@ -4,6 +4,7 @@
 #include "common/encode.glsl"
 #include "common/ambient.glsl"
 #include "common/instance.glsl"
+#include "common/leaf_light.glsl"
 
 layout(location = 0) in vec3 site_m;
 layout(location = 1) in vec3 corner_m;
@@ -32,12 +33,5 @@ void main() {
     in_plant_m.y += flutter * age_sway.y;
     gl_Position = view.clip_from_world * vec4(planted(in_plant_m, age_sway.y), 1.0);
 
-    vec3 normal = turned(leaf_normal.xyz);
-    float shade = root_colour_shade.a;
-    float facing = max(dot(normal, view.to_sun.xyz) * 0.75 + 0.25, 0.0) * wind_sun_through.z;
-    // Light that comes through a leaf has lost its blue.
-    vec3 sun = view.sunlight.rgb * (facing + vec3(0.95, 1.0, 0.30) * wind_sun_through.w);
-    vec3 light = sun * shade + ambient_on(normal) * (0.35 + 0.65 * shade);
-    vec3 colour = root_colour_shade.rgb * root_colour_shade.rgb * half_tint.rgb;
-    shown = mix(encode(colour * light * 2.0), air.rgb, air.a);
+    shown = leaf_shown(turned(leaf_normal.xyz), root_colour_shade);
 }

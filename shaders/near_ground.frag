@@ -1,8 +1,7 @@
 #version 310 es
 // SPDX-License-Identifier: Apache-2.0
 // ground.frag, with the grain of what is near.
-#include "common/view.glsl"
-#include "common/cloud_light.glsl"
+precision highp float;
 
 layout(binding = 0) uniform sampler2D ground;  // rgb: shown
 layout(binding = 1) uniform sampler2D grain;   // of soft ground and of stone; 0.5 is level
@@ -12,10 +11,9 @@ in vec2 over_grain;
 in vec2 grains;
 in vec3 veil;
 in float clear;
-in vec2 over_clouds;
 layout(location = 0) out vec4 pixel;
 
 void main() {
     float rough = clear + dot(texture(grain, over_grain).rg - 0.5, grains);
-    pixel = vec4(texture(ground, over_land).rgb * (rough * cloud_light(over_clouds)) + veil, 1.0);
+    pixel = vec4(texture(ground, over_land).rgb * rough + veil, 1.0);
 }

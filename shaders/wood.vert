@@ -6,7 +6,8 @@
 #include "common/instance.glsl"
 
 layout(location = 0) in vec3 position_m;
-layout(location = 1) in vec2 age_sway;
+layout(location = 1) in vec3 age_sways;  // y: sway; z: on the coarser level
+layout(location = 5) in vec3 to_coarser_m;
 layout(location = 2) in vec3 wood_normal;
 layout(location = 3) in vec4 grain;  // xyz: along the limb; w: which way the bark runs around it
 layout(location = 4) in vec2 bark_tile;
@@ -18,7 +19,11 @@ out vec2 on_bark;
 out vec2 slant;     // of the light along the bark's two ways: what its relief makes of it
 
 void main() {
-    gl_Position = view.clip_from_world * vec4(planted(position_m * unfolded(age_sway.x), age_sway.y), 1.0);
+    // What leaves is on the coarser level's surface before that takes its place.
+    float leaving = half_tint.a;
+    vec3 in_plant_m = position_m + to_coarser_m * leaving;
+    float sway = mix(age_sways.y, age_sways.z, leaving);
+    gl_Position = view.clip_from_world * vec4(planted(in_plant_m * unfolded(age_sways.x), sway), 1.0);
 
     vec3 normal = turned(wood_normal);
     vec3 along = turned(grain.xyz);

@@ -12,7 +12,10 @@
 #include "render/gl/fence.hpp"
 #include "render/gl/picture_upload.hpp"
 #include "render/gl/reduced_target.hpp"
+#include "render/gl/wires.hpp"
 #include "render/gpu_scene.hpp"
+#include "render/held_ground.hpp"
+#include "render/passes/cloud_shadow.hpp"
 #include "render/passes/crowd.hpp"
 #include "render/passes/falling.hpp"
 #include "render/passes/signs.hpp"
@@ -24,9 +27,7 @@ namespace quadrat::render {
 namespace {
 
 // Visible triangles of a whole frame at alpha 1 that a Raspberry Pi 4 draws in time.
-constexpr float kTriangleBudget = 240'000;
-constexpr float kGroundBudget = 20'000;
-constexpr float kSurroundBudget = 6'000;
+constexpr float kTriangleBudget = 320'000;
 constexpr std::size_t kFewestPlantTriangles = 4'000;
 
 void require_gles_31() {
@@ -72,11 +73,7 @@ struct Selection {
 
     passes::Frustum frustum;
     passes::ViewBlock block;
-    passes::IndexRange ground;
-    float grain_m = 1;  // how far the ground's grain is seen
-    passes::IndexRange surround;
     std::vector<passes::Batch> batches;
-    std::size_t triangles = 0;
 };
 
 }  // namespace
@@ -91,48 +88,38 @@ struct Renderer::Parts {
     passes::FallingPass falling;
     passes::SignsPass signs;
     gl::StreamBuffer blocks{GL_UNIFORM_BUFFER};
-    gl::StreamBuffer indices{GL_ELEMENT_ARRAY_BUFFER};
+    std::vector<HeldGround> grounds;  // one a view
     gl::StreamBuffer instances{GL_ARRAY_BUFFER};
     std::shared_ptr<FloraShelf> floras = std::make_shared<FloraShelf>();
     gl::ReducedTarget reduced;
     gl::Fence last_drawn;
-    std::vector<std::uint32_t> frame_indices;  // kept from frame to frame for its memory only
-    std::vector<passes::Instance> frame_instances;
+    std::vector<passes::Instance> frame_instances;  // kept from frame to frame for its memory only
 
-    Selection select(const View& view, const Frame& frame);
+    Selection select(const Frame& frame, std::size_t slot);
     void fill(const std::vector<Selection>& selections);
     Drawn draw_views(const Frame& frame, const std::vector<Selection>& selections, float scale);
     void draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot,
                    const Rect& place, Drawn& drawn);
-    void draw_water(const GpuScene& scene, const passes::Frustum& frustum, Drawn& drawn) const;
     void draw_signs(const Frame& frame);
 };
 
-Selection Renderer::Parts::select(const View& view, const Frame& frame) {
+Selection Renderer::Parts::select(const Frame& frame, std::size_t slot) {
+    const View& view = frame.views[slot];
     const GpuScene& scene = *view.scene;
     const float aspect =
         static_cast<float>(view.viewport.width) / static_cast<float>(std::max(view.viewport.height, 1));
     const glm::mat4 clip_from_world = scene::clip_from_view(view.camera, aspect) * scene::view_from_world(view.camera);
     Selection s(clip_from_world);
-    const passes::Frustum& frustum = s.frustum;
     s.block = block_of(view, turned(clip_from_world, frame.hanging), frame.seconds);
     const float alpha = std::max(frame.detail.alpha, 0.01F);
     const float scale = pixels_per_radian(view);
-    const float share = alpha / static_cast<float>(frame.views.size());  // of the frame's triangles
-    s.grain_m = passes::kGrainSeen_m * scale;
-    const auto chosen = [&](const passes::GridOnGpu& grid, float error_px, float budget) {
-        const std::size_t first = frame_indices.size();
-        const passes::Blocks::Wish wish{view.camera.eye_m, scale, error_px / std::sqrt(alpha),
-                                        static_cast<std::size_t>(budget * share), s.grain_m};
-        if (!grid.blocks) return passes::IndexRange{};
-        const passes::Blocks::Selected selected = grid.blocks->select(frustum, wish, frame_indices);
-        s.triangles += selected.triangles;
-        return passes::IndexRange{first, frame_indices.size() - first, selected.near_indices,
-                                  passes::ease_of(wish, selected.error_px)};
-    };
-    if (frame.measured.ground) s.ground = chosen(scene.land.land, 3.0F, kGroundBudget);
-    if (frame.measured.ground) s.surround = chosen(scene.land.surround, 2.6F, kSurroundBudget);
-    if (!frame.measured.plants) return s;
+    const auto views = static_cast<float>(frame.views.size());
+    HeldGround& held = grounds[slot];
+    if (frame.measured.ground)
+        held.update(view, clip_from_world, {alpha, scale, aspect, views});
+    else
+        held.drop();
+    if (!frame.measured.leaves && !frame.measured.wood) return s;
 
     passes::Gathering gathering;
     gathering.view = s.block;
@@ -140,11 +127,13 @@ Selection Renderer::Parts::select(const View& view, const Frame& frame) {
     gathering.pixels_per_radian = scale;
     gathering.growth = view.growth;
     gathering.fineness = std::sqrt(alpha);  // the budget takes the rest where there is much to see
-    const auto budget = static_cast<std::size_t>(kTriangleBudget * share);
-    gathering.triangle_budget = std::max(budget, s.triangles + kFewestPlantTriangles) - s.triangles;
-    passes::Crowd crowd = passes::gather(scene.plants, scene.flora->kinds, frustum, gathering, frame_instances);
-    s.triangles += crowd.triangles;
+    const auto budget = static_cast<std::size_t>(kTriangleBudget * alpha / views);
+    gathering.triangle_budget = std::max(budget, held.triangles() + kFewestPlantTriangles) - held.triangles();
+    passes::Crowd crowd = passes::gather(scene.plants, scene.flora->kinds, s.frustum, gathering, frame_instances);
     s.batches = std::move(crowd.batches);
+    std::erase_if(s.batches, [&](const passes::Batch& batch) {
+        return batch.part == passes::Batch::Part::Wood ? !frame.measured.wood : !frame.measured.leaves;
+    });
     return s;
 }
 
@@ -153,7 +142,6 @@ void Renderer::Parts::fill(const std::vector<Selection>& selections) {
     for (std::size_t i = 0; i < selections.size(); ++i)
         std::memcpy(bytes.data() + i * passes::kViewBlockBytes, &selections[i].block, sizeof(passes::ViewBlock));
     blocks.fill<std::byte>(bytes);
-    indices.fill<std::uint32_t>(frame_indices);
     instances.fill<passes::Instance>(frame_instances);
 }
 
@@ -171,10 +159,30 @@ Drawn Renderer::Parts::draw_views(const Frame& frame, const std::vector<Selectio
     glFrontFace(frame.hanging.is_mirrored ? GL_CW : GL_CCW);
     glDepthFunc(GL_LEQUAL);
     if (is_counted) count_fragments();
+    const auto draw_all = [&](Drawn& drawn) {
+        for (std::size_t i = 0; i < frame.views.size(); ++i) {
+            const Rect place = scaled(on_panel(frame.views[i].viewport, frame.size, frame.hanging), scale);
+            draw_view(frame.views[i], frame, selections[i], i, place, drawn);
+        }
+    };
     Drawn drawn;
-    for (std::size_t i = 0; i < frame.views.size(); ++i) {
-        const Rect place = scaled(on_panel(frame.views[i].viewport, frame.size, frame.hanging), scale);
-        draw_view(frame.views[i], frame, selections[i], i, place, drawn);
+    drawn.sent_bytes = selections.size() * passes::kViewBlockBytes + frame_instances.size() * sizeof(passes::Instance);
+    for (const HeldGround& held : grounds) drawn.sent_bytes += held.sent_bytes();
+    if (frame.is_wired) {
+        glEnable(GL_POLYGON_OFFSET_FILL);  // so that edges lie before what they are the edges of
+        glPolygonOffset(1, 2);
+    }
+    draw_all(drawn);
+    if (frame.is_wired) {
+        glDisable(GL_POLYGON_OFFSET_FILL);
+        for (std::size_t i = 0; i < frame.views.size(); ++i) grounds[i].sort_by_level(*frame.views[i].scene);
+        const gl::Wires wires;
+        Drawn not_counted;
+        draw_all(not_counted);
+    }
+    for (const gl::Work& work : drawn.of) {
+        drawn.triangles += work.triangles;
+        drawn.draws += work.draws;
     }
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
@@ -189,26 +197,31 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
     glScissor(place.x, place.y, place.width, place.height);
     gl::bind_uniforms(blocks, passes::kViewBinding, slot * passes::kViewBlockBytes, passes::kViewBlockBytes);
     const Measured& what = frame.measured;
-    if (what.plants) plants.draw(*scene.flora, selection.batches, instances);
+    const auto of = [&drawn](Kind kind) -> gl::Work& { return drawn.of[static_cast<std::size_t>(kind)]; };
+    if (what.leaves || what.wood) {
+        const passes::PlantsPass::Drawn trees = plants.draw(*scene.flora, selection.batches, instances);
+        of(Kind::Leaves) += trees.leaves;
+        of(Kind::Wood) += trees.wood;
+    }
     if (what.ground) {
-        scene.sky.shadow.bind(passes::kShadowUnit);
-        drawn.triangles += stone.draw(scene.stone, frustum);
-        ground.draw(scene.land, indices, selection.ground, selection.grain_m);
-        surround.draw(scene.land, indices, selection.surround);
+        gl::bind_uniforms(scene.sky.shadow, passes::kShadowBinding);
+        const HeldGround& held = grounds[slot];
+        of(Kind::Ground) += stone.draw(scene.stone, held.indices(), held.stone());
+        if (gl::Wires::are_on()) {
+            for (const passes::IndexRange& level : held.land_by_level())
+                of(Kind::Ground) += ground.draw(scene.land, held.level_indices(), level, held.grain_m());
+        } else {
+            of(Kind::Ground) += ground.draw(scene.land, held.indices(), held.land(), held.grain_m());
+        }
+        of(Kind::Ground) += surround.draw(scene.land, held.indices(), held.surround());
     }
-    drawn.triangles += selection.triangles + sky.triangles();
-    if (what.water) draw_water(scene, frustum, drawn);
-    if (!what.sky) return;
-    sky.draw(scene.sky, place.height);
-    falling.draw(scene.air.sky.precipitation, selection.block, pixels_per_radian(view));
-}
-
-void Renderer::Parts::draw_water(const GpuScene& scene, const passes::Frustum& frustum, Drawn& drawn) const {
-    if (scene.land.has_water) {
-        water.draw(scene.land.lit);
-        drawn.triangles += water.triangles();
+    if (what.water) {
+        if (scene.land.has_water) of(Kind::Water) += water.draw(scene.land.lit, frustum, view.camera.eye_m);
+        of(Kind::Water) += water.draw_fresh(scene.fresh_water, scene.land.lit, frustum);
     }
-    drawn.triangles += water.draw_fresh(scene.fresh_water, scene.land.lit, frustum);
+    if (!what.sky || gl::Wires::are_on()) return;
+    of(Kind::Sky) += sky.draw(scene.sky, frustum, view.camera.eye_m, place.height);
+    of(Kind::Falling) += falling.draw(scene.air.sky.precipitation, selection.block, pixels_per_radian(view));
 }
 
 void Renderer::Parts::draw_signs(const Frame& frame) {
@@ -249,10 +262,10 @@ std::shared_ptr<const Texture> Renderer::texture(const mesh::Image& premultiplie
 
 Drawn Renderer::draw(const Frame& frame) {
     Parts& parts = *parts_;
-    parts.frame_indices.clear();
     parts.frame_instances.clear();
+    parts.grounds.resize(frame.views.size());
     std::vector<Selection> selections;
-    for (const View& view : frame.views) selections.push_back(parts.select(view, frame));
+    for (std::size_t slot = 0; slot < frame.views.size(); ++slot) selections.push_back(parts.select(frame, slot));
     parts.fill(selections);
 
     const glm::ivec2 size = turned_size(frame.size, frame.hanging);

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
-#include <chrono>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "mesh/image.hpp"
+#include "render/gl/work.hpp"
 #include "render/hanging.hpp"
 #include "scene/scene.hpp"
 
@@ -30,8 +31,8 @@ class GpuScene;  // a scene's buffers and textures; freed on the context's threa
 class Upload {
   public:
     virtual ~Upload() = default;
-    // Works out all that needs no GPU: on any one thread, while nothing else is asked of this upload. What is left of it
-    // is done by the first advance().
+    // Works out all that needs no GPU: on any one thread, while nothing else is asked of this upload. What is left of
+    // it is done by the first advance().
     virtual void prepare() = 0;
     // Does about this much work; true when finished. The first slices hold what is seen first.
     virtual bool advance(std::size_t budget_bytes) = 0;
@@ -58,7 +59,8 @@ struct Sign {
 
 // What of each view is drawn: all of it, unless something is measured.
 struct Measured {
-    bool plants = true;
+    bool leaves = true;  // and crowns
+    bool wood = true;
     bool ground = true;  // and stone, and the surround
     bool water = true;
     bool sky = true;          // and what falls from it
@@ -74,10 +76,18 @@ struct Frame {
     std::vector<Sign> signs;
     Detail detail;
     Measured measured;
+    bool is_wired = false;  // with the edges of all triangles, coloured by level; slow
 };
 
+// What a frame asked of the GPU, signs left out.
+enum class Kind : std::size_t { Leaves, Wood, Ground, Water, Sky, Falling };
+inline constexpr std::size_t kKinds = 6;
+
 struct Drawn {
-    std::size_t triangles = 0;
+    std::array<gl::Work, kKinds> of{};  // a Kind
+    std::size_t triangles = 0;          // of all
+    std::size_t draws = 0;
+    std::size_t sent_bytes = 0;  // that are new every frame: instances, indices, views
 };
 
 class Renderer {

@@ -4,8 +4,7 @@
 
 out vec2 over_land;
 out vec3 veil;    // shown, of the air before the ground
-out float clear;  // what the air leaves of the ground's picture: factor
-out vec2 over_clouds;
+out float clear;  // what air and clouds leave of the ground's picture: factor
 
 // Returns where the vertex is.
 vec3 show_land() {
@@ -14,7 +13,6 @@ vec3 show_land() {
     over_land = at_m.xz * view.scales.x + 0.5;
     vec4 haze = haze_at(at_m);
     veil = haze.rgb * haze.a;
-    clear = view.sunlight.w * (1.0 - haze.a);
-    over_clouds = under_clouds(at_m);
+    clear = view.sunlight.w * (1.0 - haze.a) * cloud_light(at_m);
     return at_m;
 }

@@ -38,6 +38,11 @@ void StreamBuffer::fill_bytes(std::span<const std::byte> bytes) {
     glBufferData(target_, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STREAM_DRAW);
 }
 
+void bind_uniforms(const Buffer& buffer, GLuint binding) {
+    limits::check_uniform_range(0, buffer.bytes());
+    glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer.name());
+}
+
 void bind_uniforms(const StreamBuffer& buffer, GLuint binding, std::size_t offset, std::size_t size) {
     limits::check_uniform_range(offset, size);
     glBindBufferRange(GL_UNIFORM_BUFFER, binding, buffer.name(), static_cast<GLintptr>(offset),

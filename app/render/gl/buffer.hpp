@@ -44,6 +44,9 @@ class StreamBuffer {
     GLenum target_;
 };
 
+// All of it as uniform block `binding`.
+void bind_uniforms(const Buffer& buffer, GLuint binding);
+
 // Binds size bytes of it, from offset, as uniform block `binding`.
 void bind_uniforms(const StreamBuffer& buffer, GLuint binding, std::size_t offset, std::size_t size);
 

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "render/gl/limits.hpp"
+#include "render/gl/wires.hpp"
 
 namespace quadrat::render::gl {
 namespace {
@@ -54,7 +55,8 @@ std::string with_file_names(std::string_view driver_log, const shaders::Source& 
     return named;
 }
 
-Program::Program(const shaders::Source& vertex, const shaders::Source& fragment) : name_(glCreateProgram()) {
+Program::Program(const shaders::Source& vertex, const shaders::Source& fragment)
+    : name_(glCreateProgram()), vertex_(vertex) {
     const ShaderName first = compiled(GL_VERTEX_SHADER, vertex);
     const ShaderName second = compiled(GL_FRAGMENT_SHADER, fragment);
     glAttachShader(name_.get(), first.get());
@@ -70,6 +72,16 @@ Program::Program(const shaders::Source& vertex, const shaders::Source& fragment)
         throw base::InputError(fmt::format("shaders {}: this GPU's driver cannot link them: {}", both, log));
     }
     limits::check_program(name_.get(), both);
+}
+
+void Program::use() const {
+    if (!Wires::are_on()) {
+        glUseProgram(name_.get());
+        return;
+    }
+    if (!wired_) wired_ = std::make_unique<Program>(vertex_, shaders::source("wire.frag"));
+    glUseProgram(wired_->name());
+    Wires::set_level(0);
 }
 
 }  // namespace quadrat::render::gl

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -15,11 +16,14 @@ class Program {
     Program(std::string_view vertex_name, std::string_view fragment_name)
         : Program(shaders::source(vertex_name), shaders::source(fragment_name)) {}
 
-    void use() const { glUseProgram(name_.get()); }
+    // While wires are on: the same vertices in one colour.
+    void use() const;
     GLuint name() const { return name_.get(); }
 
   private:
     ProgramName name_;
+    shaders::Source vertex_;
+    mutable std::unique_ptr<Program> wired_;  // made when it is first asked for
 };
 
 // The driver's "2:14(5): error: …" as "shaders/common/haze.glsl:14(5): error: …"; other lines as they are.

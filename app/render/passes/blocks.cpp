@@ -231,9 +231,10 @@ Blocks::Selected Blocks::select(const Frustum& frustum, const Wish& wish, std::v
         const auto& offsets = offsets_of(
             {own, edge(column, row - 1), edge(column + 1, row), edge(column, row + 1), edge(column - 1, row)});
         const auto first = static_cast<std::uint32_t>(row * cells_ * columns_ + column * cells_);
+        const std::size_t end = indices.size();
         indices.insert(indices.end(), offsets.begin(), offsets.end());
-        for (auto at = indices.end() - static_cast<std::ptrdiff_t>(offsets.size()); at != indices.end(); ++at)
-            *at += first;
+        std::uint32_t* at = indices.data() + end;
+        for (std::size_t k = 0; k < offsets.size(); ++k) at[k] += first;
         if (distance_m < wish.near_m) selected.near_indices = indices.size() - before;
     }
     selected.triangles = (indices.size() - before) / 3;

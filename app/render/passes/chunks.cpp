@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "render/gl/buffer_upload.hpp"
+#include "render/gl/wires.hpp"
 
 namespace quadrat::render::passes {
 
@@ -48,14 +49,13 @@ std::vector<Chunks::Range> Chunks::seen(const Frustum& frustum) const {
     return ranges;
 }
 
-std::size_t draw_ranges(std::span<const Chunks::Range> ranges) {
-    std::size_t indices = 0;
+gl::Work draw_ranges(std::span<const Chunks::Range> ranges, GLenum index_type) {
+    gl::Work work;
     for (const Chunks::Range& range : ranges) {
-        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count), GL_UNSIGNED_INT,
-                       reinterpret_cast<const void*>(range.first * sizeof(std::uint32_t)));
-        indices += range.count;
+        gl::draw_triangles(index_type, range.first, range.count);
+        work += gl::work_of_mesh(range.count);
     }
-    return indices / 3;
+    return work;
 }
 
 void add_chunks(gl::Slices& slices, Chunks& chunks, gl::Buffer& indices,

@@ -10,6 +10,7 @@
 #include "mesh/mesh.hpp"
 #include "render/gl/buffer.hpp"
 #include "render/gl/slices.hpp"
+#include "render/gl/work.hpp"
 #include "render/passes/frustum.hpp"
 
 namespace quadrat::render::passes {
@@ -44,8 +45,8 @@ class Chunks {
     std::size_t index_count_ = 0;
 };
 
-// Of the index buffer that is bound, 32 bits an index. Returns how many triangles.
-std::size_t draw_ranges(std::span<const Chunks::Range> ranges);
+// Of the index buffer that is bound.
+gl::Work draw_ranges(std::span<const Chunks::Range> ranges, GLenum index_type = GL_UNSIGNED_INT);
 
 inline constexpr float kChunk_m = 48;
 

@@ -16,7 +16,15 @@ namespace {
 constexpr float kSeedling = 0.07F;
 constexpr float kLowPlant_m = 2.2F;  // below this it is undergrowth, which fades out long before a tree does
 constexpr std::size_t kFewestBlades = 4;
-constexpr float kShape_px = 11;  // a shorter blade shows no more than that it is one
+constexpr float kLeastStand = 0.3F;   // of plants that are but a few blades: the fewest that stand for all of them
+constexpr float kMergedFrom = 0.40F;  // share of its blades with which a crown begins to become one mass
+constexpr float kMergedTo = 0.15F;
+constexpr float kMergedFrom_px = 44;  // and how high it is then
+constexpr float kMergedTo_px = 24;
+constexpr float kLeavesMerged = 0.55F;  // of the blades are not needed then
+constexpr float kMass_px = 13;          // of a tree so small no more is seen
+constexpr float kLeaving = 1.5F;        // a level begins to become the next with so many times the triangles asked for
+constexpr float kShape_px = 11;         // a shorter blade shows no more than that it is one
 
 struct Seen {
     std::uint32_t plant;
@@ -43,10 +51,25 @@ std::size_t prefix(const Kind& kind, int bucket) {
     return std::min(kind.blades, std::max(blades, kFewestBlades));
 }
 
-std::size_t triangles_of(const Kind& kind, float height_px, float fineness) {
-    const Closeness how = closeness(kind, height_px, fineness);
-    const std::size_t blades = kind.blades == 0 ? 0 : prefix(kind, leaf_bucket(how.share));
-    return wood_triangles(kind, how) +
+// A plant's place in an order of all that is even in any part of it, 0 to 1: plants that lie side by side are
+// neighbours.
+float rank_of(std::uint32_t plant) {
+    const auto turned = static_cast<std::uint32_t>(plant * 2654435769U);  // 2^32 / the golden ratio
+    return static_cast<float>(turned >> 8U) * 0x1p-24F;
+}
+
+// How much of a plant is left when so many stand for all: those about to leave shrink first.
+float kept(std::uint32_t plant, float stand) {
+    constexpr float kShrinking = 0.15F;
+    return std::clamp((1 + kShrinking - rank_of(plant) / stand) / kShrinking, 0.0F, 1.0F);
+}
+
+std::size_t triangles_of(const Kind& kind, const Seen& seen, float fineness) {
+    const Closeness how = closeness(kind, seen.height_px, fineness);
+    if (kept(seen.plant, how.stand) <= 0) return 0;
+    const std::size_t blades = how.has_leaves ? prefix(kind, leaf_bucket(how.share)) : 0;
+    const std::size_t mass = how.mass_level < kind.mass_triangles.size() ? kind.mass_triangles[how.mass_level] : 0;
+    return wood_triangles(kind, how) + mass +
            blades * (how.is_plain ? kind.triangles_per_plain_blade : kind.triangles_per_blade);
 }
 
@@ -75,7 +98,7 @@ std::vector<Seen> seen_by(std::span<const scene::Plant> plants, std::span<const 
 float fitting_fineness(const std::vector<Seen>& seen, std::span<const Kind> kinds, const Gathering& g) {
     const auto total = [&](float fineness) {
         std::size_t sum = 0;
-        for (const Seen& s : seen) sum += triangles_of(kinds[s.species], s.height_px, fineness);
+        for (const Seen& s : seen) sum += triangles_of(kinds[s.species], s, fineness);
         return sum;
     };
     if (total(g.fineness) <= g.triangle_budget) return g.fineness;
@@ -100,7 +123,8 @@ glm::vec2 wind_m(const scene::Plant& plant, float height_m, float seconds) {
     return reach_m * glm::vec2{0.6F + 0.4F * swing, 0.35F * std::cos(1.3F * phase + plant.yaw_rad)};
 }
 
-Instance instance_of(const scene::Plant& plant, const Kind& kind, const Seen& seen, float share, const Gathering& g) {
+Instance instance_of(const scene::Plant& plant, const Kind& kind, const Seen& seen, const Closeness& how,
+                     const Gathering& g) {
     const float age = grown(g.growth, plant.delay);
     const float height_m = kind.height_m * plant.scale;
     const glm::vec3 middle_m = plant.root_m + glm::vec3{0, 0.5F * height_m, 0};
@@ -112,11 +136,42 @@ Instance instance_of(const scene::Plant& plant, const Kind& kind, const Seen& se
     const glm::vec2 wind = wind_m(plant, height_m, g.view.eye_seconds.w);
     // Lighter and yellower, or darker and bluer.
     const glm::vec3 tint = 1.0F + plant.tint * glm::vec3{0.24F, 0.16F, -0.10F};
-    return {{plant.root_m, plant.scale * seen.shown * (0.25F + 0.75F * age)},
-            {std::sin(plant.yaw_rad), std::cos(plant.yaw_rad), age, share},
+    const float size = plant.scale * seen.shown * kept(seen.plant, how.stand) / std::sqrt(how.stand);
+    return {{plant.root_m, size * (0.25F + 0.75F * age)},
+            {std::sin(plant.yaw_rad), std::cos(plant.yaw_rad), age, how.share},
             {wind.x, wind.y, sun, through},
             bytes_of(haze_at(g.view, middle_m)),
-            bytes_of({0.5F * tint, 1})};
+            bytes_of({0.5F * tint, how.to_coarser})};
+}
+
+// The finest level within so many triangles; it becomes the next one as they dwindle to its own.
+void choose_wood(const Kind& kind, float wanted, Closeness& how) {
+    const auto& levels = kind.wood_triangles;
+    how.wood_level = levels.empty() ? 0 : levels.size() - 1;
+    for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
+        const auto own = static_cast<float>(levels[level]);
+        if (own > wanted) continue;
+        how.wood_level = level;
+        const float finer = level > 0 ? static_cast<float>(levels[level - 1]) : own * kLeaving;
+        const float begins = std::min(own * kLeaving, finer);
+        how.to_coarser = begins > own ? std::clamp((begins - wanted) / (begins - own), 0.0F, 1.0F) : 0;
+        return;
+    }
+}
+
+// How far a crown is one mass: none of it while it is large on the screen, or its blades are many.
+float merged_crown(const Kind& kind, float wanted_blades, float height_px) {
+    if (kind.mass_triangles.empty()) return 0;
+    const float share = wanted_blades / static_cast<float>(kind.blades);
+    return std::clamp((kMergedFrom - share) / (kMergedFrom - kMergedTo), 0.0F, 1.0F) *
+           std::clamp((kMergedFrom_px - height_px) / (kMergedFrom_px - kMergedTo_px), 0.0F, 1.0F);
+}
+
+void choose_mass(const Kind& kind, float wanted, Closeness& how) {
+    how.mass_level = 0;
+    while (how.mass_level + 1 < kind.mass_triangles.size() &&
+           static_cast<float>(kind.mass_triangles[how.mass_level]) > wanted)
+        ++how.mass_level;
 }
 
 }  // namespace
@@ -130,22 +185,26 @@ float grown(float growth, float delay) {
 
 Closeness closeness(const Kind& kind, float height_px, float fineness) {
     Closeness how;
-    const float wanted_wood = fineness * (0.030F * height_px * height_px + 2);
-    const bool has_leaves = kind.blades > 0;
-    how.wood_level = kind.wood_triangles.empty() ? 0 : kind.wood_triangles.size() - 1;
-    for (std::size_t level = 0; level < kind.wood_triangles.size(); ++level) {
-        if (static_cast<float>(kind.wood_triangles[level]) <= wanted_wood) {
-            how.wood_level = level;
-            break;
-        }
-    }
+    const bool has_leaves = how.has_leaves = kind.blades > 0;
+    choose_wood(kind, std::sqrt(fineness) * (0.030F * height_px * height_px + 2), how);
     // A stem under half a pixel behind leaves is not missed.
     if (has_leaves && height_px < 14) how.wood_level = kind.wood_triangles.size();
     if (!has_leaves) return how;
-    const float wanted_blades = fineness * 0.16F * height_px * height_px;
+    float wanted_blades = fineness * 0.16F * height_px * height_px;
+    how.mass_level = kind.mass_triangles.size();
+    const float merged = merged_crown(kind, wanted_blades, height_px);
+    if (merged > 0) {
+        choose_mass(kind, fineness * 0.05F * height_px * height_px, how);
+        // The stem behind it is at its coarsest, which becomes nothing coarser.
+        if (how.wood_level < kind.wood_triangles.size()) how.wood_level = kind.wood_triangles.size() - 1;
+        how.to_coarser = merged;
+        wanted_blades *= 1 - kLeavesMerged * kind.massed * merged;
+        how.has_leaves = height_px > kMass_px || kind.massed < 0.7F;
+    }
     const float fewest = static_cast<float>(std::min(kind.blades, kFewestBlades));
     const float all = static_cast<float>(kind.blades);
     how.share = std::clamp(wanted_blades, fewest, all) / all;
+    how.stand = std::clamp(wanted_blades / fewest, kLeastStand, 1.0F);
     const float blade_px = kind.blade_m * height_px / (std::max(kind.height_m, 0.1F) * std::sqrt(how.share));
     how.is_plain = kind.triangles_per_plain_blade > 0 && blade_px * std::sqrt(fineness) < kShape_px;
     return how;
@@ -176,13 +235,16 @@ Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, 
     for (const Seen& s : seen) {
         const Kind& kind = kinds[s.species];
         const Closeness how = closeness(kind, s.height_px, crowd.fineness);
+        if (kept(s.plant, how.stand) <= 0) continue;
         const std::size_t at = instances.size();
-        instances.push_back(instance_of(plants[s.plant], kind, s, how.share, gathering));
+        instances.push_back(instance_of(plants[s.plant], kind, s, how, gathering));
         if (how.wood_level < kind.wood_triangles.size())
             extend({s.species, Batch::Part::Wood, how.wood_level, 0, false, at, 1});
-        if (kind.blades > 0)
+        if (how.mass_level < kind.mass_triangles.size())
+            extend({s.species, Batch::Part::Mass, how.mass_level, 0, false, at, 1});
+        if (how.has_leaves)
             extend({s.species, Batch::Part::Leaves, 0, prefix(kind, leaf_bucket(how.share)), how.is_plain, at, 1});
-        crowd.triangles += triangles_of(kind, s.height_px, crowd.fineness);
+        crowd.triangles += triangles_of(kind, s, crowd.fineness);
     }
     return crowd;
 }

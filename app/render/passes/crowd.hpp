@@ -32,12 +32,14 @@ struct Kind {
     std::size_t triangles_per_blade = 0;
     std::size_t triangles_per_plain_blade = 0;  // 0: there is no plain form
     float blade_m = 0.3F;
+    std::vector<std::size_t> mass_triangles = {};  // of the crown as one mass, a level, finest first
+    float massed = 0;                              // of its leaves, the share that this stands for
 };
 
 struct Batch {
     std::uint32_t species = 0;
-    enum class Part { Wood, Leaves } part = Part::Wood;
-    std::size_t level = 0;   // of the wood
+    enum class Part { Wood, Leaves, Mass } part = Part::Wood;
+    std::size_t level = 0;   // of the wood, of the mass
     std::size_t blades = 0;  // of the leaves: the prefix to draw
     bool is_plain = false;   // its blades in their plain form
     std::size_t first = 0;   // instance
@@ -47,8 +49,12 @@ struct Batch {
 // How closely a plant of this many pixels is drawn. Finer for more pixels, never coarser.
 struct Closeness {
     std::size_t wood_level = 0;  // the number of levels: none
+    float to_coarser = 0;        // 0 that level to 1 the next one; of a crown that is a mass, how far it is
+    bool has_leaves = false;
     float share = 1;             // of the blades
     bool is_plain = false;       // which are too small to show their shape
+    std::size_t mass_level = 0;  // the number of levels: none
+    float stand = 1;             // of plants so small, the share that stands for all of them, each larger
 };
 Closeness closeness(const Kind& kind, float height_px, float fineness);
 

@@ -57,9 +57,9 @@ FallingPass::FallingPass()
     indices_.write<std::uint16_t>(0, indices);
 }
 
-void FallingPass::draw(const scene::Precipitation& what, const ViewBlock& view, float pixels_per_radian) const {
+gl::Work FallingPass::draw(const scene::Precipitation& what, const ViewBlock& view, float pixels_per_radian) const {
     using Kind = scene::Precipitation::Kind;
-    if (what.kind == Kind::None) return;
+    if (what.kind == Kind::None) return {};
     program_.use();
     glUniform4f(0, what.speed_m_s.x, what.speed_m_s.y, what.speed_m_s.z, what.width_m);
     const bool is_snow = what.kind == Kind::Snow;
@@ -78,6 +78,8 @@ void FallingPass::draw(const scene::Precipitation& what, const ViewBlock& view, 
     glEnable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
+    const auto count = static_cast<std::size_t>(drops);
+    return {1, 2 * count, 4 * count};
 }
 
 }  // namespace quadrat::render::passes

@@ -3,6 +3,7 @@
 #include "render/gl/buffer.hpp"
 #include "render/gl/program.hpp"
 #include "render/gl/vertex_array.hpp"
+#include "render/gl/work.hpp"
 #include "render/passes/view_block.hpp"
 #include "scene/sky.hpp"
 
@@ -12,7 +13,7 @@ namespace quadrat::render::passes {
 class FallingPass {
   public:
     FallingPass();
-    void draw(const scene::Precipitation& what, const ViewBlock& view, float pixels_per_radian) const;
+    gl::Work draw(const scene::Precipitation& what, const ViewBlock& view, float pixels_per_radian) const;
 
   private:
     gl::Program program_;

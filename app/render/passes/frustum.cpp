@@ -21,6 +21,15 @@ bool Frustum::may_see_sphere(glm::vec3 middle_m, float radius_m) const {
                                [&](const glm::vec4& p) { return glm::dot(glm::vec3{p}, middle_m) + p.w >= -radius_m; });
 }
 
+bool Frustum::may_see_cone(glm::vec3 apex_m, std::span<const glm::vec3> ways) const {
+    constexpr std::size_t kFar = 5;  // hides nothing here
+    return std::all_of(planes_.begin(), planes_.begin() + kFar, [&](const glm::vec4& p) {
+        // A side goes through the eye, but for a rounding error.
+        if (glm::dot(glm::vec3{p}, apex_m) + p.w > 1e-2F) return true;
+        return std::ranges::any_of(ways, [&](const glm::vec3& way) { return glm::dot(glm::vec3{p}, way) > 0; });
+    });
+}
+
 bool Frustum::may_see_box(glm::vec3 low_m, glm::vec3 high_m) const {
     return std::ranges::all_of(planes_, [&](const glm::vec4& p) {
         const glm::vec3 foremost{p.x > 0 ? high_m.x : low_m.x, p.y > 0 ? high_m.y : low_m.y,

@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
 namespace quadrat::render::passes {
 
@@ -13,6 +14,8 @@ class Frustum {
 
     // False only when it is certainly out of sight.
     bool may_see_sphere(glm::vec3 middle_m, float radius_m) const;
+    // What lies from the apex along these ways and between them, however far.
+    bool may_see_cone(glm::vec3 apex_m, std::span<const glm::vec3> ways) const;
     bool may_see_box(glm::vec3 low_m, glm::vec3 high_m) const;
     bool sees_whole_box(glm::vec3 low_m, glm::vec3 high_m) const;
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/gl/buffer_upload.hpp"
+#include "render/gl/wires.hpp"
 
 namespace quadrat::render::passes {
 namespace {
@@ -67,11 +68,11 @@ void set_grid(const GridOnGpu& grid, const IndexRange& range) {
     glUniform2f(2, range.ease, Blocks::kEaseFrom / (1 - Blocks::kEaseFrom));
 }
 
-void draw_indices(const gl::VertexArray& vertices, const gl::StreamBuffer& indices, std::size_t first,
-                  std::size_t count) {
+gl::Work draw_indices(const gl::VertexArray& vertices, const gl::StreamBuffer& indices, std::size_t first,
+                      std::size_t count) {
     vertices.feed_indices(indices.name());
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+    gl::draw_triangles(GL_UNSIGNED_INT, first, count);
+    return gl::work_of_mesh(count);
 }
 
 }  // namespace quadrat::render::passes

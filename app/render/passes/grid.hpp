@@ -11,6 +11,7 @@
 #include "render/gl/buffer.hpp"
 #include "render/gl/slices.hpp"
 #include "render/gl/vertex_array.hpp"
+#include "render/gl/work.hpp"
 #include "render/passes/blocks.hpp"
 
 namespace quadrat::render::passes {
@@ -54,6 +55,7 @@ struct IndexRange {
     std::size_t count = 0;
     std::size_t near_count = 0;  // of them come first, nearer than the grain is seen
     float ease = 0;              // shaders/common/grid.glsl
+    std::size_t level = 0;       // whose colour its wires have
 };
 
 // What the vertices of a selection are eased by.
@@ -69,7 +71,7 @@ inline const std::initializer_list<gl::Attribute> kPlaceAttributes{
     {5, 1, GL_UNSIGNED_SHORT, gl::Numbers::AsTheyAre, offsetof(GridPlace, error)}};
 
 // Of the vertex array that is bound.
-void draw_indices(const gl::VertexArray& vertices, const gl::StreamBuffer& indices, std::size_t first,
-                  std::size_t count);
+gl::Work draw_indices(const gl::VertexArray& vertices, const gl::StreamBuffer& indices, std::size_t first,
+                      std::size_t count);
 
 }  // namespace quadrat::render::passes

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "render/gl/buffer_upload.hpp"
+#include "render/gl/wires.hpp"
 #include "render/passes/packing.hpp"
 
 namespace quadrat::render::passes {
@@ -72,9 +73,10 @@ GroundPass::GroundPass()
       far_("ground.vert", "ground.frag"),
       vertices_{{0, sizeof(GridPlace), gl::Advance::PerVertex, kPlaceAttributes}} {}
 
-void GroundPass::draw(const LandOnGpu& land, const gl::StreamBuffer& indices, const IndexRange& range,
-                      float grain_m) const {
-    if (range.count == 0) return;
+gl::Work GroundPass::draw(const LandOnGpu& land, const gl::StreamBuffer& indices, const IndexRange& range,
+                          float grain_m) const {
+    gl::Work work;
+    if (range.count == 0) return work;
     land.lit.bind(0);
     land.grain.bind(1);
     vertices_.bind();
@@ -83,16 +85,18 @@ void GroundPass::draw(const LandOnGpu& land, const gl::StreamBuffer& indices, co
         near_.use();
         set_grid(land.land, range);
         glUniform1f(1, 1 / grain_m);
-        draw_indices(vertices_, indices, range.first, range.near_count);
+        work += draw_indices(vertices_, indices, range.first, range.near_count);
     }
-    if (range.near_count == range.count) return;
+    if (range.near_count == range.count) return work;
     far_.use();
+    gl::Wires::set_level(range.level);
     set_grid(land.land, range);
-    draw_indices(vertices_, indices, range.first + range.near_count, range.count - range.near_count);
+    work += draw_indices(vertices_, indices, range.first + range.near_count, range.count - range.near_count);
+    return work;
 }
 
 SurroundPass::SurroundPass()
-    : program_("surround.vert", "lit_ground.frag"),
+    : program_("surround.vert", "lit.frag"),
       vertices_{{0, sizeof(GridPlace), gl::Advance::PerVertex, kPlaceAttributes},
                 {1,
                  sizeof(Facing),
@@ -100,14 +104,14 @@ SurroundPass::SurroundPass()
                  {{2, 4, GL_BYTE, gl::Numbers::Normalised, 0},
                   {4, 3, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Facing, root_colour)}}}} {}
 
-void SurroundPass::draw(const LandOnGpu& land, const gl::StreamBuffer& indices, const IndexRange& range) const {
-    if (range.count == 0) return;
+gl::Work SurroundPass::draw(const LandOnGpu& land, const gl::StreamBuffer& indices, const IndexRange& range) const {
+    if (range.count == 0) return {};
     program_.use();
     set_grid(land.surround, range);
     vertices_.bind();
     vertices_.feed(0, land.surround.places.name());
     vertices_.feed(1, land.facings.name());
-    draw_indices(vertices_, indices, range.first, range.count);
+    return draw_indices(vertices_, indices, range.first, range.count);
 }
 
 }  // namespace quadrat::render::passes

@@ -16,7 +16,6 @@
 namespace quadrat::render::passes {
 
 // The texture unit on which the lower clouds' shadow must lie when ground is drawn.
-inline constexpr GLuint kShadowUnit = 2;
 
 inline constexpr int kLandBlock = 16;  // samples a side of a block of the land
 
@@ -43,7 +42,7 @@ class GroundPass {
   public:
     GroundPass();
     // grain_m: how far it is seen.
-    void draw(const LandOnGpu& land, const gl::StreamBuffer& indices, const IndexRange& range, float grain_m) const;
+    gl::Work draw(const LandOnGpu& land, const gl::StreamBuffer& indices, const IndexRange& range, float grain_m) const;
 
   private:
     gl::Program near_;
@@ -55,7 +54,7 @@ class GroundPass {
 class SurroundPass {
   public:
     SurroundPass();
-    void draw(const LandOnGpu& land, const gl::StreamBuffer& indices, const IndexRange& range) const;
+    gl::Work draw(const LandOnGpu& land, const gl::StreamBuffer& indices, const IndexRange& range) const;
 
   private:
     gl::Program program_;

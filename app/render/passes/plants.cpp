@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
 #include <glm/vec2.hpp>
+#include <set>
 #include <span>
 
 #include "render/gl/buffer_upload.hpp"
 #include "render/gl/picture_upload.hpp"
+#include "render/gl/wires.hpp"
 #include "render/passes/packing.hpp"
 
 namespace quadrat::render::passes {
@@ -16,9 +20,12 @@ namespace {
 
 struct WoodPlace {
     glm::vec3 position_m;
+    std::uint16_t to_coarser_m[3];  // half floats
+    std::uint16_t unused;
     std::uint8_t age;
     std::uint8_t sway;
-    std::uint16_t unused;
+    std::uint8_t coarser_sway;
+    std::uint8_t unused_too;
 };
 struct WoodSurface {
     PackedNormal normal;
@@ -39,29 +46,30 @@ struct LeafSurface {
     std::uint16_t unused;
 };
 
+struct MassPlace {
+    glm::vec3 position_m;
+    std::uint8_t age;
+    std::uint8_t sway;
+    std::uint16_t unused;
+};
+struct MassSurface {
+    PackedNormal normal;
+    std::uint8_t root_red, root_green, root_blue, shade;
+};
+
 float entry(const std::vector<float>& values, std::size_t i, float missing) {
     return i < values.size() ? values[i] : missing;
 }
 
-// Three sides that taper to a point: what is left of a stem behind far leaves.
-scene::Wood pole(const scene::Species& species) {
-    scene::Wood wood;
-    const float top_m = 0.75F * species.height_m;
-    for (int side = 0; side < 3; ++side) {
-        const float turn = 2.0944F * static_cast<float>(side);
-        const glm::vec3 outward{std::cos(turn), 0, -std::sin(turn)};
-        for (const float up : {0.0F, 1.0F}) {
-            wood.mesh.positions_m.push_back(outward * species.trunk_radius_m * (1.1F - 0.9F * up) +
-                                            glm::vec3{0, up * top_m, 0});
-            wood.mesh.normals.push_back(outward);
-            wood.ages.push_back(up * 0.6F);
-            wood.sways.push_back(up * 0.3F);
-        }
-        const auto low = static_cast<std::uint32_t>(2 * side);
-        const auto next = static_cast<std::uint32_t>(2 * ((side + 1) % 3));
-        wood.mesh.indices.insert(wood.mesh.indices.end(), {low, next, low + 1, low + 1, next, next + 1});
-    }
-    return wood;
+WoodPlace place_of(const scene::Wood& wood, std::size_t i) {
+    const bool is_coarsest = wood.coarser_m.empty();
+    const float sway = entry(wood.sways, i, 0);
+    WoodPlace place{wood.mesh.positions_m[i], {}, 0, unsigned_byte(entry(wood.ages, i, 0)), unsigned_byte(sway), 0, 0};
+    place.coarser_sway = is_coarsest ? place.sway : unsigned_byte(wood.coarser_sways[i]);
+    if (is_coarsest) return place;
+    const glm::vec3 way_m = wood.coarser_m[i] - place.position_m;
+    for (int axis = 0; axis < 3; ++axis) place.to_coarser_m[axis] = glm::packHalf1x16(way_m[axis]);
+    return place;
 }
 
 WoodSurface surface_of(const scene::Wood& wood, std::size_t i, float tiles_per_m) {
@@ -78,25 +86,33 @@ void add_wood(gl::Slices& slices, WoodOnGpu& wood, const std::shared_ptr<const s
               float tiles_per_m) {
     const std::size_t vertices = source->mesh.positions_m.size();
     wood.index_count = source->mesh.indices.size();
-    gl::add_made<WoodPlace>(slices, wood.places, GL_ARRAY_BUFFER, vertices, [source](std::size_t i) {
-        return WoodPlace{source->mesh.positions_m[i], unsigned_byte(entry(source->ages, i, 0)),
-                         unsigned_byte(entry(source->sways, i, 0)), 0};
-    });
+    gl::add_made<WoodPlace>(slices, wood.places, GL_ARRAY_BUFFER, vertices,
+                            [source](std::size_t i) { return place_of(*source, i); });
     gl::add_made<WoodSurface>(slices, wood.surfaces, GL_ARRAY_BUFFER, vertices,
                               [source, tiles_per_m](std::size_t i) { return surface_of(*source, i, tiles_per_m); });
     gl::add_elements<std::uint32_t>(slices, wood.indices, GL_ELEMENT_ARRAY_BUFFER, {source, &source->mesh.indices});
 }
 
+std::uint8_t root_byte(float linear) { return unsigned_byte(std::sqrt(std::max(linear, 0.0F))); }
+
 LeafSurface surface_of(const scene::Leaves::Vertex& v) {
-    const auto root = [](float linear) { return unsigned_byte(std::sqrt(std::max(linear, 0.0F))); };
-    return {packed_normal(v.normal),
-            root(v.colour.r),
-            root(v.colour.g),
-            root(v.colour.b),
-            unsigned_byte(v.shade),
-            unsigned_byte(v.on_blade.x),
-            unsigned_byte(v.on_blade.y),
-            0};
+    return {packed_normal(v.normal), root_byte(v.colour.r),       root_byte(v.colour.g),       root_byte(v.colour.b),
+            unsigned_byte(v.shade),  unsigned_byte(v.on_blade.x), unsigned_byte(v.on_blade.y), 0};
+}
+
+void add_mass(gl::Slices& slices, MassOnGpu& mass, const std::shared_ptr<const scene::CrownMass>& source) {
+    const std::size_t vertices = source->mesh.positions_m.size();
+    mass.index_count = source->mesh.indices.size();
+    gl::add_made<MassPlace>(slices, mass.places, GL_ARRAY_BUFFER, vertices, [source](std::size_t i) {
+        return MassPlace{source->mesh.positions_m[i], unsigned_byte(source->ages[i]), unsigned_byte(source->sways[i]),
+                         0};
+    });
+    gl::add_made<MassSurface>(slices, mass.surfaces, GL_ARRAY_BUFFER, vertices, [source](std::size_t i) {
+        const glm::vec3 colour = source->colours[i];
+        return MassSurface{packed_normal(source->mesh.normals[i]), root_byte(colour.r), root_byte(colour.g),
+                           root_byte(colour.b), unsigned_byte(source->shades[i])};
+    });
+    gl::add_elements<std::uint32_t>(slices, mass.indices, GL_ELEMENT_ARRAY_BUFFER, {source, &source->mesh.indices});
 }
 
 // A blade's vertices follow one another, so the place in the order is the blade's own.
@@ -107,11 +123,19 @@ std::uint16_t rank_of(const scene::Leaves& leaves, std::size_t vertex) {
     return static_cast<std::uint16_t>(std::clamp(rank, 0.0, 1.0) * 65535.0);
 }
 
+std::size_t distinct(const std::vector<std::uint32_t>& indices, std::size_t first_so_many) {
+    return std::set<std::uint32_t>(indices.begin(), indices.begin() + static_cast<std::ptrdiff_t>(first_so_many))
+        .size();
+}
+
 void add_leaves(gl::Slices& slices, SpeciesOnGpu& species, const std::shared_ptr<const scene::Leaves>& source) {
     const std::size_t vertices = source->vertices.size();
+    species.blades = source->blades;
     species.indices_per_blade = source->indices_per_blade();
     species.indices_per_plain_blade = source->indices_per_plain_blade();
     if (source->blades == 0) return;
+    species.vertices_per_blade = distinct(source->indices, species.indices_per_blade);
+    species.vertices_per_plain_blade = distinct(source->plain_indices, species.indices_per_plain_blade);
     gl::add_elements<std::uint32_t>(slices, species.plain_leaf_indices, GL_ELEMENT_ARRAY_BUFFER,
                                     {source, &source->plain_indices});
     gl::add_made<LeafPlace>(slices, species.leaf_places, GL_ARRAY_BUFFER, vertices, [source](std::size_t i) {
@@ -146,12 +170,15 @@ Kind kind_of(const scene::Species& species) {
     kind.triangles_per_blade = species.leaves.indices_per_blade() / 3;
     kind.triangles_per_plain_blade = species.leaves.indices_per_plain_blade() / 3;
     kind.blade_m = blade_length(species);
+    if (!species.masses.empty()) kind.massed = species.masses.front().share;
+    for (const scene::CrownMass& mass : species.masses) kind.mass_triangles.push_back(mass.mesh.triangle_count());
     return kind;
 }
 
 // A blade as long as its crown is wide would be seen as what it is.
 float largest_blade(const scene::Species& species) {
-    return std::max(0.55F * species.crown_radius_m / blade_length(species), 1.0F);
+    const float share = species.masses.empty() ? 0.55F : 0.42F;  // the mass fills in
+    return std::max(share * species.crown_radius_m / blade_length(species), 1.0F);
 }
 
 // What every species without a picture of its own has: neither relief nor spots.
@@ -182,16 +209,12 @@ void add_species(gl::Slices& slices, FloraOnGpu& flora, std::size_t index,
     species.height_m = from.height_m;
     species.largest_blade = largest_blade(from);
     flora.kinds[index] = kind_of(from);
-    std::vector<std::shared_ptr<const scene::Wood>> levels;
-    for (const scene::Wood& wood : from.wood) levels.emplace_back(source, &wood);
-    const bool is_tree = !levels.empty() && levels.back()->mesh.triangle_count() > 12;
-    if (is_tree && from.leaves.blades > 0) {
-        levels.push_back(std::make_shared<scene::Wood>(pole(from)));
-        flora.kinds[index].wood_triangles.push_back(levels.back()->mesh.triangle_count());
-    }
-    species.wood.resize(levels.size());
-    for (std::size_t level = 0; level < levels.size(); ++level)
-        add_wood(slices, species.wood[level], levels[level], 1 / std::max(from.bark_tile_m, 0.01F));
+    species.wood.resize(from.wood.size());
+    for (std::size_t level = 0; level < from.wood.size(); ++level)
+        add_wood(slices, species.wood[level], {source, &from.wood[level]}, 1 / std::max(from.bark_tile_m, 0.01F));
+    species.masses.resize(from.masses.size());
+    for (std::size_t level = 0; level < from.masses.size(); ++level)
+        add_mass(slices, species.masses[level], {source, &from.masses[level]});
     add_pictures(slices, species, source, from);
     add_leaves(slices, species, {source, &from.leaves});
 }
@@ -203,9 +226,18 @@ const std::initializer_list<gl::Attribute> kInstanceAttributes{
     {11, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, air)},
     {12, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, half_tint)}};
 
-void draw_instances(std::size_t index_count, std::size_t instances) {
-    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(index_count), GL_UNSIGNED_INT, nullptr,
-                            static_cast<GLsizei>(instances));
+std::size_t halvings(std::size_t all, std::size_t left) {
+    std::size_t count = 0;
+    while (all / 2 >= left && left > 0) {
+        all /= 2;
+        ++count;
+    }
+    return count;
+}
+
+gl::Work draw_instances(std::size_t vertices, std::size_t index_count, std::size_t instances) {
+    gl::draw_triangles(GL_UNSIGNED_INT, 0, index_count, instances);
+    return {1, instances * index_count / 3, instances * vertices};
 }
 
 }  // namespace
@@ -218,13 +250,15 @@ void add_flora(gl::Slices& slices, FloraOnGpu& flora, const std::shared_ptr<cons
 
 PlantsPass::PlantsPass()
     : wood_("wood.vert", "wood.frag"),
+      masses_("crown.vert", "lit.frag"),
       leaves_("leaves.vert", "leaves.frag"),
       plain_leaves_("leaves.vert", "lit.frag"),
       wood_vertices_{{0,
                       sizeof(WoodPlace),
                       gl::Advance::PerVertex,
                       {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(WoodPlace, position_m)},
-                       {1, 2, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(WoodPlace, age)}}},
+                       {1, 3, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(WoodPlace, age)},
+                       {5, 3, GL_HALF_FLOAT, gl::Numbers::AsTheyAre, offsetof(WoodPlace, to_coarser_m)}}},
                      {1,
                       sizeof(WoodSurface),
                       gl::Advance::PerVertex,
@@ -245,9 +279,31 @@ PlantsPass::PlantsPass()
                       {{4, 4, GL_BYTE, gl::Numbers::Normalised, offsetof(LeafSurface, normal)},
                        {5, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(LeafSurface, root_red)},
                        {6, 2, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(LeafSurface, across)}}},
+                     {2, sizeof(Instance), gl::Advance::PerInstance, kInstanceAttributes}},
+      mass_vertices_{{0,
+                      sizeof(MassPlace),
+                      gl::Advance::PerVertex,
+                      {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(MassPlace, position_m)},
+                       {2, 2, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(MassPlace, age)}}},
+                     {1,
+                      sizeof(MassSurface),
+                      gl::Advance::PerVertex,
+                      {{4, 4, GL_BYTE, gl::Numbers::Normalised, offsetof(MassSurface, normal)},
+                       {5, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(MassSurface, root_red)}}},
                      {2, sizeof(Instance), gl::Advance::PerInstance, kInstanceAttributes}} {}
 
-void PlantsPass::draw_wood(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
+gl::Work PlantsPass::draw_mass(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
+    const MassOnGpu& mass = species.masses[batch.level];
+    glUniform1f(0, species.height_m);
+    mass_vertices_.feed(0, mass.places.name());
+    mass_vertices_.feed(1, mass.surfaces.name());
+    mass_vertices_.feed(2, instances, batch.first * sizeof(Instance));
+    mass_vertices_.feed_indices(mass.indices.name());
+    gl::Wires::set_level(batch.level);
+    return draw_instances(mass.places.bytes() / sizeof(MassPlace), mass.index_count, batch.count);
+}
+
+gl::Work PlantsPass::draw_wood(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
     const WoodOnGpu& wood = species.wood[batch.level];
     glUniform4f(0, species.bark_colour.r, species.bark_colour.g, species.bark_colour.b, 1 / species.height_m);
     wood_vertices_.feed(0, wood.places.name());
@@ -255,10 +311,11 @@ void PlantsPass::draw_wood(const SpeciesOnGpu& species, const Batch& batch, GLui
     wood_vertices_.feed(1, wood.surfaces.name());
     wood_vertices_.feed(2, instances, batch.first * sizeof(Instance));
     wood_vertices_.feed_indices(wood.indices.name());
-    draw_instances(wood.index_count, batch.count);
+    gl::Wires::set_level(batch.level);
+    return draw_instances(wood.places.bytes() / sizeof(WoodPlace), wood.index_count, batch.count);
 }
 
-void PlantsPass::draw_leaves(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
+gl::Work PlantsPass::draw_leaves(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
     glUniform1f(0, species.largest_blade);
     if (!batch.is_plain) species.leaf.bind(0);
     leaf_vertices_.feed(0, species.leaf_places.name());
@@ -266,11 +323,14 @@ void PlantsPass::draw_leaves(const SpeciesOnGpu& species, const Batch& batch, GL
     leaf_vertices_.feed(2, instances, batch.first * sizeof(Instance));
     leaf_vertices_.feed_indices(batch.is_plain ? species.plain_leaf_indices.name() : species.leaf_indices.name());
     const std::size_t per_blade = batch.is_plain ? species.indices_per_plain_blade : species.indices_per_blade;
-    draw_instances(batch.blades * per_blade, batch.count);
+    gl::Wires::set_level(halvings(species.blades, batch.blades));
+    const std::size_t vertices = batch.is_plain ? species.vertices_per_plain_blade : species.vertices_per_blade;
+    return draw_instances(batch.blades * vertices, batch.blades * per_blade, batch.count);
 }
 
-void PlantsPass::draw(const FloraOnGpu& flora, const std::vector<Batch>& batches,
-                      const gl::StreamBuffer& instances) const {
+PlantsPass::Drawn PlantsPass::draw(const FloraOnGpu& flora, const std::vector<Batch>& batches,
+                                   const gl::StreamBuffer& instances) const {
+    Drawn drawn;
     // Leaves first: they hide most of the wood, and what is hidden need not be shaded.
     glDisable(GL_CULL_FACE);
     leaf_vertices_.bind();
@@ -278,13 +338,20 @@ void PlantsPass::draw(const FloraOnGpu& flora, const std::vector<Batch>& batches
         (is_plain ? plain_leaves_ : leaves_).use();
         for (const Batch& batch : batches)
             if (batch.part == Batch::Part::Leaves && batch.is_plain == is_plain)
-                draw_leaves(flora.species[batch.species], batch, instances.name());
+                drawn.leaves += draw_leaves(flora.species[batch.species], batch, instances.name());
     }
     glEnable(GL_CULL_FACE);
+    masses_.use();
+    mass_vertices_.bind();
+    for (const Batch& batch : batches)
+        if (batch.part == Batch::Part::Mass)
+            drawn.leaves += draw_mass(flora.species[batch.species], batch, instances.name());
     wood_.use();
     wood_vertices_.bind();
     for (const Batch& batch : batches)
-        if (batch.part == Batch::Part::Wood) draw_wood(flora.species[batch.species], batch, instances.name());
+        if (batch.part == Batch::Part::Wood)
+            drawn.wood += draw_wood(flora.species[batch.species], batch, instances.name());
+    return drawn;
 }
 
 }  // namespace quadrat::render::passes

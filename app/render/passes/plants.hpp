@@ -8,6 +8,7 @@
 #include "render/gl/slices.hpp"
 #include "render/gl/texture.hpp"
 #include "render/gl/vertex_array.hpp"
+#include "render/gl/work.hpp"
 #include "render/passes/crowd.hpp"
 #include "scene/flora.hpp"
 
@@ -20,12 +21,23 @@ struct WoodOnGpu {
     std::size_t index_count = 0;
 };
 
+struct MassOnGpu {
+    gl::Buffer places;
+    gl::Buffer surfaces;
+    gl::Buffer indices;
+    std::size_t index_count = 0;
+};
+
 struct SpeciesOnGpu {
-    std::vector<WoodOnGpu> wood;  // finest first; the last is a bare pole of six triangles for species with leaves
+    std::vector<WoodOnGpu> wood;  // finest first
+    std::vector<MassOnGpu> masses;
     gl::Buffer leaf_places;
     gl::Buffer leaf_surfaces;
     gl::Buffer leaf_indices;
     gl::Buffer plain_leaf_indices;
+    std::size_t blades = 0;
+    std::size_t vertices_per_blade = 0;
+    std::size_t vertices_per_plain_blade = 0;
     std::size_t indices_per_blade = 0;
     std::size_t indices_per_plain_blade = 0;
     gl::Texture2D bark;
@@ -47,17 +59,25 @@ void add_flora(gl::Slices& slices, FloraOnGpu& flora, const std::shared_ptr<cons
 class PlantsPass {
   public:
     PlantsPass();
-    void draw(const FloraOnGpu& flora, const std::vector<Batch>& batches, const gl::StreamBuffer& instances) const;
+    struct Drawn {
+        gl::Work leaves;  // and crowns
+        gl::Work wood;
+    };
+    Drawn draw(const FloraOnGpu& flora, const std::vector<Batch>& batches, const gl::StreamBuffer& instances) const;
 
   private:
-    void draw_wood(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const;
-    void draw_leaves(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const;
+    gl::Work draw_wood(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const;
+    gl::Work draw_leaves(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const;
+
+    gl::Work draw_mass(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const;
 
     gl::Program wood_;
+    gl::Program masses_;
     gl::Program leaves_;
     gl::Program plain_leaves_;  // too small on the screen to show their veins
     gl::VertexArray wood_vertices_;
     gl::VertexArray leaf_vertices_;
+    gl::VertexArray mass_vertices_;
 };
 
 }  // namespace quadrat::render::passes

@@ -69,8 +69,8 @@ std::vector<DomeColour> dome_colours(const scene::Dome& dome) {
 std::vector<std::uint16_t> dome_indices() {
     std::vector<std::uint16_t> indices;
     const int rings = static_cast<int>(ring_elevations_deg().size());
-    for (int ring = 0; ring + 1 < rings; ++ring) {
-        for (int sector = 0; sector < kSectors; ++sector) {
+    for (int sector = 0; sector < kSectors; ++sector) {
+        for (int ring = 0; ring + 1 < rings; ++ring) {
             const auto upper = static_cast<std::uint16_t>(ring * (kSectors + 1) + sector);
             const auto lower = static_cast<std::uint16_t>(upper + kSectors + 1);
             // Counter-clockwise from within.
@@ -156,12 +156,10 @@ void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scen
     static_assert(sizeof(scene::Star) == sizeof(glm::vec4));
     sky.star_count = source->stars.size();
     gl::add_elements<scene::Star>(slices, sky.stars, GL_ARRAY_BUFFER, {source, &source->stars});
-    sky.shadow_map =
-        source->clouds[0].density.bytes.empty() ? mesh::Image(1, 1, 1) : shadow_map_of(source->clouds[0].density);
-    gl::TextureShape shadow;
-    shadow.wrap_s = shadow.wrap_t = gl::Wrap::Repeat;
-    shadow.sampling = gl::Sampling::Flat;
-    gl::add_picture(slices, sky.shadow, std::make_shared<mesh::Image>(sky.shadow_map), shadow);
+    sky.shadow_map = shadow_map_of(source->clouds[0].density);
+    const auto table = std::make_shared<ShadowTable>(shadow_table(sky.shadow_map));
+    gl::add_elements<std::uint32_t>(slices, sky.shadow, GL_UNIFORM_BUFFER, table->size(),
+                                    [table] { return std::span<const std::uint32_t>(*table); });
     gl::TextureShape tiled;
     tiled.wrap_s = tiled.wrap_t = gl::Wrap::Repeat;
     for (std::size_t i = 0; i < source->clouds.size(); ++i)
@@ -193,14 +191,20 @@ SkyPass::SkyPass()
     directions_ = filled(GL_ARRAY_BUFFER, directions);
     const auto indices = dome_indices();
     indices_ = filled(GL_ELEMENT_ARRAY_BUFFER, indices);
-    index_count_ = indices.size();
+    std::vector<std::vector<glm::vec3>> ways(kSectors);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        const std::size_t edge = i % (kSectors + 1);
+        if (edge < kSectors) ways[edge].push_back(directions[i]);
+        if (edge > 0) ways[edge - 1].push_back(directions[i]);
+    }
+    sectors_ = Sectors(std::move(ways), indices.size() / kSectors);
     bow_corners_ = filled(GL_ARRAY_BUFFER, bow_corners());
     const auto bow = bow_indices();
     bow_indices_ = filled(GL_ELEMENT_ARRAY_BUFFER, bow);
     bow_index_count_ = bow.size();
 }
 
-void SkyPass::draw(const SkyOnGpu& sky, int height_px) const {
+gl::Work SkyPass::draw(const SkyOnGpu& sky, const Frustum& frustum, glm::vec3 eye_m, int height_px) const {
     program_.use();
     sky.clouds[0].bind(0);
     sky.clouds[1].bind(1);
@@ -208,22 +212,25 @@ void SkyPass::draw(const SkyOnGpu& sky, int height_px) const {
     vertices_.feed(0, directions_.name());
     vertices_.feed(1, sky.dome.name());
     vertices_.feed_indices(indices_.name());
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(index_count_), GL_UNSIGNED_SHORT, nullptr);
+    gl::Work work = draw_ranges(sectors_.seen(frustum, eye_m), GL_UNSIGNED_SHORT);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     glDisable(GL_CULL_FACE);
-    draw_lights(sky, height_px);
+    work += draw_lights(sky, height_px);
     glEnable(GL_CULL_FACE);
     glDisable(GL_BLEND);
+    return work;
 }
 
-void SkyPass::draw_lights(const SkyOnGpu& sky, int height_px) const {
+gl::Work SkyPass::draw_lights(const SkyOnGpu& sky, int height_px) const {
+    gl::Work work;
     if (sky.star_count > 0) {
         stars_.use();
         glUniform1f(0, static_cast<float>(height_px) / 1080);
         star_vertices_.bind();
         star_vertices_.feed(0, sky.stars.name());
         glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(sky.star_count));
+        work += {1, 2 * sky.star_count, sky.star_count};
     }
     if (sky.has_disc) {
         disc_.use();
@@ -231,6 +238,7 @@ void SkyPass::draw_lights(const SkyOnGpu& sky, int height_px) const {
         disc_vertices_.bind();
         disc_vertices_.feed(0, disc_corners_.name());
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+        work += {1, 2, 4};
     }
     if (sky.bow > 0) {
         bow_.use();
@@ -238,7 +246,9 @@ void SkyPass::draw_lights(const SkyOnGpu& sky, int height_px) const {
         bow_vertices_.feed(0, bow_corners_.name());
         bow_vertices_.feed_indices(bow_indices_.name());
         glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(bow_index_count_), GL_UNSIGNED_SHORT, nullptr);
+        work += gl::work_of_mesh(bow_index_count_);
     }
+    return work;
 }
 
 }  // namespace quadrat::render::passes

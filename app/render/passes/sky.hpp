@@ -8,6 +8,8 @@
 #include "render/gl/slices.hpp"
 #include "render/gl/texture.hpp"
 #include "render/gl/vertex_array.hpp"
+#include "render/gl/work.hpp"
+#include "render/passes/sectors.hpp"
 #include "scene/sky.hpp"
 
 namespace quadrat::render::passes {
@@ -16,7 +18,7 @@ struct SkyOnGpu {
     gl::Buffer dome;                      // a shown colour for each vertex of the dome: between them it is smooth
     std::array<gl::Texture2D, 2> clouds;  // r: density, g: lit
     mesh::Image shadow_map;               // the lower clouds' density, coarse: what falls on plants
-    gl::Texture2D shadow;                 // the same, for the ground
+    gl::Buffer shadow;                    // of the lower clouds: shaders/common/cloud_shadow.glsl
     gl::Texture2D disc;
     bool has_disc = false;
     gl::Buffer stars;
@@ -31,11 +33,10 @@ void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scen
 class SkyPass {
   public:
     SkyPass();
-    void draw(const SkyOnGpu& sky, int height_px) const;
-    std::size_t triangles() const { return index_count_ / 3; }
+    gl::Work draw(const SkyOnGpu& sky, const Frustum& frustum, glm::vec3 eye_m, int height_px) const;
 
   private:
-    void draw_lights(const SkyOnGpu& sky, int height_px) const;
+    gl::Work draw_lights(const SkyOnGpu& sky, int height_px) const;
 
     gl::Program program_;
     gl::Program disc_;
@@ -50,7 +51,7 @@ class SkyPass {
     gl::Buffer indices_;
     gl::Buffer bow_corners_;
     gl::Buffer bow_indices_;
-    std::size_t index_count_ = 0;
+    Sectors sectors_;
     std::size_t bow_index_count_ = 0;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/passes/stone.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -12,19 +13,24 @@ namespace quadrat::render::passes {
 
 void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<const scene::Scene>& scene) {
     const scene::Stone& source = scene->land->stone;
-    const mesh::Mesh& mesh = source.mesh;
-    if (mesh.indices.empty()) return;
-    gl::add_elements<glm::vec3>(slices, stone.corners, GL_ARRAY_BUFFER, {scene, &mesh.positions_m});
-    gl::add_made<Facing>(slices, stone.facings, GL_ARRAY_BUFFER, mesh.positions_m.size(),
-                         [scene, &source](std::size_t i) {
-                             const auto root = [&](int c) { return unsigned_byte(std::sqrt(source.colours[i][c])); };
-                             return Facing{packed_normal(source.mesh.normals[i]), {root(0), root(1), root(2), 0}};
-                         });
-    add_chunks(slices, stone.chunks, stone.indices, {scene, &mesh});
+    const std::size_t most = Pieces::most_corners(source);
+    const auto corners = std::make_shared<std::vector<Pieces::Corner>>();
+    slices.prepare([&stone, &source, scene, corners, most] {
+        stone.pieces = Pieces(source);
+        *corners = stone.pieces.take_corners();
+        corners->resize(most);
+    });
+    gl::add_made<glm::vec3>(slices, stone.corners, GL_ARRAY_BUFFER, most,
+                            [corners](std::size_t i) { return (*corners)[i].at_m; });
+    gl::add_made<Facing>(slices, stone.facings, GL_ARRAY_BUFFER, most, [corners](std::size_t i) {
+        const Pieces::Corner& corner = (*corners)[i];
+        const auto root = [&](int c) { return unsigned_byte(std::sqrt(std::max(corner.colour[c], 0.0F))); };
+        return Facing{packed_normal(corner.normal), {root(0), root(1), root(2), 0}};
+    });
 }
 
 StonePass::StonePass()
-    : program_("stone.vert", "lit_ground.frag"),
+    : program_("stone.vert", "lit.frag"),
       vertices_{{0, sizeof(glm::vec3), gl::Advance::PerVertex, {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}},
                 {1,
                  sizeof(Facing),
@@ -32,15 +38,13 @@ StonePass::StonePass()
                  {{2, 4, GL_BYTE, gl::Numbers::Normalised, 0},
                   {4, 3, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Facing, root_colour)}}}} {}
 
-std::size_t StonePass::draw(const StoneOnGpu& stone, const Frustum& frustum) const {
-    const std::vector<Chunks::Range> seen = stone.chunks.seen(frustum);
-    if (seen.empty()) return 0;
+gl::Work StonePass::draw(const StoneOnGpu& stone, const gl::StreamBuffer& indices, const IndexRange& range) const {
+    if (range.count == 0) return {};
     program_.use();
     vertices_.bind();
     vertices_.feed(0, stone.corners.name());
     vertices_.feed(1, stone.facings.name());
-    vertices_.feed_indices(stone.indices.name());
-    return draw_ranges(seen);
+    return draw_indices(vertices_, indices, range.first, range.count);
 }
 
 }  // namespace quadrat::render::passes

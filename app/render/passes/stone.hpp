@@ -6,7 +6,8 @@
 #include "render/gl/program.hpp"
 #include "render/gl/slices.hpp"
 #include "render/gl/vertex_array.hpp"
-#include "render/passes/chunks.hpp"
+#include "render/passes/grid.hpp"
+#include "render/passes/pieces.hpp"
 #include "scene/scene.hpp"
 
 namespace quadrat::render::passes {
@@ -14,8 +15,7 @@ namespace quadrat::render::passes {
 struct StoneOnGpu {
     gl::Buffer corners;
     gl::Buffer facings;
-    gl::Buffer indices;
-    Chunks chunks;
+    Pieces pieces;
 };
 
 // Adds the slices that fill stone, which must stay where it is until they are done.
@@ -25,8 +25,7 @@ void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<cons
 class StonePass {
   public:
     StonePass();
-    // Returns how many triangles.
-    std::size_t draw(const StoneOnGpu& stone, const Frustum& frustum) const;
+    gl::Work draw(const StoneOnGpu& stone, const gl::StreamBuffer& indices, const IndexRange& range) const;
 
   private:
     gl::Program program_;

@@ -42,8 +42,8 @@ std::vector<glm::vec2> ring_vertices() {
 std::vector<std::uint16_t> ring_indices() {
     std::vector<std::uint16_t> indices;
     const int rings = static_cast<int>(ring_radii_m().size());
-    for (int ring = 0; ring + 1 < rings; ++ring) {
-        for (int sector = 0; sector < kSectors; ++sector) {
+    for (int sector = 0; sector < kSectors; ++sector) {
+        for (int ring = 0; ring + 1 < rings; ++ring) {
             const int next = (sector + 1) % kSectors;
             const int inner = ring * kSectors;
             const int outer = inner + kSectors;
@@ -149,7 +149,13 @@ WaterPass::WaterPass()
     rings_.write<glm::vec2>(0, vertices);
     indices_ = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof(std::uint16_t)};
     indices_.write<std::uint16_t>(0, indices);
-    index_count_ = indices.size();
+    std::vector<std::vector<glm::vec3>> ways(kSectors);
+    for (std::size_t i = 0; i < kSectors; ++i) {
+        const glm::vec2 rim = vertices[vertices.size() - kSectors + i];
+        ways[i].emplace_back(rim.x, 0, rim.y);
+        ways[(i + kSectors - 1) % kSectors].emplace_back(rim.x, 0, rim.y);
+    }
+    sectors_ = Sectors(std::move(ways), indices.size() / kSectors);
     gl::Slices slices;
     gl::TextureShape shape;
     shape.wrap_s = shape.wrap_t = gl::Wrap::Repeat;
@@ -157,28 +163,29 @@ WaterPass::WaterPass()
     while (!slices.advance(std::size_t{1} << 20U)) continue;
 }
 
-void WaterPass::draw(const gl::Texture2D& ground) const {
+gl::Work WaterPass::draw(const gl::Texture2D& ground, const Frustum& frustum, glm::vec3 eye_m) const {
     program_.use();
     vertices_.bind();
     vertices_.feed(0, rings_.name());
     vertices_.feed_indices(indices_.name());
     bind_pictures(ground);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(index_count_), GL_UNSIGNED_SHORT, nullptr);
+    const gl::Work work = draw_ranges(sectors_.seen(frustum, {eye_m.x, 0, eye_m.z}), GL_UNSIGNED_SHORT);
     glDisable(GL_BLEND);
+    return work;
 }
 
-std::size_t WaterPass::draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground,
-                                  const Frustum& frustum) const {
+gl::Work WaterPass::draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground,
+                               const Frustum& frustum) const {
     const std::vector<Chunks::Range> seen = water.chunks.seen(frustum);
-    if (seen.empty()) return 0;
+    if (seen.empty()) return {};
     fresh_program_.use();
     fresh_vertices_.bind();
     fresh_vertices_.feed(0, water.corners.name());
     fresh_vertices_.feed_indices(water.indices.name());
     bind_pictures(ground);
-    const std::size_t triangles = draw_ranges(seen);
+    const gl::Work work = draw_ranges(seen);
     glDisable(GL_BLEND);
-    return triangles;
+    return work;
 }
 
 // The shore shows through shallow water; depth is still written, for the sky comes later.

@@ -8,6 +8,7 @@
 #include "render/gl/texture.hpp"
 #include "render/gl/vertex_array.hpp"
 #include "render/passes/chunks.hpp"
+#include "render/passes/sectors.hpp"
 #include "scene/scene.hpp"
 
 namespace quadrat::render::passes {
@@ -24,10 +25,9 @@ void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shar
 class WaterPass {
   public:
     WaterPass();
-    void draw(const gl::Texture2D& ground) const;  // its alpha: how deep the water over it looks
-    // Returns how many triangles.
-    std::size_t draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground, const Frustum& frustum) const;
-    std::size_t triangles() const { return index_count_ / 3; }
+    // ground's alpha: how deep the water over it looks.
+    gl::Work draw(const gl::Texture2D& ground, const Frustum& frustum, glm::vec3 eye_m) const;
+    gl::Work draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground, const Frustum& frustum) const;
 
   private:
     void bind_pictures(const gl::Texture2D& ground) const;
@@ -39,7 +39,7 @@ class WaterPass {
     gl::Buffer rings_;
     gl::Buffer indices_;
     gl::Texture2D ripples_;
-    std::size_t index_count_ = 0;
+    Sectors sectors_;
 };
 
 }  // namespace quadrat::render::passes

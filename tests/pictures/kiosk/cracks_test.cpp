@@ -67,7 +67,7 @@ TEST(Cracks, NoPixelBelowTheHorizonShowsWhatIsBehindTheGround) {
         base::RandomStream chance{base::Seed{77}.child(s)};
         render::Frame frame;
         frame.size = {kWidth, kHeight};
-        frame.measured = {false, true, false, false, true};
+        frame.measured = {false, false, true, false, false, true};
         render::View view;
         view.scene = upload_now(easel.renderer(), grown);
         view.viewport = {0, 0, kWidth, kHeight};

@@ -65,7 +65,7 @@ TEST(CloudShadow, MapKeepsTheMeanOfItsClouds) {
     for (int y = 0; y < 512; ++y)
         for (int x = 0; x < 512; ++x) *density.pixel(x, y) = static_cast<std::uint8_t>((x / 64 + y / 64) % 2 * 200);
     const mesh::Image map = shadow_map_of(density);
-    ASSERT_EQ(map.width, 128);
+    ASSERT_EQ(map.width, kShadowSide);
     double sum = 0;
     for (const std::uint8_t b : map.bytes) sum += b;
     EXPECT_NEAR(sum / static_cast<double>(map.bytes.size()), 100, 1);

@@ -144,6 +144,88 @@ TEST(Closeness, MoreFinenessNeverTakesAnythingAway) {
     }
 }
 
+Kind leafy() {
+    Kind kind = tree();
+    kind.mass_triangles = {240, 120, 60, 28, 14};
+    kind.massed = 0.8F;
+    return kind;
+}
+
+TEST(Closeness, WoodHasBecomeTheNextLevelWhenThatTakesItsPlace) {
+    Kind bare = tree();
+    bare.blades = 0;
+    for (const float fineness : {0.2F, 1.0F, 3.0F}) {
+        Closeness before = closeness(bare, 800, fineness);
+        int changes = 0;
+        for (float px = 800; px > 3; px *= 0.9995F) {
+            const Closeness now = closeness(bare, px, fineness);
+            if (now.wood_level != before.wood_level) {
+                EXPECT_EQ(now.wood_level, before.wood_level + 1);
+                EXPECT_GT(before.to_coarser, 0.98F) << px;
+                EXPECT_LT(now.to_coarser, 0.02F) << px;
+                ++changes;
+            } else {
+                EXPECT_NEAR(now.to_coarser, before.to_coarser, 0.02F) << px;
+                EXPECT_GE(now.to_coarser, before.to_coarser) << px;
+            }
+            before = now;
+        }
+        EXPECT_EQ(changes, 4);
+    }
+}
+
+TEST(Closeness, ACrownBecomesOneMassGraduallyAndNearbyNever) {
+    for (const float fineness : {0.1F, 0.5F, 1.0F}) {
+        Closeness before = closeness(leafy(), 400, fineness);
+        for (float px = 400; px > 2; px *= 0.999F) {
+            const Closeness now = closeness(leafy(), px, fineness);
+            const bool is_mass = now.mass_level < leafy().mass_triangles.size();
+            const bool was_mass = before.mass_level < leafy().mass_triangles.size();
+            if (px > 50) {
+                EXPECT_FALSE(is_mass);
+            }
+            if (px < 20 && fineness < 0.6F) {
+                EXPECT_TRUE(is_mass);
+            }
+            if (is_mass && !was_mass) {
+                EXPECT_LT(now.to_coarser, 0.05F) << px;
+            }
+            if (is_mass && was_mass) {
+                EXPECT_GE(now.to_coarser + 1e-6F, before.to_coarser);
+            }
+            before = now;
+        }
+    }
+}
+
+TEST(Crowd, FewOfTheFarthestStandForAllAndCoverAsMuch) {
+    std::vector<scene::Plant> plants;
+    for (int i = 0; i < 4000; ++i) {
+        scene::Plant plant;
+        plant.root_m = {static_cast<float>(i % 80) - 40, 0, -700 - static_cast<float>(i / 80)};
+        plants.push_back(plant);
+    }
+    const std::vector<Kind> kinds{tree()};
+    Gathering g = looking_from_the_camera();
+    const auto covered = [&](std::size_t budget, std::size_t& count) {
+        g.triangle_budget = budget;
+        std::vector<Instance> instances;
+        gather(plants, kinds, frustum(), g, instances);
+        count = instances.size();
+        double sum = 0;
+        for (const Instance& i : instances) sum += static_cast<double>(i.root_scale.w) * i.root_scale.w;
+        return sum;
+    };
+    std::size_t all = 0;
+    std::size_t few = 0;
+    const double whole = covered(1'000'000, all);
+    const double thinned = covered(14'000, few);
+    EXPECT_EQ(all, plants.size());
+    EXPECT_LT(few, plants.size() / 2);
+    EXPECT_GT(few, plants.size() / 5);
+    EXPECT_NEAR(thinned, whole, 0.12 * whole);
+}
+
 TEST(Grown, StartsAsASeedlingAndEndsGrownWhateverTheDelay) {
     for (float delay = 0; delay <= 1; delay += 0.1F) {
         EXPECT_NEAR(grown(0, delay), grown(0, 0), 1e-6F);

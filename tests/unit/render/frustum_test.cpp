@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <glm/geometric.hpp>
 
 #include "base/seed.hpp"
@@ -33,6 +34,25 @@ TEST(Frustum, SeesAPointExactlyWhenItLandsOnTheScreen) {
         on_screen += is_on_screen(at_m);
     }
     EXPECT_GT(on_screen, 200);
+}
+
+TEST(Frustum, NeverHidesAConeOfWhichAPointIsOnTheScreen) {
+    const Frustum frustum(kClipFromWorld);
+    base::RandomStream stream{base::Seed{5}};
+    int hidden = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const glm::vec3 apex_m = i % 2 == 0 ? glm::vec3{10, 5, 20} : anywhere(stream, 60);
+        const glm::vec3 middle = glm::normalize(anywhere(stream, 1));
+        const std::array<glm::vec3, 3> ways{middle + anywhere(stream, 0.2F), middle + anywhere(stream, 0.2F),
+                                            middle + anywhere(stream, 0.2F)};
+        const bool may = frustum.may_see_cone(apex_m, ways);
+        hidden += !may;
+        const float a = stream.unit_f();
+        const float b = (1 - a) * stream.unit_f();
+        const glm::vec3 inside = a * ways[0] + b * ways[1] + (1 - a - b) * ways[2];
+        for (const float far_m : {1.0F, 20.0F, 300.0F}) EXPECT_TRUE(may || !is_on_screen(apex_m + far_m * inside));
+    }
+    EXPECT_GT(hidden, 8'000);
 }
 
 TEST(Frustum, NeverHidesASphereOrABoxOfWhichAPointIsOnTheScreen) {

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/held_ground.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+
+namespace quadrat::render {
+namespace {
+
+// Triangles of a whole frame at alpha 1.
+constexpr float kLandBudget = 20'000;
+constexpr float kSurroundBudget = 6'000;
+
+}  // namespace
+
+void HeldGround::update(const View& view, const glm::mat4& clip_from_world, const Wish& wish) {
+    sent_bytes_ = 0;
+    if (scene_.lock() == view.scene && wish_ == wish && hold_.serves(view.camera)) return;
+    scene_ = view.scene;
+    wish_ = wish;
+    hold_.choose(view.camera);
+    chosen_.clear();
+    const passes::Frustum frustum = passes::Hold::wider(clip_from_world);
+    const GpuScene& scene = *view.scene;
+    grain_m_ = passes::kGrainSeen_m * wish.pixels_per_radian;
+    // The ground's outline against the sky is missed before leaves are, and it is cheap.
+    const float alpha = wish.alpha < 1 ? std::sqrt(wish.alpha) : wish.alpha;
+    const auto within = [&](float error_px, float budget) {
+        return passes::Blocks::Wish{view.camera.eye_m, wish.pixels_per_radian, error_px / std::sqrt(alpha),
+                                    static_cast<std::size_t>(budget * alpha / wish.views), grain_m_};
+    };
+    land_ = choose(scene.land.land, frustum, within(3.0F, kLandBudget));
+    surround_ = choose(scene.land.surround, frustum, within(2.6F, kSurroundBudget));
+    const std::size_t first = chosen_.size();
+    scene.stone.pieces.select(frustum, {view.camera.eye_m, wish.pixels_per_radian, 1.2F / std::sqrt(wish.alpha)},
+                              chosen_);
+    stone_ = {first, chosen_.size() - first, 0, 0};
+    indices_.fill<std::uint32_t>(chosen_);
+    sent_bytes_ = chosen_.size() * sizeof(std::uint32_t);
+}
+
+void HeldGround::drop() {
+    hold_.drop();
+    chosen_.clear();
+    land_ = surround_ = stone_ = {};
+    sent_bytes_ = 0;
+}
+
+void HeldGround::sort_by_level(const GpuScene& scene) {
+    const auto columns = static_cast<std::uint32_t>(2 * scene.land.land.middle_column) + 1;
+    std::map<std::uint32_t, std::vector<std::uint32_t>> by_step;
+    for (std::size_t i = land_.first; i < land_.first + land_.count; i += 3) {
+        const auto [low, high] =
+            std::minmax({chosen_[i] % columns, chosen_[i + 1] % columns, chosen_[i + 2] % columns});
+        auto& level = by_step[std::bit_ceil(high - low)];
+        level.insert(level.end(), &chosen_[i], &chosen_[i] + 3);
+    }
+    std::vector<std::uint32_t> sorted;
+    land_by_level_.clear();
+    for (const auto& [step, indices] : by_step) {
+        passes::IndexRange range = land_;
+        range.first = sorted.size();
+        range.count = indices.size();
+        range.near_count = 0;
+        range.level = static_cast<std::size_t>(std::countr_zero(step));
+        land_by_level_.push_back(range);
+        sorted.insert(sorted.end(), indices.begin(), indices.end());
+    }
+    level_indices_.fill<std::uint32_t>(sorted);
+}
+
+passes::IndexRange HeldGround::choose(const passes::GridOnGpu& grid, const passes::Frustum& frustum,
+                                      const passes::Blocks::Wish& wish) {
+    if (!grid.blocks) return {};
+    const std::size_t first = chosen_.size();
+    const passes::Blocks::Selected selected = grid.blocks->select(frustum, wish, chosen_);
+    return {first, chosen_.size() - first, selected.near_indices, passes::ease_of(wish, selected.error_px)};
+}
+
+}  // namespace quadrat::render

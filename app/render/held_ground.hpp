@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <glm/mat4x4.hpp>
+#include <memory>
+#include <vector>
+
+#include "render/gl/buffer.hpp"
+#include "render/gpu_scene.hpp"
+#include "render/passes/grid.hpp"
+#include "render/passes/hold.hpp"
+
+namespace quadrat::render {
+
+// What is drawn of land, surround and stone in one of a frame's views, kept from frame to frame while it serves.
+class HeldGround {
+  public:
+    struct Wish {
+        float alpha = 1;
+        float pixels_per_radian = 500;
+        float aspect_ratio = 1;  // of the view
+        float views = 1;         // of the frame, among which its triangles are shared out
+        friend bool operator==(const Wish&, const Wish&) = default;
+    };
+    void update(const View& view, const glm::mat4& clip_from_world, const Wish& wish);
+    void drop();  // nothing is drawn
+
+    const gl::StreamBuffer& indices() const { return indices_; }
+    const passes::IndexRange& land() const { return land_; }
+    const passes::IndexRange& surround() const { return surround_; }
+    const passes::IndexRange& stone() const { return stone_; }
+    float grain_m() const { return grain_m_; }  // how far the land's grain is seen
+    // The land's triangles a level, for wires: sorted by it, in the index stream of its own.
+    const std::vector<passes::IndexRange>& land_by_level() const { return land_by_level_; }
+    const gl::StreamBuffer& level_indices() const { return level_indices_; }
+    void sort_by_level(const GpuScene& scene);
+    std::size_t triangles() const { return chosen_.size() / 3; }
+    std::size_t sent_bytes() const { return sent_bytes_; }  // by the last update
+
+  private:
+    passes::IndexRange choose(const passes::GridOnGpu& grid, const passes::Frustum& frustum,
+                              const passes::Blocks::Wish& wish);
+
+    std::weak_ptr<const GpuScene> scene_;
+    Wish wish_;
+    passes::Hold hold_;
+    std::vector<std::uint32_t> chosen_;
+    gl::StreamBuffer indices_{GL_ELEMENT_ARRAY_BUFFER};
+    gl::StreamBuffer level_indices_{GL_ELEMENT_ARRAY_BUFFER};
+    std::vector<passes::IndexRange> land_by_level_;
+    passes::IndexRange land_, surround_, stone_;
+    float grain_m_ = 1;
+    std::size_t sent_bytes_ = 0;
+};
+
+}  // namespace quadrat::render

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "render/passes/chunks.hpp"
+
+namespace quadrat::render::passes {
+
+// A mesh all around the eye, ordered by equal sectors about the vertical: what lies beside and behind the view is left
+// out.
+class Sectors {
+  public:
+    Sectors() = default;
+    // ways: of the vertices of each sector, from the apex.
+    Sectors(std::vector<std::vector<glm::vec3>> ways, std::size_t indices_a_sector)
+        : ways_(std::move(ways)), indices_a_sector_(indices_a_sector) {}
+
+    // Neighbours in one range.
+    std::vector<Chunks::Range> seen(const Frustum& frustum, glm::vec3 apex_m) const {
+        std::vector<Chunks::Range> ranges;
+        for (std::size_t sector = 0; sector < ways_.size(); ++sector) {
+            if (!frustum.may_see_cone(apex_m, ways_[sector])) continue;
+            const std::size_t first = sector * indices_a_sector_;
+            if (!ranges.empty() && ranges.back().first + ranges.back().count == first)
+                ranges.back().count += indices_a_sector_;
+            else
+                ranges.push_back({first, indices_a_sector_});
+        }
+        return ranges;
+    }
+
+  private:
+    std::vector<std::vector<glm::vec3>> ways_;
+    std::size_t indices_a_sector_ = 0;
+};
+
+}  // namespace quadrat::render::passes
