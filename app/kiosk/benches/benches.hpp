@@ -18,10 +18,14 @@ struct Options {
     std::string size = "1280x720";
     int frames = 120;
     float alpha = 1;
-    double minutes = 2;    // of visits
-    double hz = 30;        // of the screen they are played on
-    bool is_busy = false;  // another process takes a core for the middle third of them
-    std::string plot;      // FILE.svg of them; may be empty
+    double minutes = 2;         // of visits
+    double hz = 30;             // of the screen they are played on
+    double then_hz = 0;         // and in the last third of them; 0: the same
+    bool is_busy = false;       // another process takes a core, and time from uploads, for their middle third
+    std::string plot;           // FILE.svg of them; may be empty
+    std::string profile;        // detail: "pi4", "pi5": what a frame would take there; or empty
+    std::size_t triangles = 0;  // of a frame at most; 0: whatever alpha makes of it
+    std::size_t pixels = 0;
 };
 
 // One function a group of `quadrat bench`; each appends its figures. A file a group.
@@ -31,7 +35,8 @@ void trees(Results& results);
 void land(Results& results);
 void sky(Results& results);
 void breeding(Results& results);
-void detail(Results& results);
+void detail(Results& results, const Options& options);
+void fidelity(Results& results, const Options& options);
 void visit(Results& results, const Options& options);
 void start(Results& results, const Options& options);
 

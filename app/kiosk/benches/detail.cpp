@@ -5,12 +5,15 @@
 #include <glm/trigonometric.hpp>
 
 #include "kiosk/benches/benches.hpp"
+#include "kiosk/benches/four_views.hpp"
+#include "kiosk/benches/shaded.hpp"
 #include "mesh/displaced_sphere.hpp"
 #include "mesh/nearness.hpp"
 #include "mesh/progressive.hpp"
 #include "mesh/roam.hpp"
 #include "render/passes/blocks.hpp"
 #include "render/passes/ground.hpp"
+#include "render/passes/hold.hpp"
 #include "scene/parameters.hpp"
 #include "synthesis/compose/track.hpp"
 #include "synthesis/grow.hpp"
@@ -45,7 +48,8 @@ void chains(Results& results) {
 // The views of a flight over one land, sixty a second, of a quarter of a full HD screen.
 struct Flight {
     std::vector<render::passes::Frustum> frusta;
-    std::vector<glm::vec3> eyes_m;
+    std::vector<render::passes::Frustum> wider;
+    std::vector<scene::Camera> cameras;
     float pixels_per_radian = 0;
 };
 
@@ -55,8 +59,10 @@ Flight flight_over(const scene::Land& land, base::Seed seed) {
     Flight flight;
     for (int i = 0; i < kFrames; ++i) {
         const scene::Camera camera = scene::camera_at(track, static_cast<float>(i) / 60);
-        flight.frusta.emplace_back(scene::clip_from_view(camera, 16.0F / 9) * scene::view_from_world(camera));
-        flight.eyes_m.push_back(camera.eye_m);
+        const glm::mat4 clip_from_world = scene::clip_from_view(camera, 16.0F / 9) * scene::view_from_world(camera);
+        flight.frusta.emplace_back(clip_from_world);
+        flight.wider.push_back(render::passes::Hold::wider(clip_from_world));
+        flight.cameras.push_back(camera);
         flight.pixels_per_radian = 270 / std::tan(glm::radians(camera.vertical_fov_deg) / 2);
     }
     return flight;
@@ -73,7 +79,6 @@ void ground(Results& results) {
         std::size_t triangles = 0;
         const double ms = cpu_ms_of([&] {
             for (std::size_t i = 0; i < flight.frusta.size(); ++i) {
-                indices.clear();
                 triangles += choose(i);
             }
         });
@@ -82,13 +87,20 @@ void ground(Results& results) {
     constexpr float kError_px = 1.3F;
     const render::passes::Blocks blocks(land.height_m, land.cell_m, render::passes::kLandBlock);
     mesh::Roam roam(land.height_m, land.cell_m);
+    render::passes::Hold hold;  // as the renderer does
     const auto by_blocks = [&](std::size_t i) {
-        return blocks.select(flight.frusta[i],
-                             {flight.eyes_m[i], flight.pixels_per_radian, kError_px, std::size_t{1} << 40}, indices)
+        if (i == 0) hold.drop();
+        if (hold.serves(flight.cameras[i])) return indices.size() / 3;
+        hold.choose(flight.cameras[i]);
+        indices.clear();
+        return blocks
+            .select(flight.wider[i],
+                    {flight.cameras[i].eye_m, flight.pixels_per_radian, kError_px, std::size_t{1} << 40}, indices)
             .triangles;
     };
     const auto by_roam = [&](std::size_t i) {
-        roam.update({flight.eyes_m[i], flight.pixels_per_radian, kError_px});
+        indices.clear();
+        roam.update({flight.cameras[i].eye_m, flight.pixels_per_radian, kError_px});
         return roam.append_indices(flight.frusta[i].planes(), indices);
     };
     // By turns, so that what else the machine does meets both. The first flight of each also makes what is kept:
@@ -106,9 +118,22 @@ void ground(Results& results) {
     results.push_back({"detail.roam_ratio", roam_us / blocks_us, "times blocks", 1});
 }
 
+// What a Raspberry Pi would draw: full HD, as many triangles as its estimate has room for at 60 Hz, unless something
+// else is asked for.
+void as_on(Results& results, Options options) {
+    if (options.size == Options{}.size) options.size = "1920x1080";
+    if (options.triangles == 0) options.triangles = options.profile == "pi4" ? 210'000 : 400'000;
+    FourViews views(options);
+    estimate(results, options.profile, views.easel, views.picture);
+}
+
 }  // namespace
 
-void detail(Results& results) {
+void detail(Results& results, const Options& options) {
+    if (!options.profile.empty()) {
+        as_on(results, options);
+        return;
+    }
     chains(results);
     ground(results);
 }

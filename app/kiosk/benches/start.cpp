@@ -52,7 +52,7 @@ class Exhibit {
         constexpr int kLongest = 4096;
         char line[kLongest];
         while (std::fgets(line, kLongest, log_.get()) != nullptr)
-            if (const std::string said(line); said.find(text) != std::string::npos) return said;
+            if (std::string_view(line).find(text) != std::string_view::npos) return line;
         throw std::runtime_error(fmt::format("the exhibit ended before it said \"{}\"", text));
     }
 

@@ -19,17 +19,20 @@ namespace {
 
 using std::chrono::seconds;
 
+constexpr Instant kSlowUpload = std::chrono::milliseconds{3};
+
 // Another screen, and what was seen on it.
 class WatchedScreen final : public display::Display {
   public:
     WatchedScreen(display::Display& screen, Clock& clock, Show& show, DetailGovernor& governor, Instant until,
-                  std::atomic<bool>& stop)
+                  bool is_busy, std::atomic<bool>& stop)
         : Display("to be watched"),
           screen_(screen),
           clock_(clock),
           show_(show),
           governor_(governor),
           until_(until),
+          is_busy_(is_busy),
           stop_(stop) {}
 
     std::string_view kind() const override { return screen_.kind(); }
@@ -38,13 +41,18 @@ class WatchedScreen final : public display::Display {
     display::Canvas begin_frame() override { return screen_.begin_frame(); }
     display::Presented present() override {
         display::Presented presented = screen_.present();
-        const Instant now = clock_.now();
+        Instant now = clock_.now();
+        // Another process takes the bus from what is uploaded.
+        if (is_busy_ && show_.is_growing() && now > until_ / 3 && now < 2 * until_ / 3) {
+            while (clock_.now() - now < kSlowUpload) continue;
+            now = clock_.now();
+        }
         const int act = show_.on_stage().number;
         const bool is_first = frames_.empty();
         FrameSeen frame{now,
                         is_first ? Instant{0} : presented.shown_at - shown_at_,
                         presented.period * governor_.periods(),
-                        governor_.alpha(),
+                        governor_.level(),
                         show_.is_growing(),
                         act};
         if (!is_first && act != frames_.back().act && show_.state().screen == exhibit::Screen::Ask &&
@@ -64,6 +72,7 @@ class WatchedScreen final : public display::Display {
     Show& show_;
     DetailGovernor& governor_;
     Instant until_;
+    bool is_busy_;
     std::atomic<bool>& stop_;
     Instant shown_at_{0};
     std::vector<FrameSeen> frames_;
@@ -115,9 +124,10 @@ void visit(Results& results, const Options& options) {
     display::DisplayOptions wanted;
     wanted.kind = display::Kind::Headless;
     wanted.size = display::size_from(options.size, "--size");
-    wanted.paced_hz = options.hz;
-    const auto screen = display::open_display(wanted);
     const Instant span{static_cast<Instant::rep>(options.minutes * 60e9)};
+    wanted.paces = {{options.hz}};
+    if (options.then_hz > 0) wanted.paces.push_back({options.then_hz, 2 * span / 3});
+    const auto screen = display::open_display(wanted);
     const auto buttons = visitor_for(span);
     Panel panel(*buttons);
     SteadyClock clock;
@@ -128,7 +138,7 @@ void visit(Results& results, const Options& options) {
               exhibit::Archive::open(scratch.path, wall_time()).archive);
     DetailGovernor governor(options_for(options.alpha, "", screen->description()));
     std::atomic<bool> stop{false};
-    WatchedScreen watched(*screen, clock, show, governor, span, stop);
+    WatchedScreen watched(*screen, clock, show, governor, span, options.is_busy, stop);
     RunLoopParts parts{configuration, clock, watched, panel, *buttons, show};
     parts.governor = &governor;
     parts.stop = &stop;
@@ -157,7 +167,7 @@ void visit(Results& results, const Options& options) {
     results.push_back({"visit.press_to_scenes_p50_ms", percentile(to_scenes, 0.5), "ms", cores()});
     results.push_back({"visit.press_to_scenes_p95_ms", percentile(to_scenes, 0.95), "ms", cores()});
     results.push_back({"visit.generations", static_cast<double>(to_scenes.size()), "", cores()});
-    results.push_back({"visit.alpha", governor.settled(), "", cores()});
+    results.push_back({"visit.level", governor.settled(), "", cores()});
     results.push_back({"visit.deadline_ms", milliseconds(watched.frames().back().deadline), "ms", cores()});
     if (!options.plot.empty()) base::write_file(options.plot, plot_of(watched.frames()));
 }

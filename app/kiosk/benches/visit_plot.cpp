@@ -23,9 +23,9 @@ struct Scale {
     double most_ms;
     double x(double at_s) const { return kLeft + (kWidth - kLeft - kRight) * at_s / last_s; }
     double y(double ms) const { return kHeight - kBottom - (kHeight - kTop - kBottom) * std::min(ms / most_ms, 1.0); }
-    double y_of_alpha(double alpha) const {
+    double y_of_level(double level) const {
         constexpr double kLeast = -5;  // powers of two
-        return y(most_ms * std::clamp(1 - std::log2(alpha) / kLeast, 0.0, 1.0));
+        return y(most_ms * std::clamp(1 - std::log2(level) / kLeast, 0.0, 1.0));
     }
 };
 
@@ -73,7 +73,7 @@ std::string plot_of(const std::vector<FrameSeen>& frames) {
                "\n";
     for (int step = 0; step <= 5; ++step)
         svg += fmt::format(R"(<text x="{}" y="{:.1f}" fill="#c05010">{:.3g}</text>)", kWidth - kRight + 6,
-                           scale.y_of_alpha(std::exp2(-step)) + 4, std::exp2(-step)) +
+                           scale.y_of_level(std::exp2(-step)) + 4, std::exp2(-step)) +
                "\n";
     const double every_s = scale.last_s > 300 ? 60 : scale.last_s > 60 ? 10 : 5;
     for (double at_s = 0; at_s <= scale.last_s; at_s += every_s)
@@ -87,9 +87,9 @@ std::string plot_of(const std::vector<FrameSeen>& frames) {
                    "\n";
     svg += line(frames, scale, "#3060a0", [&](const FrameSeen& f) { return scale.y(1e3 * seconds(f.took)); });
     svg += line(frames, scale, "#909090", [&](const FrameSeen& f) { return scale.y(1e3 * seconds(f.deadline)); });
-    svg += line(frames, scale, "#c05010", [&](const FrameSeen& f) { return scale.y_of_alpha(f.alpha); });
+    svg += line(frames, scale, "#c05010", [&](const FrameSeen& f) { return scale.y_of_level(f.level); });
     svg += fmt::format(
-        R"(<text x="{}" y="18">frame times (blue), their deadline (grey), detail alpha (orange, right), growing (shaded), arrivals (green)</text>)",
+        R"(<text x="{}" y="18">frame times (blue), their deadline (grey), level of detail (orange, right), growing (shaded), arrivals (green)</text>)",
         kLeft);
     return svg + "\n</svg>\n";
 }

@@ -11,7 +11,7 @@ struct FrameSeen {
     Instant at{0};
     Instant took{0};      // since the frame before it reached the screen
     Instant deadline{0};  // what it was meant to take
-    float alpha = 1;
+    float level = 1;
     bool is_growing = false;
     int act = 0;             // on stage
     Instant since_press{0};  // of the first frame that shows a new generation; else 0

@@ -13,7 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t kTooManyLate = 3;  // of a window's frames
-constexpr float kOneMore = 1.12F;        // of alpha: too little to be seen
+constexpr float kOneMore = 1.12F;        // of the level: too little to be seen
 constexpr auto kSettling = 400ms;        // until a change can be judged
 constexpr auto kBlame = 5s;              // lateness so soon after a raise is the raise's
 constexpr auto kLongestPatience = std::chrono::nanoseconds{10min};

@@ -6,11 +6,11 @@
 #include <string>
 
 // Detail that holds the frame: watches whether frames reach the screen in time, never how long a GPU says it took (a
-// Raspberry Pi's clock follows its load), and turns one knob, alpha.
+// Raspberry Pi's clock follows its load), and turns one knob, the level: alpha, and below 0.3 the size of the views too.
 namespace quadrat::kiosk {
 
 struct GovernorOptions {
-    float most = 1;  // alpha; what the site asks for
+    float most = 1;  // level; what the site asks for
     float start = 1;
     int periods = 1;  // of the screen's a frame, at the start
     static constexpr float kLeast = 0.04F;
@@ -38,7 +38,7 @@ class DetailGovernor {
     void follow(float most);  // the site changed its mind
 
     // For the next frame. Moves without steps that could be seen; gives way at once while something grows.
-    float alpha() const { return shown_ * (is_growing_ ? growing_share_ : recovered_); }
+    float level() const { return shown_ * (is_growing_ ? growing_share_ : recovered_); }
     // How many of the screen's periods a frame is meant to take: 1, or 2 on a machine that cannot do better.
     int periods() const { return periods_; }
     // To start with another time.

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/benches/four_views.hpp"
+
+#include "kiosk/detail/budget.hpp"
+
+namespace quadrat::kiosk::benches {
+
+FourViews::FourViews(const Options& options, std::uint64_t seed)
+    : easel(display::size_from(options.size, "--size").width, display::size_from(options.size, "--size").height) {
+    const display::Size size = display::size_from(options.size, "--size");
+    picture.size = {size.width, size.height};
+    picture.detail.alpha = options.alpha;
+    grow(seed);
+    keep_within(options);
+}
+
+void FourViews::grow(std::uint64_t seed) {
+    Grower grower;
+    grower.order(random_candidates(seed), base::Seed{seed});
+    grower.wait();
+    scenes = *grower.take();
+    picture.views.clear();
+    const auto places = quarters(picture.size.x, picture.size.y);
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        render::View view;
+        view.scene = upload_now(easel.renderer(), scenes[i]);
+        view.viewport = places[i];
+        picture.views.push_back(view);
+    }
+    look(0);
+}
+
+void FourViews::look(float seconds) {
+    picture.seconds = seconds;
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        picture.views[i].camera = scene::camera_at(scenes[i]->track, seconds);
+}
+
+render::Drawn FourViews::draw() {
+    const display::Canvas canvas = easel.display().begin_frame();
+    picture.framebuffer = canvas.framebuffer;
+    const render::Drawn drawn = easel.renderer().draw(picture);
+    easel.renderer().finish();
+    easel.display().present();
+    return drawn;
+}
+
+void FourViews::keep_within(const Options& options) {
+    picture.detail = detail_within({options.triangles, options.pixels}, picture.size, picture.detail,
+                                   [this](const render::Detail& detail) {
+                                       picture.detail = detail;
+                                       return draw().triangles;
+                                   });
+}
+
+}  // namespace quadrat::kiosk::benches

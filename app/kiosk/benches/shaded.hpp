@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <string>
+
+#include "kiosk/benches/benches.hpp"
+#include "kiosk/detail/budget.hpp"
+#include "kiosk/easel.hpp"
+
+namespace quadrat::kiosk::benches {
+
+// Pixels that are shaded for each render::Kind, those that are drawn over later too.
+using ShadedPixels = std::array<double, render::kKinds>;
+ShadedPixels shaded_pixels(Easel& easel, const render::Frame& picture);
+
+// Instructions of the dearest shaders of a kind on a Raspberry Pi, as Mesa 25.0.7 compiles them: for a pixel, and for a
+// vertex in rendering and in binning, which both are done.
+struct ShaderCosts {
+    const char* fragment_shader;
+    int fragment;
+    int vertex;
+    int binning;
+};
+using ChipCosts = std::array<ShaderCosts, render::kKinds>;
+extern const ChipCosts kPi4Costs;
+extern const ChipCosts kPi5Costs;
+
+// What a picture of four views would take on a Raspberry Pi, with everything that is assumed as rows of its own.
+void estimate(Results& results, const std::string& profile, Easel& easel, const render::Frame& picture);
+
+}  // namespace quadrat::kiosk::benches
