@@ -64,6 +64,7 @@ mesh::Image draw_picture(render::Renderer& renderer, SignWriter& writer, const P
     frame.framebuffer = canvas.framebuffer;
     frame.seconds = picture.seconds;
     frame.detail.alpha = picture.alpha;
+    frame.is_wired = picture.has_wires;
     const auto places = quarters(frame.size.x, frame.size.y);
     const bool is_four = cast.scenes.size() > 1;
     for (std::size_t i = 0; i < std::min(cast.scenes.size(), places.size()); ++i) {

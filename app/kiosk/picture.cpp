@@ -72,6 +72,10 @@ Picture picture_in(const ordered_json& object, const std::string& source) {
     picture.land_samples = static_cast<int>(number_in(object, "land_samples", 65, 1025, 513, source));
     if (!std::has_single_bit(static_cast<unsigned>(picture.land_samples - 1)))
         refuse(source, fmt::format("land_samples is {}; it must be 65, 129, 257, 513 or 1025", picture.land_samples));
+    if (const auto wires = object.find("wires"); wires != object.end()) {
+        if (!wires->is_boolean()) refuse(source, "wires is neither true nor false");
+        picture.has_wires = wires->get<bool>();
+    }
     picture.camera = camera_in(object, source);
     return picture;
 }
@@ -105,6 +109,7 @@ std::string to_json(const Picture& picture) {
         json["camera"] = {{"eye", vector_json(picture.camera->eye_m)},
                           {"target", vector_json(picture.camera->target_m)},
                           {"fov_deg", picture.camera->vertical_fov_deg}};
+    if (picture.has_wires) json["wires"] = true;
     json["scenes"] = ordered_json::array();
     for (const genome::Recipe& recipe : picture.scenes)
         json["scenes"].push_back(ordered_json::parse(genome::to_json(recipe)));

@@ -22,6 +22,7 @@ struct Picture {
     float alpha = 1;                      // detail
     int land_samples = 513;               // how finely its scenes are grown, see fineness_of
     std::optional<scene::Camera> camera;  // instead of the flight's
+    bool has_wires = false;               // the edges of its triangles, coloured by level
     friend bool operator==(const Picture& a, const Picture& b);
 };
 

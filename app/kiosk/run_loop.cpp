@@ -101,7 +101,7 @@ class Loop {
         for (const display::KeyMotion& key : parts_.display.take_keys()) {
             if (key.key == display::Key::Escape || key.key == display::Key::Q) wants_to_quit_ = true;
             if (key.key == display::Key::F1 && key.move == display::KeyMove::Down && parts_.caretaker != nullptr)
-                parts_.caretaker->toggle_figures();
+                parts_.caretaker->step_figures();
             const Motion motion = key.move == display::KeyMove::Down ? Motion::Down : Motion::Up;
             if (key_of(key.key) != 0) parts_.buttons.key(key_of(key.key), motion, now);
         }
@@ -135,10 +135,10 @@ class Loop {
 
     float alpha() const {
         const auto configured = static_cast<float>(parts_.configuration.picture.alpha);
-        return parts_.governor != nullptr ? parts_.governor->alpha() : configured;
+        return parts_.governor != nullptr ? parts_.governor->level() : configured;
     }
 
-    float scale() const { return parts_.governor != nullptr ? scale_for(parts_.governor->alpha()) : 1; }
+    float scale() const { return parts_.governor != nullptr ? scale_for(parts_.governor->level()) : 1; }
 
     Instant period_of(const display::Presented& presented) const {
         return presented.period.count() > 0 ? presented.period : kFrame;
@@ -162,7 +162,7 @@ class Loop {
         DetailGovernor& governor = *parts_.governor;
         governor.follow(static_cast<float>(parts_.configuration.picture.alpha));
         governor.frame({now, took, period_, had_room, parts_.show.is_growing()});
-        theatre_.set_level(governor.alpha());
+        theatre_.set_level(governor.level());
         if (const auto why = governor.take_reason()) {
             base::log::info("{}", *why);
             // The plug may be pulled at any moment; once a minute is often enough for the disk.
@@ -221,7 +221,8 @@ class Loop {
 
     void report(const display::Presented& presented, Instant now) {
         using display::Outcome;
-        if (parts_.caretaker != nullptr) parts_.caretaker->framed(presented, now, {alpha(), scale(), drawn_.triangles});
+        if (parts_.caretaker != nullptr)
+            parts_.caretaker->framed(presented, now, {alpha(), scale(), drawn_.triangles, drawn_.draws});
         if (presented.outcome != last_outcome_) {
             last_outcome_ = presented.outcome;
             if (presented.outcome == Outcome::Shown)

@@ -28,8 +28,8 @@ struct RunLoopParts {
     staff::Keepsakes* keepsakes = nullptr;  // borrowed
     staff::Mode mode = staff::Mode::Usual;
     DetailGovernor* governor = nullptr;  // borrowed; nothing: the configured detail, however long a frame takes
-    Album* album = nullptr;         // borrowed; nothing: no pictures are kept
-    bool ends_after_visit = false;  // the program ends with the first visit that ends
+    Album* album = nullptr;              // borrowed; nothing: no pictures are kept
+    bool ends_after_visit = false;       // the program ends with the first visit that ends
     const std::atomic<bool>* stop = nullptr;
 };
 

@@ -106,6 +106,7 @@ render::Frame Stage::frame(const StageView& view, const display::Canvas& canvas)
     if (view.asked != nullptr) add_labels(frame, view);
     if (view.asked != nullptr && view.asked->slider) add_slider(frame, *view.asked->slider);
     if (is_strip) add_strip(frame, *view.board);
+    frame.is_wired = is_strip && view.board->has_wires;
     return frame;
 }
 

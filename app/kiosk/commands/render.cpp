@@ -18,6 +18,7 @@ struct Options {
     std::string camera;
     std::optional<float> seconds;
     std::optional<float> detail;
+    bool has_wires = false;
     std::optional<float> growth;
 };
 
@@ -45,6 +46,7 @@ int draw(const Options& options) {
     if (!options.camera.empty()) picture.camera = camera_from(options.camera);
     if (options.seconds) picture.seconds = *options.seconds;
     if (options.detail) picture.alpha = *options.detail;
+    if (options.has_wires) picture.has_wires = true;
     if (options.growth) picture.growth = *options.growth;
     Easel easel(picture.width, picture.height);
     write_picture(options.output, easel.draw(picture), to_json(picture));
@@ -64,6 +66,8 @@ void add_render(CLI::App& app, Action& chosen) {
                         "EX,EY,EZ:TX,TY,TZ[:FOV] instead of the flight's, metres, degrees");
     command->add_option("--detail", options->detail, "alpha: 1 is standard, 0.25 coarse, 4 fine")
         ->check(CLI::Range(0.01F, 100.0F));
+    command->add_flag("--wires", options->has_wires,
+                      "With the edges of all triangles, warm where fine, cold where coarse");
     command->add_option("--growth", options->growth, "0 seedlings to 1 grown")->check(CLI::Range(0.0F, 1.0F));
     command->callback([options, &chosen] { chosen = [options] { return draw(*options); }; });
 }

@@ -63,7 +63,8 @@ void Caretaker::look(Panel& panel, Show& show, Instant now) {
     watch_faults(now);
     const bool has_news = has_looked_ && shown_since_ && now >= *shown_since_ + kFirstReport;
     const bool is_reporting = has_news && is_due(reported_at_, kReportEvery, now);
-    const bool is_drawing = (service_.is_open(now) || shows_figures_) && is_due(drawn_at_, kServiceEvery, now);
+    const bool is_drawing =
+        (service_.is_open(now) || figures_ != Figures::None) && is_due(drawn_at_, kServiceEvery, now);
     if (is_reporting || is_drawing) vitals_ = vitals(panel, show, now);
     if (is_reporting) report(now);
     if (!remembered_at_) remembered_at_ = now;  // what was read at the start is on the disk already
@@ -72,8 +73,8 @@ void Caretaker::look(Panel& panel, Show& show, Instant now) {
         board_ = service_.board(vitals_, now);
     else if (curtain_ == Curtain::Card)
         board_ = Board{text(parts_.configuration, "closed"), {}, Board::Cover::Tint};
-    else if (shows_figures_)
-        board_ = figures_board(vitals_);
+    else if (figures_ != Figures::None)
+        board_ = figures_board(vitals_, figures_ == Figures::WithWires);
     else
         board_.reset();
     climb(show, now);
@@ -198,9 +199,10 @@ Vitals Caretaker::vitals(const Panel& panel, const Show& show, Instant now) cons
     vitals.display = parts_.display;
     vitals.screen_trouble = screen_trouble_;
     vitals.frames = frames_;
-    vitals.alpha = drawn_.level;
+    vitals.level = drawn_.level;
     vitals.scale = drawn_.scale;
     vitals.triangles = drawn_.triangles;
+    vitals.draws = drawn_.draws;
     vitals.buttons = panel.status();
     vitals.presses = panel.presses();
     vitals.findings = panel.health().findings();

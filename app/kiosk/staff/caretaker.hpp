@@ -40,10 +40,11 @@ class Caretaker {
         float level;  // the governor's
         float scale;
         std::size_t triangles;
+        std::size_t draws;
     };
     void framed(const display::Presented& presented, Instant now, const DrawnWith& drawn);
-    // Shows how it draws, or no longer.
-    void toggle_figures() { shows_figures_ = !shows_figures_; }
+    // Shows how it draws; then its triangles too; then no longer.
+    void step_figures() { figures_ = static_cast<Figures>((static_cast<int>(figures_) + 1) % 3); }
 
     Curtain curtain() const { return curtain_; }
     const Board* board() const { return board_ ? &*board_ : nullptr; }  // what lies over the picture, or null
@@ -82,8 +83,8 @@ class Caretaker {
     int fault_pictures_ = 0;
     std::optional<Instant> looked_at_, shown_since_, reported_at_, remembered_at_, drawn_at_;
     bool has_looked_ = false;
-    DrawnWith drawn_{1, 1, 0};  // the last frame
-    bool shows_figures_ = false;
+    DrawnWith drawn_{1, 1, 0, 0};  // the last frame
+    enum class Figures { None, Shown, WithWires } figures_ = Figures::None;
     bool is_good_ = false;
     bool wants_restart_ = false;
     std::mutex mutex_;

@@ -52,9 +52,10 @@ std::string live_line(const Vitals& vitals) {
 }
 
 std::string frames_line(const Vitals& vitals) {
-    return fmt::format("{:.0f} frames/s · {} late of {} · detail {:.2f} · {} thousand triangles · views at {:.0f} %",
-                       vitals.frames.per_second, vitals.frames.late, vitals.frames.frames, vitals.alpha,
-                       (vitals.triangles + 500) / 1000, 100 * vitals.scale);
+    return fmt::format(
+        "{:.0f} frames/s · {} late of {} · detail {:.2f} · {} thousand triangles in {} draws · views at {:.0f} %",
+        vitals.frames.per_second, vitals.frames.late, vitals.frames.frames, vitals.level,
+        (vitals.triangles + 500) / 1000, vitals.draws, 100 * vitals.scale);
 }
 
 }  // namespace
@@ -114,7 +115,9 @@ firmware_io::Lamps ServiceScreen::lamps(Instant now) const {
     return lamps;
 }
 
-Board figures_board(const Vitals& vitals) { return {"", {frames_line(vitals), vitals.display}, Board::Cover::Strip}; }
+Board figures_board(const Vitals& vitals, bool has_wires) {
+    return {"", {frames_line(vitals), vitals.display}, Board::Cover::Strip, has_wires};
+}
 
 Board ServiceScreen::board(const Vitals& vitals, Instant now) const {
     Board board;

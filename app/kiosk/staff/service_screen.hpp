@@ -16,10 +16,11 @@ struct Board {
     std::vector<std::string> lines;
     // All: nothing else is seen. Tint: the picture is seen behind it. Strip: lines only, in a corner of the picture.
     enum class Cover { All, Tint, Strip } cover = Cover::All;
+    bool has_wires = false;  // the picture shows the edges of its triangles
 };
 
 // How it draws just now, for whoever develops: frames, detail, triangles, GPU.
-Board figures_board(const Vitals& vitals);
+Board figures_board(const Vitals& vitals, bool has_wires);
 
 enum class StaffWish { Picture, Restart, ShutDown };
 

@@ -72,7 +72,7 @@ std::string to_json(const Vitals& vitals) {
                       {"late", vitals.frames.late},
                       {"longest_ms", vitals.frames.longest_ms},
                       {"per_second", vitals.frames.per_second}};
-    json["alpha"] = vitals.alpha;
+    json["alpha"] = vitals.level;
     json["buttons"] = {{"present", vitals.buttons.presence == Presence::Present},
                        {"reason", vitals.buttons.reason},
                        {"presses", vitals.presses}};

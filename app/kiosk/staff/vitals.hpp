@@ -40,9 +40,10 @@ struct Vitals {
     std::string display;         // GPU, driver and mode
     std::string screen_trouble;  // "" while it shows
     FrameCount frames;
-    double alpha = 1;  // detail
+    double level = 1;  // of detail, the governor's
     double scale = 1;  // of a side of the views, as they are drawn
     std::size_t triangles = 0;
+    std::size_t draws = 0;
     firmware_io::SourceStatus buttons;
     std::uint64_t presses = 0;
     std::vector<firmware_io::Finding> findings;

@@ -50,7 +50,7 @@ Watched watch(DetailGovernor& governor, Machine& machine, Instant from, Instant 
     int direction = 0;
     int run = 0;
     for (Instant now = from; now < to;) {
-        const Instant work = machine.work(governor.alpha(), slower(now));
+        const Instant work = machine.work(governor.level(), slower(now));
         const auto periods =
             std::max<std::int64_t>(governor.periods(), (work.count() + kPeriod.count() - 1) / kPeriod.count());
         const Instant took = kPeriod * periods;
@@ -61,8 +61,8 @@ Watched watch(DetailGovernor& governor, Machine& machine, Instant from, Instant 
         seen.late += is_late;
         now += took;
         governor.frame({now, took, kPeriod, work < kPeriod * governor.periods() * 7 / 10, is_growing(now)});
-        seen.least = std::min(seen.least, governor.alpha());
-        seen.most = std::max(seen.most, governor.alpha());
+        seen.least = std::min(seen.least, governor.level());
+        seen.most = std::max(seen.most, governor.level());
         if (governor.settled() == settled) continue;
         const int way = governor.settled() > settled ? 1 : -1;
         seen.turns += direction != 0 && way != direction;
@@ -80,7 +80,7 @@ TEST(Governor, LeavesAFastMachineAlone) {
     Machine machine{3, 5};
     const Watched seen = watch(governor, machine, 0s, 120s, kSteady, kNothingGrows);
     EXPECT_EQ(seen.late, 0);
-    EXPECT_EQ(governor.alpha(), 1.0F);
+    EXPECT_EQ(governor.level(), 1.0F);
     EXPECT_FALSE(governor.take_reason().has_value());
 }
 
@@ -101,15 +101,15 @@ TEST(Governor, GivesWayWithinATenthOfASecondWhenTheMachineSlowsDown) {
     DetailGovernor governor({});
     Machine machine{4, 8};
     watch(governor, machine, 0s, 30s, kSteady, kNothingGrows);
-    EXPECT_EQ(governor.alpha(), 1.0F);
+    EXPECT_EQ(governor.level(), 1.0F);
     const auto throttled = [](Instant) { return 1.8F; };
     const Watched seen = watch(governor, machine, 30s, 60s, throttled, kNothingGrows);
     EXPECT_LT(seen.late, 40);
     EXPECT_LT(seen.longest_run_late, 25);
-    EXPECT_LT(governor.alpha(), 0.65F);
+    EXPECT_LT(governor.level(), 0.65F);
     // Cooled down again, it comes back.
     const Watched after = watch(governor, machine, 60s, 10min, kSteady, kNothingGrows);
-    EXPECT_GT(governor.alpha(), 0.9F);
+    EXPECT_GT(governor.level(), 0.9F);
     EXPECT_LE(after.late, 3);
 }
 
@@ -138,15 +138,15 @@ TEST(Governor, ShowsAFrameInTwoPeriodsWhereOneIsHopeless) {
 TEST(Governor, NeverStepsSoThatItShows) {
     DetailGovernor governor({});
     Machine machine{5, 30};
-    float before = governor.alpha();
+    float before = governor.level();
     for (Instant now{0}; now < 60s;) {
-        const Instant work = machine.work(governor.alpha(), 1);
+        const Instant work = machine.work(governor.level(), 1);
         const Instant took = work > kPeriod ? 2 * kPeriod : kPeriod;
         now += took;
         governor.frame({now, took, kPeriod, work < kPeriod * 7 / 10, false});
-        EXPECT_LT(governor.alpha(), before * 1.02F);
-        EXPECT_GT(governor.alpha(), before * 0.82F);
-        before = governor.alpha();
+        EXPECT_LT(governor.level(), before * 1.02F);
+        EXPECT_GT(governor.level(), before * 0.82F);
+        before = governor.level();
     }
 }
 

@@ -82,10 +82,13 @@ TEST(ServiceScreen, ItsFiguresLieInACornerOfThePicture) {
     Vitals vitals = ailing();
     vitals.triangles = 123'456;
     vitals.scale = 0.75;
-    const Board board = figures_board(vitals);
+    vitals.draws = 210;
+    const Board board = figures_board(vitals, false);
     EXPECT_EQ(board.cover, Board::Cover::Strip);
+    EXPECT_FALSE(board.has_wires);
+    EXPECT_TRUE(figures_board(vitals, true).has_wires);
     ASSERT_FALSE(board.lines.empty());
-    EXPECT_THAT(board.lines.front(), HasSubstr("123 thousand triangles · views at 75 %"));
+    EXPECT_THAT(board.lines.front(), HasSubstr("123 thousand triangles in 210 draws · views at 75 %"));
 }
 
 TEST(ServiceScreen, RestartsAndShutsDownOnlyWhenAskedTwice) {
