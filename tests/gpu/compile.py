@@ -83,7 +83,8 @@ def draw_with(folder, pair):
         gl.glVertexAttribPointer(attribute, 4, 0x1406, 0, 0, None)
     gl.glBindBuffer(UNIFORM_BUFFER, uniforms := name_from(gl.glGenBuffers))
     gl.glBufferData(UNIFORM_BUFFER, ctypes.c_ssize_t(65536), None, 0x88E4)
-    gl.glBindBufferBase(UNIFORM_BUFFER, 0, uniforms)
+    for binding in range(4):
+        gl.glBindBufferBase(UNIFORM_BUFFER, binding, uniforms)
     for unit in range(4):
         gl.glActiveTexture(0x84C0 + unit)
         texture(16)
