@@ -189,6 +189,16 @@ scene::CrownMass coloured(const mesh::Mesh& mesh, const Density& density, float 
     return mass;
 }
 
+// Times six.
+float volume_of(const mesh::Mesh& mesh) {
+    float sum = 0;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+        sum += glm::dot(mesh.positions_m[mesh.indices[i]] - mesh.positions_m.front(),
+                        glm::cross(mesh.positions_m[mesh.indices[i + 1]] - mesh.positions_m.front(),
+                                   mesh.positions_m[mesh.indices[i + 2]] - mesh.positions_m.front()));
+    return sum;
+}
+
 }  // namespace
 
 std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves) {
@@ -206,9 +216,16 @@ std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves) {
     std::vector<scene::CrownMass> masses;
     const float share = density.area_m2(true) / std::max(density.area_m2(false), 1e-9F);
     const mesh::Progressive chain = mesh::make_progressive(whole, options);
-    for (const mesh::Progressive::Level& level : chain.levels)
-        if (level.mesh.positions_m.size() <= kFinest) masses.push_back(coloured(level.mesh, density, share));
-    if (masses.empty()) masses.push_back(coloured(chain.levels.back().mesh, density, share));
+    // Small clumps may be flat before the last level: such a one is no crown any more.
+    constexpr float kLeastVolume = 0.5F;
+    const float whole_volume = volume_of(chain.levels.front().mesh);
+    for (std::size_t i = 0; i < chain.levels.size(); ++i) {
+        const mesh::Mesh& level = chain.levels[i].mesh;
+        const bool is_last = i + 1 == chain.levels.size();
+        if (level.positions_m.size() > kFinest && !(is_last && masses.empty())) continue;
+        if (volume_of(level) < kLeastVolume * whole_volume) break;
+        masses.push_back(coloured(level, density, share));
+    }
     return masses;
 }
 
