@@ -8,7 +8,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -17,11 +16,10 @@
 #include "base/file.hpp"
 #include "base/owned.hpp"
 #include "kiosk/benches/benches.hpp"
+#include "kiosk/benches/scratch.hpp"
 
 namespace quadrat::kiosk::benches {
 namespace {
-
-namespace fs = std::filesystem;
 
 // A child whose log is read line by line; killed with this, as a pulled plug would.
 class Exhibit {
@@ -62,21 +60,6 @@ class Exhibit {
     };
     std::unique_ptr<std::FILE, Close> log_;
     pid_t child_ = -1;
-};
-
-struct Scratch {
-    fs::path path;
-    Scratch() {
-        std::string name = (fs::temp_directory_path() / "quadrat-bench-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder could be made in " + name);
-        path = name;
-    }
-    ~Scratch() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
 };
 
 double told_ms(Exhibit& exhibit, const std::string& what) {

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
 #include <thread>
 
 #include "base/file.hpp"
 #include "firmware-io/scripted/scripted_buttons.hpp"
 #include "kiosk/benches/benches.hpp"
+#include "kiosk/benches/scratch.hpp"
 #include "kiosk/benches/visit_plot.hpp"
 #include "kiosk/detail/memory.hpp"
 #include "kiosk/run_loop.hpp"
@@ -97,22 +97,6 @@ std::jthread competitor(Instant span) {
         }
     });
 }
-
-// A folder that goes when this does.
-struct Scratch {
-    std::filesystem::path path;
-    Scratch() {
-        std::string name = (std::filesystem::temp_directory_path() / "quadrat-bench-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder could be made in " + name);
-        path = name;
-    }
-    ~Scratch() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-};
 
 double milliseconds(Instant span) { return std::chrono::duration<double, std::milli>(span).count(); }
 

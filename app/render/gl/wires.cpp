@@ -5,12 +5,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace quadrat::render::gl {
 namespace {
 
 thread_local int wires = 0;
+
+std::size_t bytes_of_index(GLenum type) {
+    return type == GL_UNSIGNED_SHORT ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
+}
 
 template <typename Index>
 void append_edges(const void* triangles, std::size_t count, std::vector<std::uint32_t>& edges) {
@@ -23,7 +28,7 @@ void append_edges(const void* triangles, std::size_t count, std::vector<std::uin
 }
 
 void draw_edges(GLenum index_type, std::size_t first, std::size_t count, std::size_t instances) {
-    const std::size_t bytes = index_type == GL_UNSIGNED_SHORT ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
+    const std::size_t bytes = bytes_of_index(index_type);
     const void* triangles = glMapBufferRange(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLintptr>(first * bytes),
                                              static_cast<GLsizeiptr>(count * bytes), GL_MAP_READ_BIT);
     if (triangles == nullptr) return;
@@ -72,7 +77,7 @@ void draw_triangles(GLenum index_type, std::size_t first, std::size_t count, std
         draw_edges(index_type, first, count, instances);
         return;
     }
-    const std::size_t bytes = index_type == GL_UNSIGNED_SHORT ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
+    const std::size_t bytes = bytes_of_index(index_type);
     const auto* offset = reinterpret_cast<const void*>(first * bytes);
     if (instances == 1)
         glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), index_type, offset);

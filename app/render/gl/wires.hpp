@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstddef>
-#include <cstdint>
 
 #include "render/gl/handles.hpp"
-#include "render/gl/work.hpp"
 
 // Triangles as their edges, in the colour of their level of detail: for whoever develops. Like the rest of GL's state,
 // what is set here holds for the context's thread until it is set again.

@@ -64,9 +64,7 @@ float kept(std::uint32_t plant, float stand) {
     return std::clamp((1 + kShrinking - rank_of(plant) / stand) / kShrinking, 0.0F, 1.0F);
 }
 
-std::size_t triangles_of(const Kind& kind, const Seen& seen, float fineness) {
-    const Closeness how = closeness(kind, seen.height_px, fineness);
-    if (kept(seen.plant, how.stand) <= 0) return 0;
+std::size_t triangles_of(const Kind& kind, const Closeness& how) {
     const std::size_t blades = how.has_leaves ? prefix(kind, leaf_bucket(how.share)) : 0;
     const std::size_t mass = how.mass_level < kind.mass_triangles.size() ? kind.mass_triangles[how.mass_level] : 0;
     return wood_triangles(kind, how) + mass +
@@ -98,7 +96,10 @@ std::vector<Seen> seen_by(std::span<const scene::Plant> plants, std::span<const 
 float fitting_fineness(const std::vector<Seen>& seen, std::span<const Kind> kinds, const Gathering& g) {
     const auto total = [&](float fineness) {
         std::size_t sum = 0;
-        for (const Seen& s : seen) sum += triangles_of(kinds[s.species], s, fineness);
+        for (const Seen& s : seen) {
+            const Closeness how = closeness(kinds[s.species], s.height_px, fineness);
+            if (kept(s.plant, how.stand) > 0) sum += triangles_of(kinds[s.species], how);
+        }
         return sum;
     };
     if (total(g.fineness) <= g.triangle_budget) return g.fineness;
@@ -244,7 +245,7 @@ Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, 
             extend({s.species, Batch::Part::Mass, how.mass_level, 0, false, at, 1});
         if (how.has_leaves)
             extend({s.species, Batch::Part::Leaves, 0, prefix(kind, leaf_bucket(how.share)), how.is_plain, at, 1});
-        crowd.triangles += triangles_of(kind, s, crowd.fineness);
+        crowd.triangles += triangles_of(kind, how);
     }
     return crowd;
 }

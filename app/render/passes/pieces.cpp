@@ -52,21 +52,17 @@ std::vector<std::vector<std::uint32_t>> pieces_of(const mesh::Mesh& mesh) {
 }  // namespace
 
 Pieces::Pieces(const scene::Stone& stone) {
-    for (const std::uint32_t index : stone.mesh.indices)
-        corners_.push_back({stone.mesh.positions_m[index], stone.mesh.normals[index], stone.colours[index]});
-    // Of a piece the corners lie side by side.
+    // Of a piece the corners lie side by side; the coarser forms come after all of them.
     const auto pieces = pieces_of(stone.mesh);
-    std::vector<Corner> ordered;
-    ordered.reserve(corners_.size());
-    for (const auto& triangles : pieces)
-        for (const std::uint32_t first : triangles)
-            for (std::uint32_t k = 0; k < 3; ++k) ordered.push_back(corners_[first + k]);
-    std::uint32_t first = 0;
-    corners_ = std::move(ordered);
     std::vector<std::uint32_t> firsts;
     for (const auto& triangles : pieces) {
-        firsts.push_back(first);
-        first += 3 * static_cast<std::uint32_t>(triangles.size());
+        firsts.push_back(static_cast<std::uint32_t>(corners_.size()));
+        for (const std::uint32_t first : triangles) {
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const std::uint32_t index = stone.mesh.indices[first + k];
+                corners_.push_back({stone.mesh.positions_m[index], stone.mesh.normals[index], stone.colours[index]});
+            }
+        }
     }
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         pieces_.push_back({{}, 0, static_cast<std::uint32_t>(levels_.size()), 1});
@@ -88,10 +84,10 @@ void Pieces::add_piece(const scene::Stone& stone, std::span<const std::uint32_t>
     }
     piece.middle_m = 0.5F * (low + high);
     piece.radius_m = 0.5F * glm::distance(low, high);
-    add_coarser(stone, triangles, most_corners(stone));
+    add_coarser(stone, triangles);
 }
 
-void Pieces::add_coarser(const scene::Stone& stone, std::span<const std::uint32_t> triangles, std::size_t most) {
+void Pieces::add_coarser(const scene::Stone& stone, std::span<const std::uint32_t> triangles) {
     constexpr std::size_t kColour = 3;
     mesh::Mesh whole;
     std::vector<float> colours;
@@ -117,7 +113,7 @@ void Pieces::add_coarser(const scene::Stone& stone, std::span<const std::uint32_
     const mesh::Progressive coarser = mesh::make_progressive(whole, options);
     for (std::size_t level = 1; level < coarser.levels.size(); ++level) {
         const mesh::Progressive::Level& from = coarser.levels[level];
-        if (corners_.size() + from.mesh.indices.size() > most) return;
+        if (corners_.size() + from.mesh.indices.size() > most_corners(stone)) return;
         const auto first = static_cast<std::uint32_t>(corners_.size());
         for (std::size_t i = 0; i + 2 < from.mesh.indices.size(); i += 3) {
             std::array<glm::vec3, 3> corner{};

@@ -47,7 +47,7 @@ class Pieces {
         std::uint32_t first_level = 0, levels = 0;  // finest first
     };
     void add_piece(const scene::Stone& stone, std::span<const std::uint32_t> triangles);
-    void add_coarser(const scene::Stone& stone, std::span<const std::uint32_t> triangles, std::size_t most);
+    void add_coarser(const scene::Stone& stone, std::span<const std::uint32_t> triangles);
 
     std::vector<Corner> corners_;
     std::vector<Level> levels_;

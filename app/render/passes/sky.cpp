@@ -156,8 +156,11 @@ void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scen
     static_assert(sizeof(scene::Star) == sizeof(glm::vec4));
     sky.star_count = source->stars.size();
     gl::add_elements<scene::Star>(slices, sky.stars, GL_ARRAY_BUFFER, {source, &source->stars});
-    sky.shadow_map = shadow_map_of(source->clouds[0].density);
-    const auto table = std::make_shared<ShadowTable>(shadow_table(sky.shadow_map));
+    const auto table = std::make_shared<ShadowTable>();
+    slices.prepare([&sky, source, table] {
+        sky.shadow_map = shadow_map_of(source->clouds[0].density);
+        *table = shadow_table(sky.shadow_map);
+    });
     gl::add_elements<std::uint32_t>(slices, sky.shadow, GL_UNIFORM_BUFFER, table->size(),
                                     [table] { return std::span<const std::uint32_t>(*table); });
     gl::TextureShape tiled;
