@@ -28,8 +28,8 @@ Session::Session(Breeder breeder, base::Seed seed) : seed_(seed), now_{std::move
     now_.favourite = now_.offer.candidates.front();
 }
 
-base::Seed Session::flight() const {
-    const int round = now_.breeder.sliders() > 0 ? 1 : now_.offer.round;
+base::Seed Session::flight(const genome::Offer& offer) const {
+    const int round = now_.breeder.sliders() > 0 ? 1 : offer.round;
     return seed_.child("flight").child(static_cast<std::uint64_t>(round));
 }
 

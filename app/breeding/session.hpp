@@ -25,7 +25,8 @@ class Session {
     base::Seed seed() const { return seed_; }
 
     // Names the camera's path of this round's four; where sliders are turned, of the whole visit.
-    base::Seed flight() const;
+    base::Seed flight() const { return flight(now_.offer); }
+    base::Seed flight(const genome::Offer& offer) const;  // or of those that this session may offer next
 
     // Learns and offers the next four.
     void next(const genome::Pick& pick);

@@ -50,10 +50,18 @@ Grown grow_aspect(Aspect aspect, const genome::ParameterValues& values, base::Se
     return std::make_shared<const scene::Sky>(synthesis::grow_sky(parameters.sky, seed));
 }
 
-std::shared_ptr<const scene::Scene> compose(const Grown& trees, const Grown& land, const Grown& sky,
-                                            base::Seed planting, base::Seed flight, const scene::Fineness& fineness) {
-    return std::make_shared<const scene::Scene>(
-        synthesis::compose(std::get<0>(trees), std::get<1>(land), std::get<2>(sky), planting, flight, fineness));
+base::Seed planting_of(const genome::Candidate& candidate) { return candidate.seeds[Aspect::Trees].child("planting"); }
+
+AspectKey key_of(Aspect aspect, const genome::Candidate& candidate) {
+    return key_of(aspect, candidate.values, candidate.seeds[aspect]);
+}
+
+// Trees, land, planting and flight: what a layout comes from.
+using LayoutKey = std::tuple<AspectKey, AspectKey, std::uint64_t, std::uint64_t>;
+
+LayoutKey layout_key_of(const genome::Candidate& candidate, base::Seed flight) {
+    return {key_of(Aspect::Trees, candidate), key_of(Aspect::Land, candidate), planting_of(candidate).value,
+            flight.value};
 }
 
 // Threads that grow give way to the one that draws.
@@ -86,8 +94,9 @@ std::shared_ptr<const scene::Scene> grow(const genome::Recipe& recipe, const sce
     genome::PerAspect<Grown> grown;
     for (const Aspect aspect : genome::kAspects)
         grown[aspect] = grow_aspect(aspect, recipe.values, recipe.seeds[aspect], fineness);
-    return compose(grown[Aspect::Trees], grown[Aspect::Land], grown[Aspect::Sky],
-                   recipe.seeds[Aspect::Trees].child("planting"), recipe.flight, fineness);
+    return std::make_shared<const scene::Scene>(synthesis::compose(
+        std::get<0>(grown[Aspect::Trees]), std::get<1>(grown[Aspect::Land]), std::get<2>(grown[Aspect::Sky]),
+        recipe.seeds[Aspect::Trees].child("planting"), recipe.flight, fineness));
 }
 
 struct Grower::Parts {
@@ -110,6 +119,10 @@ struct Grower::Parts {
 
     void work(const std::stop_token& stop);
     void grow_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
+    bool can_be_laid_out(const genome::Candidate& candidate) const;
+    bool can_lay_out() const;
+    void note_standing();
+    void lay_out_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
     void compose_order(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
     void enqueue(Aspect aspect, std::span<const genome::Candidate> candidates);
     bool has_all(const Order& wanted) const;
@@ -125,6 +138,9 @@ struct Grower::Parts {
     std::vector<Job> jobs;           // not begun
     std::vector<AspectKey> growing;  // begun
     std::map<AspectKey, Kept> kept;
+    std::optional<Order> ahead;                                             // the last that were to be laid out
+    std::map<LayoutKey, std::shared_ptr<const synthesis::Layout>> layouts;  // of those
+    std::vector<render::Ground> standing;                                   // of those
     std::uint64_t wants = 0;
     std::optional<Order> ordered;  // not composed yet
     std::uint64_t order_number = 0;
@@ -137,7 +153,7 @@ struct Grower::Parts {
 void Grower::Parts::enqueue(Aspect aspect, std::span<const genome::Candidate> candidates) {
     ++wants;
     for (const genome::Candidate& candidate : candidates) {
-        AspectKey key = key_of(aspect, candidate.values, candidate.seeds[aspect]);
+        AspectKey key = key_of(aspect, candidate);
         if (const auto found = kept.find(key); found != kept.end()) {
             found->second.wanted = wants;
             continue;
@@ -150,15 +166,14 @@ void Grower::Parts::enqueue(Aspect aspect, std::span<const genome::Candidate> ca
 bool Grower::Parts::has_all(const Order& wanted) const {
     for (const genome::Candidate& candidate : wanted.candidates)
         for (const Aspect aspect : genome::kAspects)
-            if (!kept.contains(key_of(aspect, candidate.values, candidate.seeds[aspect]))) return false;
+            if (!kept.contains(key_of(aspect, candidate))) return false;
     return true;
 }
 
 bool Grower::Parts::is_ordered(const AspectKey& key) const {
     if (!ordered) return false;
     return std::ranges::any_of(ordered->candidates, [&](const genome::Candidate& candidate) {
-        const Aspect aspect = std::get<0>(key);
-        return key == key_of(aspect, candidate.values, candidate.seeds[aspect]);
+        return key == key_of(std::get<0>(key), candidate);
     });
 }
 
@@ -195,28 +210,87 @@ void Grower::Parts::grow_batch(std::unique_lock<std::mutex>& lock, const std::st
     if (stop.stop_requested()) return;
     for (std::size_t i = 0; i < batch.size(); ++i) kept[batch[i].key] = {batch[i].wanted, grown[i]};
     forget_old();
+    note_standing();
     const float share =
         static_cast<float>(batch.size()) / static_cast<float>(genome::kCandidates * genome::kAspects.size());
     progress = std::min(0.9F, progress + share);
 }
 
+void Grower::Parts::note_standing() {
+    standing.clear();
+    if (!ahead) return;
+    for (const genome::Candidate& candidate : ahead->candidates) {
+        const auto trees = kept.find(key_of(Aspect::Trees, candidate));
+        const auto land = kept.find(key_of(Aspect::Land, candidate));
+        if (trees != kept.end() && land != kept.end())
+            standing.push_back({std::get<0>(trees->second.grown), std::get<1>(land->second.grown)});
+    }
+}
+
+bool Grower::Parts::can_be_laid_out(const genome::Candidate& candidate) const {
+    return kept.contains(key_of(Aspect::Trees, candidate)) && kept.contains(key_of(Aspect::Land, candidate)) &&
+           !layouts.contains(layout_key_of(candidate, ahead->flight));
+}
+
+bool Grower::Parts::can_lay_out() const {
+    return ahead && std::ranges::any_of(ahead->candidates, [this](const auto& c) { return can_be_laid_out(c); });
+}
+
+void Grower::Parts::lay_out_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
+    const base::Seed flight = ahead->flight;
+    struct Plot {
+        const genome::Candidate candidate;
+        std::shared_ptr<const scene::Flora> flora;
+        std::shared_ptr<const scene::Land> land;
+        std::shared_ptr<const synthesis::Layout> layout;
+    };
+    std::vector<Plot> plots;
+    const auto most = static_cast<std::size_t>(std::max(1, arena.max_concurrency()));
+    for (const genome::Candidate& candidate : ahead->candidates)
+        if (plots.size() < most && can_be_laid_out(candidate))
+            plots.push_back({candidate, std::get<0>(kept.at(key_of(Aspect::Trees, candidate)).grown),
+                             std::get<1>(kept.at(key_of(Aspect::Land, candidate)).grown), nullptr});
+    lock.unlock();
+    arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, plots.size(), [&](std::size_t i) {
+            if (stop.stop_requested()) return;
+            plots[i].layout = std::make_shared<const synthesis::Layout>(
+                synthesis::lay_out(*plots[i].flora, *plots[i].land, planting_of(plots[i].candidate), flight));
+        });
+    });
+    lock.lock();
+    if (stop.stop_requested()) return;
+    for (const Plot& plot : plots) layouts[layout_key_of(plot.candidate, flight)] = plot.layout;
+}
+
 void Grower::Parts::compose_order(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
     const Order order = *ordered;
     const std::uint64_t number = order_number;
-    std::vector<genome::PerAspect<Grown>> parts(order.candidates.size());
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const genome::Candidate& candidate = order.candidates[i];
-        for (const Aspect aspect : genome::kAspects)
-            parts[i][aspect] = kept.at(key_of(aspect, candidate.values, candidate.seeds[aspect])).grown;
+    struct Plot {
+        std::shared_ptr<const scene::Flora> flora;
+        std::shared_ptr<const scene::Land> land;
+        std::shared_ptr<const scene::Sky> sky;
+        std::shared_ptr<const synthesis::Layout> layout;  // or null
+    };
+    std::vector<Plot> plots;
+    for (const genome::Candidate& candidate : order.candidates) {
+        const auto found = layouts.find(layout_key_of(candidate, order.flight));
+        plots.push_back({std::get<0>(kept.at(key_of(Aspect::Trees, candidate)).grown),
+                         std::get<1>(kept.at(key_of(Aspect::Land, candidate)).grown),
+                         std::get<2>(kept.at(key_of(Aspect::Sky, candidate)).grown),
+                         found == layouts.end() ? nullptr : found->second});
     }
     lock.unlock();
-    Scenes made(parts.size());
+    Scenes made(plots.size());
     arena.execute([&] {
         tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
             if (stop.stop_requested()) return;
-            made[i] =
-                compose(parts[i][Aspect::Trees], parts[i][Aspect::Land], parts[i][Aspect::Sky],
-                        order.candidates[i].seeds[Aspect::Trees].child("planting"), order.flight, options.fineness);
+            const Plot& plot = plots[i];
+            synthesis::Layout layout = plot.layout ? *plot.layout
+                                                   : synthesis::lay_out(*plot.flora, *plot.land,
+                                                                        planting_of(order.candidates[i]), order.flight);
+            made[i] = std::make_shared<const scene::Scene>(
+                synthesis::illuminate(plot.flora, plot.land, plot.sky, std::move(layout), options.fineness));
         });
     });
     lock.lock();
@@ -234,8 +308,10 @@ void Grower::Parts::work(const std::stop_token& stop) {
             compose_order(lock, stop);
         } else if (!jobs.empty()) {
             grow_batch(lock, stop);
+        } else if (can_lay_out()) {
+            lay_out_batch(lock, stop);
         } else {
-            changed.wait(lock, stop, [this] { return !jobs.empty() || ordered; });
+            changed.wait(lock, stop, [this] { return !jobs.empty() || ordered || can_lay_out(); });
         }
         changed.notify_all();
     }
@@ -252,6 +328,23 @@ void Grower::begin(Aspect aspect, const genome::Offer& offer) {
     const std::scoped_lock lock(parts_->mutex);
     parts_->enqueue(aspect, offer.candidates);
     parts_->changed.notify_all();
+}
+
+void Grower::begin_layouts(const genome::Offer& offer, base::Seed flight) {
+    const std::scoped_lock lock(parts_->mutex);
+    parts_->ahead = Order{{offer.candidates.begin(), offer.candidates.end()}, flight};
+    std::erase_if(parts_->layouts, [&](const auto& layout) {
+        return std::ranges::none_of(offer.candidates, [&](const genome::Candidate& candidate) {
+            return layout.first == layout_key_of(candidate, flight);
+        });
+    });
+    parts_->note_standing();
+    parts_->changed.notify_all();
+}
+
+std::vector<render::Ground> Grower::ahead() {
+    const std::scoped_lock lock(parts_->mutex);
+    return parts_->standing;
 }
 
 void Grower::order(std::vector<genome::Candidate> candidates, base::Seed flight) {
@@ -272,6 +365,11 @@ bool Grower::is_ready() {
 
 std::optional<Scenes> Grower::take() {
     const std::scoped_lock lock(parts_->mutex);
+    if (parts_->ready) {
+        parts_->ahead.reset();
+        parts_->layouts.clear();
+        parts_->standing.clear();
+    }
     return std::exchange(parts_->ready, std::nullopt);
 }
 

@@ -7,6 +7,7 @@
 
 #include "genome/offer.hpp"
 #include "genome/recipe.hpp"
+#include "render/renderer.hpp"
 #include "scene/scene.hpp"
 
 namespace quadrat::kiosk {
@@ -32,6 +33,13 @@ class Grower {
 
     // A head start: this aspect of the four candidates.
     void begin(genome::Aspect aspect, const genome::Offer& offer);
+
+    // A further one: once their trees and lands have grown, lays the four out for this flight.
+    void begin_layouts(const genome::Offer& offer, base::Seed flight);
+
+    // What stands of the scenes to come: the trees and lands that have grown of those last laid out, until they are
+    // taken.
+    std::vector<render::Ground> ahead();
 
     // Whole scenes, composed for one flight. Replaces an order that has not been taken.
     void order(std::vector<genome::Candidate> candidates, base::Seed flight);

@@ -21,8 +21,10 @@ using firmware_io::Button;
 using firmware_io::LampPattern;
 using firmware_io::Motion;
 
-constexpr std::size_t kUploadSliceBytes = 1U << 20U;  // well under 2 ms of copying on the slowest box
-constexpr std::size_t kAll = static_cast<std::size_t>(-1);
+// Of each frame, for what is brought to the GPU: by the clock for what this processor copies, by bytes for what the GPU
+// does with it.
+constexpr Instant kUploadTime = std::chrono::milliseconds{2};
+constexpr std::size_t kUploadBytes = 4U << 20U;
 constexpr Instant kFrame = std::chrono::nanoseconds{16'666'667};
 constexpr Instant kLongestFrame = std::chrono::seconds{1};
 constexpr std::chrono::seconds kTimeToGrow{120};  // the next part of the first four; as TimeoutStartSec=
@@ -182,14 +184,21 @@ class Loop {
         if (parts_.clock.is_simulated()) parts_.show.finish_growing();
         // While nothing is on stage, no frame can come late.
         const bool is_dark_yet = parts_.show.on_stage().scenes.empty();
-        const std::size_t budget = parts_.clock.is_simulated() || is_dark_yet ? kAll : kUploadSliceBytes;
+        const bool is_all = parts_.clock.is_simulated() || is_dark_yet;
+        const Instant until = parts_.clock.now() + kUploadTime;
+        const Theatre::Haste haste =
+            is_all ? Theatre::Haste::everything()
+                   : Theatre::Haste{kUploadBytes, [this, until] { return parts_.clock.now() < until; }};
         // What is on stage comes first: after a change of context it is missing too.
-        if (theatre_.prepare(parts_.show.on_stage(), budget)) {
-            if (const Act* act = parts_.show.waiting_for_upload(); act != nullptr && theatre_.prepare(*act, budget)) {
-                parts_.show.uploaded(now);
-                theatre_.keep_only(parts_.show.in_use());
-                if (parts_.clock.is_simulated()) theatre_.prepare(parts_.show.on_stage(), kAll);
-            }
+        if (!theatre_.prepare(parts_.show.on_stage(), haste)) return;
+        const Act* act = parts_.show.waiting_for_upload();
+        if (act == nullptr) {
+            theatre_.prepare_ahead(parts_.show.ahead(), haste);
+        } else if (theatre_.prepare(*act, haste)) {
+            parts_.show.uploaded(now);
+            theatre_.let_go();
+            theatre_.keep_only(parts_.show.in_use());
+            if (is_all) theatre_.prepare(parts_.show.on_stage(), haste);
         }
     }
 

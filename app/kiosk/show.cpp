@@ -199,6 +199,8 @@ void Show::carry_out(const exhibit::KeepAnswers& wish, Instant /*now*/) {
     const genome::Offer preview = session_->preview(wish.answers);
     for (const genome::Aspect aspect : genome::kAspects)
         if (wish.answers[aspect]) grower_.begin(aspect, preview);
+    if (wish.answers[genome::Aspect::Trees] && wish.answers[genome::Aspect::Land])
+        grower_.begin_layouts(preview, session_->flight(preview));
 }
 
 // Where the answers moved the wish, aspect by aspect.

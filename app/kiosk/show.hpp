@@ -70,6 +70,9 @@ class Show {
     const Act* waiting_for_upload();
     void uploaded(Instant now);
 
+    // What of the landscapes to come needs no sky and has grown: may be brought to the GPU already.
+    std::vector<render::Ground> ahead() { return grower_.ahead(); }
+
     // Blocks until nothing grows and everything is kept: for simulated clocks.
     void finish_growing();
 

@@ -12,6 +12,7 @@ namespace quadrat::kiosk {
 void Theatre::enter(const display::Canvas& canvas) {
     if (canvas.context == context_) return;
     uploading_.clear();
+    ahead_.clear();
     uploaded_.clear();
     stage_.reset();
     renderer_.reset();
@@ -21,41 +22,76 @@ void Theatre::enter(const display::Canvas& canvas) {
     stage_ = std::make_unique<Stage>(*renderer_, configuration_);
 }
 
+template <typename Upload>
+Theatre::Uploading<Upload>::Uploading(std::unique_ptr<Upload> upload_)
+    : upload(std::move(upload_)), prepared(std::async(std::launch::async, [preparing = upload.get()] {
+          lower_priority();
+          preparing->prepare();
+      })) {}
+
+template <typename Upload>
+bool Theatre::Uploading<Upload>::is_prepared() const {
+    return !prepared.valid() || prepared.wait_for(std::chrono::seconds{0}) == std::future_status::ready;
+}
+
+template <typename Upload>
+bool Theatre::Uploading<Upload>::advance(const Haste& haste) {
+    if (is_done) return true;
+    if (!haste.may_wait && !is_prepared()) return false;
+    if (prepared.valid()) prepared.get();
+    return is_done = upload->advance(haste.bytes, haste.has_time);
+}
+
 void Theatre::begin_uploads(const Act& act, bool may_wait) {
     // What is no longer wanted goes when its thread is done: no frame waits for it.
-    std::erase_if(uploading_, [&](const Uploading& u) {
-        return (may_wait || u.is_prepared()) && std::ranges::find(act.scenes, u.scene) == act.scenes.end();
+    std::erase_if(uploading_, [&](const SceneUploading& u) {
+        return (may_wait || u.uploading.is_prepared()) && std::ranges::find(act.scenes, u.scene) == act.scenes.end();
     });
     for (const auto& scene : act.scenes) {
         if (uploading_.size() >= kMostAhead) return;
         if (uploaded_.contains(scene.get()) ||
-            std::ranges::find(uploading_, scene, &Uploading::scene) != uploading_.end())
+            std::ranges::find(uploading_, scene, &SceneUploading::scene) != uploading_.end())
             continue;
-        Uploading next{scene, renderer_->begin_upload(scene), {}};
-        next.prepared = std::async(std::launch::async, [upload = next.upload.get()] {
-            lower_priority();
-            upload->prepare();
-        });
-        uploading_.push_back(std::move(next));
+        uploading_.push_back({scene, Uploading<render::SceneUpload>{renderer_->begin_upload(scene)}});
     }
 }
 
-bool Theatre::prepare(const Act& act, std::size_t budget_bytes) {
+// What was begun ahead of it is finished first, so that it comes once.
+bool Theatre::stands(const scene::Scene& scene, const Haste& haste) {
+    return std::ranges::all_of(ahead_, [&](GroundUploading& ahead) {
+        return ahead.ground != render::Ground{scene.flora, scene.land} || ahead.uploading.advance(haste);
+    });
+}
+
+bool Theatre::prepare(const Act& act, const Haste& haste) {
     if (!has_gpu()) return true;
-    const bool may_wait = budget_bytes == static_cast<std::size_t>(-1);
+    for (const auto& scene : act.scenes)
+        if (!uploaded_.contains(scene.get()) && !stands(*scene, haste)) return false;
     for (const auto& scene : act.scenes) {
         if (uploaded_.contains(scene.get())) continue;
-        begin_uploads(act, may_wait);
-        const auto found = std::ranges::find(uploading_, scene, &Uploading::scene);
+        begin_uploads(act, haste.may_wait);
+        const auto found = std::ranges::find(uploading_, scene, &SceneUploading::scene);
         if (found == uploading_.end()) return false;  // others still hold the threads
-        if (!may_wait && !found->is_prepared()) return false;
-        if (found->prepared.valid()) found->prepared.get();
-        if (!found->upload->advance(budget_bytes)) return false;
-        uploaded_[scene.get()] = {scene, found->upload->take()};
+        if (!found->uploading.advance(haste)) return false;
+        uploaded_[scene.get()] = {scene, found->uploading.upload->take()};
         uploading_.erase(found);
-        if (!may_wait) return false;  // one scene's end is enough for a frame
+        if (!haste.may_wait) return false;  // one scene's end is enough for a frame
     }
     return true;
+}
+
+void Theatre::prepare_ahead(const std::vector<render::Ground>& grounds, const Haste& haste) {
+    if (!has_gpu()) return;
+    std::erase_if(ahead_, [&](const GroundUploading& a) {
+        return a.uploading.is_prepared() && std::ranges::find(grounds, a.ground) == grounds.end();
+    });
+    for (GroundUploading& ahead : ahead_)
+        if (!ahead.uploading.advance(haste)) return;  // one after the other: what two share comes once
+    for (const render::Ground& ground : grounds)
+        if (std::ranges::find(ahead_, ground, &GroundUploading::ground) == ahead_.end()) {
+            ahead_.push_back({ground, Uploading<render::Upload>{renderer_->begin_upload(ground)}});
+            return;
+        }
 }
 
 void Theatre::keep_only(const std::vector<const Act*>& acts) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <chrono>
+#include <functional>
 #include <future>
 #include <map>
 #include <memory>
@@ -24,8 +25,19 @@ class Theatre {
     void enter(const display::Canvas& canvas);
     bool has_gpu() const { return renderer_ != nullptr; }
 
-    // Uploads about so many bytes of what is missing of this act; true when all of it is there, or there is no GPU.
-    bool prepare(const Act& act, std::size_t budget_bytes);
+    // How much is brought to the GPU in a frame.
+    struct Haste {
+        std::size_t bytes;               // about
+        std::function<bool()> has_time;  // asked before each piece; none: always
+        bool may_wait = false;           // for what is still worked out beside the frames
+
+        static Haste everything() { return {static_cast<std::size_t>(-1), {}, true}; }
+    };
+    // Uploads some of what is missing of this act; true when all of it is there, or there is no GPU.
+    bool prepare(const Act& act, const Haste& haste);
+    // The same for what an act to come will stand on; held until let_go().
+    void prepare_ahead(const std::vector<render::Ground>& grounds, const Haste& haste);
+    void let_go() { ahead_.clear(); }
     // Frees what no act needs.
     void keep_only(const std::vector<const Act*>& acts);
 
@@ -38,8 +50,8 @@ class Theatre {
                        const Over& over);
     // What was drawn last, as the panel has it; an empty image where nothing was.
     mesh::Image read_back();
-    // The governor's level to draw with (alpha_for()); what is configured, until somebody governs. Pictures that are kept
-    // have what is configured.
+    // The governor's level to draw with (alpha_for()); what is configured, until somebody governs. Pictures that are
+    // kept have what is configured.
     void set_level(float level) { level_ = level; }
     // Waits so long at most for the last frame to be drawn; true when it is.
     bool is_drawn_within(std::chrono::nanoseconds patience) {
@@ -65,17 +77,29 @@ class Theatre {
     std::map<const scene::Scene*, Uploaded> uploaded_;
     // What needs no GPU is worked out beside the frames; at most so many at once, for their memory.
     static constexpr std::size_t kMostAhead = 2;
+    template <typename Upload>
     struct Uploading {
-        std::shared_ptr<const scene::Scene> scene;
-        std::unique_ptr<render::Upload> upload;
+        std::unique_ptr<Upload> upload;
         std::future<void> prepared;  // last: it waits for its thread
+        bool is_done = false;
 
-        bool is_prepared() const {
-            return !prepared.valid() || prepared.wait_for(std::chrono::seconds{0}) == std::future_status::ready;
-        }
+        explicit Uploading(std::unique_ptr<Upload> upload_);
+        bool is_prepared() const;
+        // True when all of it is there.
+        bool advance(const Haste& haste);
+    };
+    struct SceneUploading {
+        std::shared_ptr<const scene::Scene> scene;
+        Uploading<render::SceneUpload> uploading;
+    };
+    struct GroundUploading {
+        render::Ground ground;
+        Uploading<render::Upload> uploading;
     };
     void begin_uploads(const Act& act, bool may_wait);
-    std::vector<Uploading> uploading_;
+    bool stands(const scene::Scene& scene, const Haste& haste);
+    std::vector<SceneUploading> uploading_;
+    std::vector<GroundUploading> ahead_;
 };
 
 // What the exhibit shows of an act: the picture that an album keeps.

@@ -15,17 +15,22 @@
 
 namespace quadrat::render {
 
-// What a picture of the scene needs, and nothing else of it: the grown scene may go once this is whole.
-class GpuScene {
-  public:
+// What of a land needs no sky.
+struct CountryOnGpu {
     passes::LandOnGpu land;
     passes::FreshWaterOnGpu fresh_water;
     passes::StoneOnGpu stone;
+};
+
+// What a picture of the scene needs, and nothing else of it: the grown scene may go once this is whole.
+class GpuScene {
+  public:
+    std::shared_ptr<const CountryOnGpu> country;  // both shared with scenes that inherited them
+    std::shared_ptr<const passes::FloraOnGpu> flora;
+    passes::GroundPictureOnGpu ground;
     passes::SkyOnGpu sky;
-    std::shared_ptr<passes::FloraOnGpu> flora;  // shared with scenes that inherited it
     std::vector<scene::Plant> plants;
     LightAndAir air;
-    float haze_distance_m = 1;
 };
 
 struct Texture {

@@ -23,7 +23,7 @@ void HeldGround::update(const View& view, const glm::mat4& clip_from_world, cons
     hold_.choose(view.camera);
     chosen_.clear();
     const passes::Frustum frustum = passes::Hold::wider(clip_from_world);
-    const GpuScene& scene = *view.scene;
+    const CountryOnGpu& country = *view.scene->country;
     grain_m_ = passes::kGrainSeen_m * wish.pixels_per_radian;
     // The ground's outline against the sky is missed before leaves are, and it is cheap.
     const float alpha = wish.alpha < 1 ? std::sqrt(wish.alpha) : wish.alpha;
@@ -31,11 +31,11 @@ void HeldGround::update(const View& view, const glm::mat4& clip_from_world, cons
         return passes::Blocks::Wish{view.camera.eye_m, wish.pixels_per_radian, error_px / std::sqrt(alpha),
                                     static_cast<std::size_t>(budget * alpha / wish.views), grain_m_};
     };
-    land_ = choose(scene.land.land, frustum, within(3.0F, kLandBudget));
-    surround_ = choose(scene.land.surround, frustum, within(2.6F, kSurroundBudget));
+    land_ = choose(country.land.land, frustum, within(3.0F, kLandBudget));
+    surround_ = choose(country.land.surround, frustum, within(2.6F, kSurroundBudget));
     const std::size_t first = chosen_.size();
-    scene.stone.pieces.select(frustum, {view.camera.eye_m, wish.pixels_per_radian, 1.2F / std::sqrt(wish.alpha)},
-                              chosen_);
+    country.stone.pieces.select(frustum, {view.camera.eye_m, wish.pixels_per_radian, 1.2F / std::sqrt(wish.alpha)},
+                                chosen_);
     stone_ = {first, chosen_.size() - first, 0, 0};
     indices_.fill<std::uint32_t>(chosen_);
     sent_bytes_ = chosen_.size() * sizeof(std::uint32_t);
@@ -49,7 +49,7 @@ void HeldGround::drop() {
 }
 
 void HeldGround::sort_by_level(const GpuScene& scene) {
-    const auto columns = static_cast<std::uint32_t>(2 * scene.land.land.middle_column) + 1;
+    const auto columns = static_cast<std::uint32_t>(2 * scene.country->land.land.middle_column) + 1;
     std::map<std::uint32_t, std::vector<std::uint32_t>> by_step;
     for (std::size_t i = land_.first; i < land_.first + land_.count; i += 3) {
         const auto [low, high] =

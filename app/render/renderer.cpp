@@ -90,7 +90,7 @@ struct Renderer::Parts {
     gl::StreamBuffer blocks{GL_UNIFORM_BUFFER};
     std::vector<HeldGround> grounds;  // one a view
     gl::StreamBuffer instances{GL_ARRAY_BUFFER};
-    std::shared_ptr<FloraShelf> floras = std::make_shared<FloraShelf>();
+    std::shared_ptr<Shelves> shelves = std::make_shared<Shelves>();
     gl::ReducedTarget reduced;
     gl::Fence last_drawn;
     std::vector<passes::Instance> frame_instances;  // kept from frame to frame for its memory only
@@ -192,6 +192,7 @@ Drawn Renderer::Parts::draw_views(const Frame& frame, const std::vector<Selectio
 void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot,
                                 const Rect& place, Drawn& drawn) {
     const GpuScene& scene = *view.scene;
+    const CountryOnGpu& country = *scene.country;
     const passes::Frustum& frustum = selection.frustum;
     glViewport(place.x, place.y, place.width, place.height);
     glScissor(place.x, place.y, place.width, place.height);
@@ -206,18 +207,19 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
     if (what.ground) {
         gl::bind_uniforms(scene.sky.shadow, passes::kShadowBinding);
         const HeldGround& held = grounds[slot];
-        of(Kind::Ground) += stone.draw(scene.stone, held.indices(), held.stone());
+        of(Kind::Ground) += stone.draw(country.stone, held.indices(), held.stone());
         if (gl::Wires::are_on()) {
             for (const passes::IndexRange& level : held.land_by_level())
-                of(Kind::Ground) += ground.draw(scene.land, held.level_indices(), level, held.grain_m());
+                of(Kind::Ground) +=
+                    ground.draw(country.land, scene.ground, held.level_indices(), level, held.grain_m());
         } else {
-            of(Kind::Ground) += ground.draw(scene.land, held.indices(), held.land(), held.grain_m());
+            of(Kind::Ground) += ground.draw(country.land, scene.ground, held.indices(), held.land(), held.grain_m());
         }
-        of(Kind::Ground) += surround.draw(scene.land, held.indices(), held.surround());
+        of(Kind::Ground) += surround.draw(country.land, held.indices(), held.surround());
     }
     if (what.water) {
-        if (scene.land.has_water) of(Kind::Water) += water.draw(scene.land.lit, frustum, view.camera.eye_m);
-        of(Kind::Water) += water.draw_fresh(scene.fresh_water, scene.land.lit, frustum);
+        if (country.land.has_water) of(Kind::Water) += water.draw(scene.ground.lit, frustum, view.camera.eye_m);
+        of(Kind::Water) += water.draw_fresh(country.fresh_water, scene.ground.lit, frustum);
     }
     if (!what.sky || gl::Wires::are_on()) return;
     of(Kind::Sky) += sky.draw(scene.sky, frustum, view.camera.eye_m, place.height);
@@ -246,9 +248,11 @@ Renderer::Renderer() {
 
 Renderer::~Renderer() = default;
 
-std::unique_ptr<Upload> Renderer::begin_upload(std::shared_ptr<const scene::Scene> scene) {
-    return make_upload(std::move(scene), parts_->floras);
+std::unique_ptr<SceneUpload> Renderer::begin_upload(std::shared_ptr<const scene::Scene> scene) {
+    return make_upload(std::move(scene), parts_->shelves);
 }
+
+std::unique_ptr<Upload> Renderer::begin_upload(const Ground& ground) { return make_upload(ground, parts_->shelves); }
 
 std::shared_ptr<const Texture> Renderer::texture(const mesh::Image& premultiplied_rgba) {
     auto texture = std::make_shared<Texture>();

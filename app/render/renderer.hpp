@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
@@ -27,6 +28,13 @@ struct Detail {
 
 class GpuScene;  // a scene's buffers and textures; freed on the context's thread
 
+// What a scene stands on, whatever its sky.
+struct Ground {
+    std::shared_ptr<const scene::Flora> flora;
+    std::shared_ptr<const scene::Land> land;
+    friend bool operator==(const Ground&, const Ground&) = default;
+};
+
 // An upload that is cut into slices, so that frames keep their deadline.
 class Upload {
   public:
@@ -34,8 +42,13 @@ class Upload {
     // Works out all that needs no GPU: on any one thread, while nothing else is asked of this upload. What is left of
     // it is done by the first advance().
     virtual void prepare() = 0;
-    // Does about this much work; true when finished. The first slices hold what is seen first.
-    virtual bool advance(std::size_t budget_bytes) = 0;
+    // Does pieces of about 256 KB each, at least one: as many as the budget holds, while has_time() where it is given.
+    // True when finished.
+    virtual bool advance(std::size_t budget_bytes, const std::function<bool()>& has_time = {}) = 0;
+};
+
+class SceneUpload : public Upload {
+  public:
     virtual std::shared_ptr<const GpuScene> take() = 0;  // once, when finished
 };
 
@@ -98,7 +111,10 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    std::unique_ptr<Upload> begin_upload(std::shared_ptr<const scene::Scene> scene);
+    std::unique_ptr<SceneUpload> begin_upload(std::shared_ptr<const scene::Scene> scene);
+    // Ahead of the scenes that will stand on it. It stays on the GPU as long as the upload lives: scenes whose own
+    // uploads begin after it is finished and before it goes bring their sky and light alone.
+    std::unique_ptr<Upload> begin_upload(const Ground& ground);
     std::shared_ptr<const Texture> texture(const mesh::Image& premultiplied_rgba);  // with mipmaps
     Drawn draw(const Frame& frame);
     // Waits so long at most for what draw() asked of the GPU last; true when it is done.

@@ -2,33 +2,74 @@
 #include "render/upload.hpp"
 
 #include <cassert>
+#include <utility>
 
 #include "render/gl/slices.hpp"
 
 namespace quadrat::render {
 namespace {
 
-// Slices hold references into the scene being made, so it stays behind its pointer.
-class SceneUpload final : public Upload {
+// What is on the shelf; or what add(slices, new one) brings, and puts there when it is whole.
+template <typename Grown, typename OnGpu, typename Add>
+std::shared_ptr<const OnGpu> shelved(gl::Slices& slices, const std::shared_ptr<Shelves>& shelves,
+                                     Shelf<Grown, OnGpu> Shelves::*shelf, const std::shared_ptr<const Grown>& grown,
+                                     const Add& add) {
+    if (auto found = ((*shelves).*shelf).find(grown)) return found;
+    const auto made = std::make_shared<OnGpu>();
+    add(slices, *made, grown);
+    slices.add(0, [shelves, shelf, grown, made] { ((*shelves).*shelf).keep(grown, made); });
+    return made;
+}
+
+// Slices hold references into what is made, so it stays behind pointers.
+struct GroundOnGpu {
+    std::shared_ptr<const CountryOnGpu> country;
+    std::shared_ptr<const passes::MaterialOnGpu> material;
+    std::shared_ptr<const passes::FloraOnGpu> flora;
+
+    GroundOnGpu(gl::Slices& slices, const Ground& ground, const std::shared_ptr<Shelves>& shelves)
+        : country(shelved(slices, shelves, &Shelves::countries, ground.land,
+                          [](gl::Slices& to, CountryOnGpu& made, const std::shared_ptr<const scene::Land>& land) {
+                              passes::add_land(to, made.land, land);
+                              passes::add_fresh_water(to, made.fresh_water, land);
+                              passes::add_stone(to, made.stone, land);
+                          })),
+          material(shelved(slices, shelves, &Shelves::materials, ground.land, passes::add_material)),
+          flora(shelved(slices, shelves, &Shelves::floras, ground.flora, passes::add_flora)) {}
+};
+
+class GroundUpload final : public Upload {
   public:
-    SceneUpload(std::shared_ptr<const scene::Scene> source, std::shared_ptr<FloraShelf> shelf)
+    GroundUpload(const Ground& ground, const std::shared_ptr<Shelves>& shelves) : made_(slices_, ground, shelves) {}
+
+    void prepare() override { slices_.prepare_all(); }
+    bool advance(std::size_t budget_bytes, const std::function<bool()>& has_time) override {
+        return slices_.advance(budget_bytes, has_time);
+    }
+
+  private:
+    gl::Slices slices_;
+    GroundOnGpu made_;
+};
+
+class WholeUpload final : public SceneUpload {
+  public:
+    WholeUpload(const std::shared_ptr<const scene::Scene>& source, const std::shared_ptr<Shelves>& shelves)
         : made_(std::make_shared<GpuScene>()) {
-        passes::add_sky(slices_, made_->sky, source->sky);
-        passes::add_land(slices_, made_->land, source);
-        passes::add_fresh_water(slices_, made_->fresh_water, source);
-        passes::add_stone(slices_, made_->stone, source);
-        made_->flora = shelf->find(source->flora);
-        if (!made_->flora) {
-            made_->flora = std::make_shared<passes::FloraOnGpu>();
-            passes::add_flora(slices_, *made_->flora, source->flora);
-            slices_.add(0, [shelf, flora = made_->flora, grown = source->flora] { shelf->keep(grown, flora); });
-        }
+        const GroundOnGpu ground(slices_, {source->flora, source->land}, shelves);
+        made_->country = ground.country;
+        made_->flora = ground.flora;
         made_->plants = source->plants;
         made_->air = light_and_air_of(*source);
+        passes::add_sky(slices_, made_->sky, source->sky);
+        const std::shared_ptr<const passes::GroundPainter> painter{shelves, &shelves->painter};
+        passes::add_ground_picture(slices_, made_->ground, painter, ground.material, source);
     }
 
     void prepare() override { slices_.prepare_all(); }
-    bool advance(std::size_t budget_bytes) override { return is_done_ = slices_.advance(budget_bytes); }
+    bool advance(std::size_t budget_bytes, const std::function<bool()>& has_time) override {
+        return is_done_ = slices_.advance(budget_bytes, has_time);
+    }
     std::shared_ptr<const GpuScene> take() override {
         assert(is_done_ && made_);
         return std::move(made_);
@@ -42,20 +83,12 @@ class SceneUpload final : public Upload {
 
 }  // namespace
 
-std::shared_ptr<passes::FloraOnGpu> FloraShelf::find(const std::shared_ptr<const scene::Flora>& grown) {
-    std::erase_if(kept_, [](const Pair& pair) { return pair.on_gpu.expired() || pair.grown.expired(); });
-    for (const Pair& pair : kept_)
-        if (pair.grown.lock() == grown) return pair.on_gpu.lock();
-    return nullptr;
+std::unique_ptr<SceneUpload> make_upload(std::shared_ptr<const scene::Scene> scene, std::shared_ptr<Shelves> shelves) {
+    return std::make_unique<WholeUpload>(scene, shelves);
 }
 
-void FloraShelf::keep(const std::shared_ptr<const scene::Flora>& grown,
-                      const std::shared_ptr<passes::FloraOnGpu>& on_gpu) {
-    kept_.push_back({grown, on_gpu});
-}
-
-std::unique_ptr<Upload> make_upload(std::shared_ptr<const scene::Scene> scene, std::shared_ptr<FloraShelf> shelf) {
-    return std::make_unique<SceneUpload>(std::move(scene), std::move(shelf));
+std::unique_ptr<Upload> make_upload(const Ground& ground, std::shared_ptr<Shelves> shelves) {
+    return std::make_unique<GroundUpload>(ground, shelves);
 }
 
 }  // namespace quadrat::render

@@ -3,6 +3,7 @@
 
 #include "synthesis/compose/exposure.hpp"
 #include "synthesis/compose/light.hpp"
+#include "synthesis/compose/openness.hpp"
 #include "synthesis/compose/planting.hpp"
 #include "synthesis/compose/track.hpp"
 #include "synthesis/land/country.hpp"
@@ -21,21 +22,31 @@ scene::Land grow_land(const scene::LandParameters& parameters, base::Seed seed, 
 
 scene::Sky grow_sky(const scene::SkyParameters& parameters, base::Seed seed) { return sky::make_sky(parameters, seed); }
 
-scene::Scene compose(std::shared_ptr<const scene::Flora> flora, std::shared_ptr<const scene::Land> land,
-                     std::shared_ptr<const scene::Sky> sky, base::Seed planting, base::Seed flight,
-                     const scene::Fineness& fineness) {
-    scene::Scene scene;
+Layout lay_out(const scene::Flora& flora, const scene::Land& land, base::Seed planting, base::Seed flight) {
     const FlightPlan plan = plan_flight(flight);
-    scene.track = fly(plan, *land, flight);
-    scene.plants = plant_land(*land, *flora, plan, planting);
+    return {fly(plan, land, flight), plant_land(land, flora, plan, planting), sky_openness(land)};
+}
+
+scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_ptr<const scene::Land> land,
+                        std::shared_ptr<const scene::Sky> sky, Layout layout, const scene::Fineness& fineness) {
+    scene::Scene scene;
+    scene.track = std::move(layout.track);
+    scene.plants = std::move(layout.plants);
     const LandShadow shadow(*land, sky->sun_direction, sky->shadow_softness);
     light_plants(scene.plants, *flora, *sky, shadow);
-    scene.light = bake_light(*land, *sky, *flora, scene.plants, shadow, fineness.light_px);
+    scene.light = bake_light(*land, layout.openness, *sky, *flora, scene.plants, shadow, fineness.light_px);
     scene.exposure = stopped_down(*land, *sky, scene.light, scene.track);
     scene.flora = std::move(flora);
     scene.land = std::move(land);
     scene.sky = std::move(sky);
     return scene;
+}
+
+scene::Scene compose(std::shared_ptr<const scene::Flora> flora, std::shared_ptr<const scene::Land> land,
+                     std::shared_ptr<const scene::Sky> sky, base::Seed planting, base::Seed flight,
+                     const scene::Fineness& fineness) {
+    Layout layout = lay_out(*flora, *land, planting, flight);
+    return illuminate(std::move(flora), std::move(land), std::move(sky), std::move(layout), fineness);
 }
 
 }  // namespace quadrat::synthesis

@@ -14,8 +14,20 @@ scene::Flora grow_trees(const scene::TreeParameters& parameters, base::Seed seed
 scene::Land grow_land(const scene::LandParameters& parameters, base::Seed seed, const scene::Fineness& fineness = {});
 scene::Sky grow_sky(const scene::SkyParameters& parameters, base::Seed seed);
 
-// Planting, baked light and the camera's track. flight names the path over the land, the same for the four scenes of
-// a round; the height follows each land.
+// What no sky is needed for: where plants stand and where the camera goes.
+struct Layout {
+    scene::Track track;
+    std::vector<scene::Plant> plants;  // sun is left at 1
+    mesh::Field openness;              // of the sky, past the land
+};
+// flight names the path over the land, the same for the four scenes of a round; the height follows each land.
+Layout lay_out(const scene::Flora& flora, const scene::Land& land, base::Seed planting, base::Seed flight);
+
+// Bakes this sky's light on what is laid out of this flora and land.
+scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_ptr<const scene::Land> land,
+                        std::shared_ptr<const scene::Sky> sky, Layout layout, const scene::Fineness& fineness = {});
+
+// Both.
 scene::Scene compose(std::shared_ptr<const scene::Flora> flora, std::shared_ptr<const scene::Land> land,
                      std::shared_ptr<const scene::Sky> sky, base::Seed planting, base::Seed flight,
                      const scene::Fineness& fineness = {});

@@ -55,9 +55,12 @@ class WatchedScreen final : public display::Display {
                         governor_.level(),
                         show_.is_growing(),
                         act};
-        if (!is_first && act != frames_.back().act && show_.state().screen == exhibit::Screen::Ask &&
-            now - show_.last_press_at() < seconds{10})
-            frame.since_press = now - show_.last_press_at();
+        const exhibit::Screen screen = show_.state().screen;
+        // A visitor who is kept waiting presses on: what counts is the press that was the last answer.
+        if (screen == exhibit::Screen::Breed && screen_before_ != screen) answered_at_ = show_.last_press_at();
+        if (!is_first && act != frames_.back().act && screen == exhibit::Screen::Ask && answered_at_.count() > 0)
+            frame.since_press = now - answered_at_;
+        screen_before_ = screen;
         shown_at_ = presented.shown_at;
         frames_.push_back(frame);
         if (now >= until_) stop_ = true;
@@ -75,6 +78,8 @@ class WatchedScreen final : public display::Display {
     bool is_busy_;
     std::atomic<bool>& stop_;
     Instant shown_at_{0};
+    Instant answered_at_{0};
+    exhibit::Screen screen_before_ = exhibit::Screen::Attract;
     std::vector<FrameSeen> frames_;
 };
 

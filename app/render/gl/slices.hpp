@@ -31,11 +31,12 @@ class Slices {
         }
     }
 
-    // Does pieces until budget_bytes are spent, at least one; true when none are left.
-    bool advance(std::size_t budget_bytes) {
+    // Does pieces, at least one, until budget_bytes are spent or has_time() says no; true when none are left.
+    bool advance(std::size_t budget_bytes, const std::function<bool()>& has_time = {}) {
         prepare_all();
         std::size_t spent = 0;
-        while (!waiting_.empty() && (spent == 0 || spent + waiting_.front().bytes <= budget_bytes)) {
+        while (!waiting_.empty() &&
+               (spent == 0 || (spent + waiting_.front().bytes <= budget_bytes && (!has_time || has_time())))) {
             Slice next = std::move(waiting_.front());
             waiting_.pop_front();
             next.work();

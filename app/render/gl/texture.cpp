@@ -55,6 +55,11 @@ void Texture2D::write_rows(int level, int first_row, int rows, std::span<const s
                     bytes.data());
 }
 
+void Texture2D::fill_levels() {
+    glBindTexture(GL_TEXTURE_2D, name_.get());
+    glGenerateMipmap(GL_TEXTURE_2D);
+}
+
 void Texture2D::bind(GLuint unit) const {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_2D, name_.get());

@@ -32,7 +32,10 @@ class Texture2D {
 
     // rows of one level, from the top, tightly packed.
     void write_rows(int level, int first_row, int rows, std::span<const std::uint8_t> bytes);
+    // All coarser levels from the finest, by the GPU.
+    void fill_levels();
     void bind(GLuint unit) const;
+    GLuint name() const { return name_.get(); }
     const TextureShape& shape() const { return shape_; }
 
   private:

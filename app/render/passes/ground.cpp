@@ -40,32 +40,19 @@ bool is_wet(const mesh::Field& field) {
     return std::ranges::any_of(field.samples, [](float h) { return h < 0; });
 }
 
-// A part of the scene that keeps the scene alive.
-template <typename Part>
-std::shared_ptr<const Part> part_of(const std::shared_ptr<const scene::Scene>& scene, const Part& part) {
-    return {scene, &part};
-}
-
 }  // namespace
 
-void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<const scene::Scene>& scene) {
-    const scene::Land& source = *scene->land;
-    land.side_m = source.side_m();
-    slices.prepare([&land, scene] {
-        const scene::Land& from = *scene->land;
-        land.has_water = is_wet(from.height_m) || is_wet(from.surround_m);
-    });
-    add_grid(slices, land.land, part_of(scene, source.height_m), part_of(scene, source.kinds),
-             {source.cell_m, kLandBlock, 0});
-    if (source.surround_m.columns >= 2) {
-        // Some of the surround reaches under the land's rim, so that nothing shines through between them.
-        const float hole_m = source.side_m() / 2 - source.surround_cell_m;
-        add_grid(slices, land.surround, part_of(scene, source.surround_m), std::make_shared<mesh::Image>(),
-                 {source.surround_cell_m, kSurroundBlock, hole_m});
-        gl::add_made<Facing>(slices, land.facings, GL_ARRAY_BUFFER, source.surround_m.samples.size(),
-                             [scene](std::size_t i) { return facing_of(*scene->land, i); });
-    }
-    add_ground_picture(slices, land.lit, land.grain, scene);
+void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<const scene::Land>& source) {
+    land.side_m = source->side_m();
+    slices.prepare([&land, source] { land.has_water = is_wet(source->height_m) || is_wet(source->surround_m); });
+    add_grid(slices, land.land, {source, &source->height_m}, {source, &source->kinds}, {source->cell_m, kLandBlock, 0});
+    if (source->surround_m.columns < 2) return;
+    // Some of the surround reaches under the land's rim, so that nothing shines through between them.
+    const float hole_m = source->side_m() / 2 - source->surround_cell_m;
+    add_grid(slices, land.surround, {source, &source->surround_m}, std::make_shared<mesh::Image>(),
+             {source->surround_cell_m, kSurroundBlock, hole_m});
+    gl::add_made<Facing>(slices, land.facings, GL_ARRAY_BUFFER, source->surround_m.samples.size(),
+                         [source](std::size_t i) { return facing_of(*source, i); });
 }
 
 GroundPass::GroundPass()
@@ -73,12 +60,12 @@ GroundPass::GroundPass()
       far_("ground.vert", "ground.frag"),
       vertices_{{0, sizeof(GridPlace), gl::Advance::PerVertex, kPlaceAttributes}} {}
 
-gl::Work GroundPass::draw(const LandOnGpu& land, const gl::StreamBuffer& indices, const IndexRange& range,
-                          float grain_m) const {
+gl::Work GroundPass::draw(const LandOnGpu& land, const GroundPictureOnGpu& picture, const gl::StreamBuffer& indices,
+                          const IndexRange& range, float grain_m) const {
     gl::Work work;
     if (range.count == 0) return work;
-    land.lit.bind(0);
-    land.grain.bind(1);
+    picture.lit.bind(0);
+    picture.grain.bind(1);
     vertices_.bind();
     vertices_.feed(0, land.land.places.name());
     if (range.near_count > 0) {

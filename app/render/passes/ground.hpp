@@ -15,8 +15,6 @@
 
 namespace quadrat::render::passes {
 
-// The texture unit on which the lower clouds' shadow must lie when ground is drawn.
-
 inline constexpr int kLandBlock = 16;  // samples a side of a block of the land
 
 // How far the grain is seen, where a radian has 1 pixel: beyond, its mean is left. m
@@ -25,24 +23,21 @@ inline constexpr float kGrainSeen_m = 0.12F;
 struct LandOnGpu {
     GridOnGpu land;
     GridOnGpu surround;
-    gl::Buffer facings;   // of the surround: a normal and a colour a sample
-    gl::Texture2D lit;    // what the ground sends to the eye, shown, its coarse relief in it; alpha: how deep water
-                          // over it looks
-    gl::Texture2D grain;  // of soft ground and of stone, in the light of the sun; 0.5 is level ground
+    gl::Buffer facings;  // of the surround: a normal and a colour a sample
     float side_m = 0;
     bool has_water = false;
 };
 
 // Adds the slices that fill land, which must stay where it is until they are done.
-void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<const scene::Scene>& scene);
+void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<const scene::Land>& source);
 
-// The land's square. What it is made of and the light baked for it are multiplied while uploading, for the sun stands
-// still: a pixel fetches their product.
+// The land's square.
 class GroundPass {
   public:
     GroundPass();
     // grain_m: how far it is seen.
-    gl::Work draw(const LandOnGpu& land, const gl::StreamBuffer& indices, const IndexRange& range, float grain_m) const;
+    gl::Work draw(const LandOnGpu& land, const GroundPictureOnGpu& picture, const gl::StreamBuffer& indices,
+                  const IndexRange& range, float grain_m) const;
 
   private:
     gl::Program near_;

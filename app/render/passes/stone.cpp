@@ -11,11 +11,11 @@
 
 namespace quadrat::render::passes {
 
-void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<const scene::Scene>& scene) {
-    const scene::Stone& source = scene->land->stone;
+void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<const scene::Land>& land) {
+    const scene::Stone& source = land->stone;
     const std::size_t most = Pieces::most_corners(source);
     const auto corners = std::make_shared<std::vector<Pieces::Corner>>();
-    slices.prepare([&stone, &source, scene, corners, most] {
+    slices.prepare([&stone, &source, land, corners, most] {
         stone.pieces = Pieces(source);
         *corners = stone.pieces.take_corners();
         corners->resize(most);

@@ -19,7 +19,7 @@ struct StoneOnGpu {
 };
 
 // Adds the slices that fill stone, which must stay where it is until they are done.
-void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<const scene::Scene>& scene);
+void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<const scene::Land>& land);
 
 // Boulders, arches, caves.
 class StonePass {

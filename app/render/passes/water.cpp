@@ -123,15 +123,15 @@ float foam_of(glm::vec2 current_m_s) {
 
 }  // namespace
 
-void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shared_ptr<const scene::Scene>& scene) {
-    const mesh::Mesh& mesh = scene->land->fresh_water;
+void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shared_ptr<const scene::Land>& land) {
+    const mesh::Mesh& mesh = land->fresh_water;
     if (mesh.indices.empty()) return;
     gl::add_made<FreshCorner>(slices, water.corners, GL_ARRAY_BUFFER, mesh.positions_m.size(),
-                              [scene, &mesh](std::size_t i) {
+                              [land, &mesh](std::size_t i) {
                                   const glm::vec2 current_m_s = mesh.texcoords[i];
                                   return FreshCorner{mesh.positions_m[i], foam_of(current_m_s), current_m_s};
                               });
-    add_chunks(slices, water.chunks, water.indices, {scene, &mesh});
+    add_chunks(slices, water.chunks, water.indices, {land, &mesh});
 }
 
 WaterPass::WaterPass()

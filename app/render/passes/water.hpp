@@ -19,7 +19,7 @@ struct FreshWaterOnGpu {
     gl::Buffer indices;
     Chunks chunks;
 };
-void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shared_ptr<const scene::Scene>& scene);
+void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shared_ptr<const scene::Land>& land);
 
 // The sea at y = 0, from under the eye to the horizon.
 class WaterPass {

@@ -12,7 +12,6 @@
 
 #include "scene/colour.hpp"
 #include "synthesis/compose/crown_shadows.hpp"
-#include "synthesis/compose/openness.hpp"
 #include "synthesis/compose/stone_shadows.hpp"
 
 namespace quadrat::synthesis {
@@ -151,10 +150,10 @@ glm::vec3 light_on(const Pixel& p, const scene::Land& land, const scene::Sky& sk
 
 }  // namespace
 
-scene::BakedLight bake_light(const scene::Land& land, const scene::Sky& sky, const scene::Flora& flora,
-                             std::span<const scene::Plant> plants, const LandShadow& shadow, int side_px) {
+scene::BakedLight bake_light(const scene::Land& land, const mesh::Field& open, const scene::Sky& sky,
+                             const scene::Flora& flora, std::span<const scene::Plant> plants, const LandShadow& shadow,
+                             int side_px) {
     scene::BakedLight light{mesh::Image(side_px, side_px, 4)};
-    const mesh::Field open = sky_openness(land);
     const Bounce bounce(land, sky, shadow);
     CrownShade crowns = cast_crowns(land, sky.sun_direction, flora, plants, side_px);
     darken(crowns.sun, cast_stone(land, sky.sun_direction, side_px), 0.94F);
@@ -170,8 +169,8 @@ scene::BakedLight bake_light(const scene::Land& land, const scene::Sky& sky, con
                                             (static_cast<float>(y) + 0.5F) * open_per_px - 0.5F) *
                                crowns.sky.at(x, y);
             const float left = std::clamp(1.0F - sky.occlusion * (1.0F - seen), 0.25F * seen, 1.0F);
-            const glm::vec3 c = light_on({at, scene::ground_height_m(land, at), crowns.sun.at(x, y), left}, land, sky,
-                                         shadow, bounce);
+            const glm::vec3 c =
+                light_on({at, scene::ground_height_m(land, at), crowns.sun.at(x, y), left}, land, sky, shadow, bounce);
             std::uint8_t* pixel = light.ground.pixel(x, y);
             pixel[0] = half_byte(c.x);
             pixel[1] = half_byte(c.y);

@@ -25,9 +25,10 @@ class LandShadow {
 };
 
 // Light on the ground: sun past land and crowns, sky past the land, and what the ground around throws back into
-// hollows (one bounce).
-scene::BakedLight bake_light(const scene::Land& land, const scene::Sky& sky, const scene::Flora& flora,
-                             std::span<const scene::Plant> plants, const LandShadow& shadow, int side_px);
+// hollows (one bounce). openness: sky_openness(land).
+scene::BakedLight bake_light(const scene::Land& land, const mesh::Field& openness, const scene::Sky& sky,
+                             const scene::Flora& flora, std::span<const scene::Plant> plants, const LandShadow& shadow,
+                             int side_px);
 
 // Sets each plant's sun: trees see it at their crown's height past land and neighbours, what is lower takes the
 // ground's.

@@ -10,6 +10,7 @@
 #include "kiosk/easel.hpp"
 #include "kiosk/picture.hpp"
 #include "synthesis/compose/light.hpp"
+#include "synthesis/compose/openness.hpp"
 #include "synthesis/grow.hpp"
 #include "synthesis/trees/form.hpp"
 
@@ -47,7 +48,7 @@ std::shared_ptr<const scene::Scene> stand_alone(const genome::ParameterValues& v
     made->plants.push_back(plant);
     made->flora = flora;
     const synthesis::LandShadow shadow(*made->land, made->sky->sun_direction);
-    made->light = synthesis::bake_light(*made->land, *made->sky, *flora, made->plants, shadow, 256);
+    made->light = synthesis::bake_light(*made->land, synthesis::sky_openness(*made->land), *made->sky, *flora, made->plants, shadow, 256);
     return made;
 }
 

@@ -14,6 +14,7 @@
 #include "scene/parameters.hpp"
 #include "support/effort.hpp"
 #include "synthesis/compose/light.hpp"
+#include "synthesis/compose/openness.hpp"
 #include "synthesis/grow.hpp"
 #include "synthesis/sky/atmosphere.hpp"
 #include "synthesis/sky/clouds.hpp"
@@ -203,7 +204,7 @@ TEST(BakedLight, OfAWhiteGroundIsTheIrradianceOfSunAndSkyWithinTwoPercent) {
         const scene::Sky sky = grow_sky(scene::realise(recipe.values).sky, recipe.seeds[genome::Aspect::Sky]);
         if (sky.is_night) continue;  // the eye opens a night's shadows
         const LandShadow shadow(land, sky.sun_direction);
-        const scene::BakedLight baked = bake_light(land, sky, {}, {}, shadow, 32);
+        const scene::BakedLight baked = bake_light(land, sky_openness(land), sky, {}, {}, shadow, 32);
         const glm::vec3 expected =
             level_irradiance([&](const glm::vec3& d) { return scene::mean_radiance(sky, d); }) / kPi +
             sky.sunlight * sky.sun_direction.y;
