@@ -12,57 +12,15 @@
 #include <mutex>
 #include <span>
 #include <thread>
-#include <tuple>
-#include <variant>
 #include <vector>
 
 #include "kiosk/low_priority.hpp"
-#include "scene/parameters.hpp"
-#include "synthesis/grow.hpp"
+#include "kiosk/plot.hpp"
 
 namespace quadrat::kiosk {
 namespace {
 
 using genome::Aspect;
-
-// What an aspect is grown from, and nothing else: equal keys grow equal things.
-using AspectKey = std::tuple<Aspect, std::uint64_t, std::vector<float>>;
-using Grown = std::variant<std::shared_ptr<const scene::Flora>, std::shared_ptr<const scene::Land>,
-                           std::shared_ptr<const scene::Sky>>;
-
-AspectKey key_of(Aspect aspect, const genome::ParameterValues& values, base::Seed seed) {
-    std::vector<float> own;
-    for (const auto id : genome::parameters_of(aspect, genome::Genome::Full)) own.push_back(values[id]);
-    return {aspect, seed.value, std::move(own)};
-}
-
-Grown grow_aspect(Aspect aspect, const genome::ParameterValues& values, base::Seed seed,
-                  const scene::Fineness& fineness) {
-    const scene::SceneParameters parameters = scene::realise(values);
-    switch (aspect) {
-        case Aspect::Trees:
-            return std::make_shared<const scene::Flora>(synthesis::grow_trees(parameters.trees, seed));
-        case Aspect::Land:
-            return std::make_shared<const scene::Land>(synthesis::grow_land(parameters.land, seed, fineness));
-        case Aspect::Sky:
-            break;
-    }
-    return std::make_shared<const scene::Sky>(synthesis::grow_sky(parameters.sky, seed));
-}
-
-base::Seed planting_of(const genome::Candidate& candidate) { return candidate.seeds[Aspect::Trees].child("planting"); }
-
-AspectKey key_of(Aspect aspect, const genome::Candidate& candidate) {
-    return key_of(aspect, candidate.values, candidate.seeds[aspect]);
-}
-
-// Trees, land, planting and flight: what a layout comes from.
-using LayoutKey = std::tuple<AspectKey, AspectKey, std::uint64_t, std::uint64_t>;
-
-LayoutKey layout_key_of(const genome::Candidate& candidate, base::Seed flight) {
-    return {key_of(Aspect::Trees, candidate), key_of(Aspect::Land, candidate), planting_of(candidate).value,
-            flight.value};
-}
 
 // Threads that grow give way to the one that draws.
 class LowPriority : public tbb::task_scheduler_observer {
@@ -91,12 +49,11 @@ constexpr std::size_t kAspectsKept = 2 * genome::kCandidates * genome::kAspects.
 }  // namespace
 
 std::shared_ptr<const scene::Scene> grow(const genome::Recipe& recipe, const scene::Fineness& fineness) {
-    genome::PerAspect<Grown> grown;
-    for (const Aspect aspect : genome::kAspects)
-        grown[aspect] = grow_aspect(aspect, recipe.values, recipe.seeds[aspect], fineness);
-    return std::make_shared<const scene::Scene>(synthesis::compose(
-        std::get<0>(grown[Aspect::Trees]), std::get<1>(grown[Aspect::Land]), std::get<2>(grown[Aspect::Sky]),
-        recipe.seeds[Aspect::Trees].child("planting"), recipe.flight, fineness));
+    const auto part = [&](Aspect aspect) { return grow_aspect(aspect, recipe.values, recipe.seeds[aspect], fineness); };
+    Plot plot{planting_of(recipe.seeds), recipe.flight, std::get<0>(part(Aspect::Trees)),
+              std::get<1>(part(Aspect::Land)), std::get<2>(part(Aspect::Sky))};
+    lay_out(plot);
+    return illuminated(plot, fineness);
 }
 
 struct Grower::Parts {
@@ -122,8 +79,14 @@ struct Grower::Parts {
     bool can_be_laid_out(const genome::Candidate& candidate) const;
     bool can_lay_out() const;
     void note_standing();
+    void forget_ahead();
     void lay_out_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
+    Plot plot_of(const genome::Candidate& candidate, base::Seed flight) const;
+    template <typename Work>
+    void on_all(std::vector<Plot>& plots, std::unique_lock<std::mutex>& lock, const std::stop_token& stop,
+                const Work& work);
     void compose_order(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
+    void refine(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
     void enqueue(Aspect aspect, std::span<const genome::Candidate> candidates);
     bool has_all(const Order& wanted) const;
     bool is_ordered(const AspectKey& key) const;
@@ -145,6 +108,8 @@ struct Grower::Parts {
     std::optional<Order> ordered;  // not composed yet
     std::uint64_t order_number = 0;
     std::optional<Scenes> ready;
+    std::vector<Plot> to_refine;  // of what is or was ready, in its first light
+    std::optional<Scenes> refined;
     float progress = 0;
 
     std::jthread worker;  // last: it uses all of the above
@@ -227,6 +192,12 @@ void Grower::Parts::note_standing() {
     }
 }
 
+void Grower::Parts::forget_ahead() {
+    ahead.reset();
+    layouts.clear();
+    standing.clear();
+}
+
 bool Grower::Parts::can_be_laid_out(const genome::Candidate& candidate) const {
     return kept.contains(key_of(Aspect::Trees, candidate)) && kept.contains(key_of(Aspect::Land, candidate)) &&
            !layouts.contains(layout_key_of(candidate, ahead->flight));
@@ -236,68 +207,70 @@ bool Grower::Parts::can_lay_out() const {
     return ahead && std::ranges::any_of(ahead->candidates, [this](const auto& c) { return can_be_laid_out(c); });
 }
 
-void Grower::Parts::lay_out_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
-    const base::Seed flight = ahead->flight;
-    struct Plot {
-        const genome::Candidate candidate;
-        std::shared_ptr<const scene::Flora> flora;
-        std::shared_ptr<const scene::Land> land;
-        std::shared_ptr<const synthesis::Layout> layout;
-    };
-    std::vector<Plot> plots;
-    const auto most = static_cast<std::size_t>(std::max(1, arena.max_concurrency()));
-    for (const genome::Candidate& candidate : ahead->candidates)
-        if (plots.size() < most && can_be_laid_out(candidate))
-            plots.push_back({candidate, std::get<0>(kept.at(key_of(Aspect::Trees, candidate)).grown),
-                             std::get<1>(kept.at(key_of(Aspect::Land, candidate)).grown), nullptr});
+Plot Grower::Parts::plot_of(const genome::Candidate& candidate, base::Seed flight) const {
+    const auto sky = kept.find(key_of(Aspect::Sky, candidate));
+    const auto layout = layouts.find(layout_key_of(candidate, flight));
+    return {planting_of(candidate.seeds),
+            flight,
+            std::get<0>(kept.at(key_of(Aspect::Trees, candidate)).grown),
+            std::get<1>(kept.at(key_of(Aspect::Land, candidate)).grown),
+            sky == kept.end() ? nullptr : std::get<2>(sky->second.grown),
+            layout == layouts.end() ? nullptr : layout->second};
+}
+
+// Without the lock.
+template <typename Work>
+void Grower::Parts::on_all(std::vector<Plot>& plots, std::unique_lock<std::mutex>& lock, const std::stop_token& stop,
+                           const Work& work) {
     lock.unlock();
     arena.execute([&] {
         tbb::parallel_for(std::size_t{0}, plots.size(), [&](std::size_t i) {
-            if (stop.stop_requested()) return;
-            plots[i].layout = std::make_shared<const synthesis::Layout>(
-                synthesis::lay_out(*plots[i].flora, *plots[i].land, planting_of(plots[i].candidate), flight));
+            if (!stop.stop_requested()) work(i);
         });
     });
     lock.lock();
+}
+
+void Grower::Parts::lay_out_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
+    const base::Seed flight = ahead->flight;
+    std::vector<LayoutKey> keys;
+    std::vector<Plot> plots;
+    const auto most = static_cast<std::size_t>(std::max(1, arena.max_concurrency()));
+    for (const genome::Candidate& candidate : ahead->candidates) {
+        if (plots.size() == most || !can_be_laid_out(candidate)) continue;
+        keys.push_back(layout_key_of(candidate, flight));
+        plots.push_back(plot_of(candidate, flight));
+    }
+    on_all(plots, lock, stop, [&](std::size_t i) { lay_out(plots[i]); });
     if (stop.stop_requested()) return;
-    for (const Plot& plot : plots) layouts[layout_key_of(plot.candidate, flight)] = plot.layout;
+    for (std::size_t i = 0; i < plots.size(); ++i) layouts[keys[i]] = plots[i].layout;
 }
 
 void Grower::Parts::compose_order(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
-    const Order order = *ordered;
     const std::uint64_t number = order_number;
-    struct Plot {
-        std::shared_ptr<const scene::Flora> flora;
-        std::shared_ptr<const scene::Land> land;
-        std::shared_ptr<const scene::Sky> sky;
-        std::shared_ptr<const synthesis::Layout> layout;  // or null
-    };
     std::vector<Plot> plots;
-    for (const genome::Candidate& candidate : order.candidates) {
-        const auto found = layouts.find(layout_key_of(candidate, order.flight));
-        plots.push_back({std::get<0>(kept.at(key_of(Aspect::Trees, candidate)).grown),
-                         std::get<1>(kept.at(key_of(Aspect::Land, candidate)).grown),
-                         std::get<2>(kept.at(key_of(Aspect::Sky, candidate)).grown),
-                         found == layouts.end() ? nullptr : found->second});
-    }
-    lock.unlock();
+    for (const genome::Candidate& candidate : ordered->candidates) plots.push_back(plot_of(candidate, ordered->flight));
+    const scene::Fineness first = first_light(options.fineness);
     Scenes made(plots.size());
-    arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
-            if (stop.stop_requested()) return;
-            const Plot& plot = plots[i];
-            synthesis::Layout layout = plot.layout ? *plot.layout
-                                                   : synthesis::lay_out(*plot.flora, *plot.land,
-                                                                        planting_of(order.candidates[i]), order.flight);
-            made[i] = std::make_shared<const scene::Scene>(
-                synthesis::illuminate(plot.flora, plot.land, plot.sky, std::move(layout), options.fineness));
-        });
+    on_all(plots, lock, stop, [&](std::size_t i) {
+        lay_out(plots[i]);
+        made[i] = illuminated(plots[i], first);
     });
-    lock.lock();
     if (stop.stop_requested() || number != order_number) return;
     ready = std::move(made);
+    if (first.light_px < options.fineness.light_px) to_refine = std::move(plots);
     ordered.reset();
     progress = 1;
+}
+
+void Grower::Parts::refine(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
+    const std::uint64_t number = order_number;
+    std::vector<Plot> plots = to_refine;
+    Scenes made(plots.size());
+    on_all(plots, lock, stop, [&](std::size_t i) { made[i] = illuminated(plots[i], options.fineness); });
+    if (stop.stop_requested() || number != order_number) return;
+    to_refine.clear();
+    (ready ? ready : refined) = std::move(made);
 }
 
 void Grower::Parts::work(const std::stop_token& stop) {
@@ -306,6 +279,8 @@ void Grower::Parts::work(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         if (ordered && has_all(*ordered)) {
             compose_order(lock, stop);
+        } else if (!to_refine.empty()) {
+            refine(lock, stop);
         } else if (!jobs.empty()) {
             grow_batch(lock, stop);
         } else if (can_lay_out()) {
@@ -354,6 +329,8 @@ void Grower::order(std::vector<genome::Candidate> candidates, base::Seed flight)
     parts_->ordered = Order{std::move(candidates), flight};
     ++parts_->order_number;
     parts_->ready.reset();
+    parts_->to_refine.clear();
+    parts_->refined.reset();
     parts_->progress = 0;
     parts_->changed.notify_all();
 }
@@ -365,12 +342,19 @@ bool Grower::is_ready() {
 
 std::optional<Scenes> Grower::take() {
     const std::scoped_lock lock(parts_->mutex);
-    if (parts_->ready) {
-        parts_->ahead.reset();
-        parts_->layouts.clear();
-        parts_->standing.clear();
-    }
+    if (parts_->ready && parts_->to_refine.empty()) parts_->forget_ahead();
     return std::exchange(parts_->ready, std::nullopt);
+}
+
+std::optional<Scenes> Grower::take_refined() {
+    const std::scoped_lock lock(parts_->mutex);
+    if (parts_->refined) parts_->forget_ahead();
+    return std::exchange(parts_->refined, std::nullopt);
+}
+
+bool Grower::is_refining() {
+    const std::scoped_lock lock(parts_->mutex);
+    return !parts_->to_refine.empty() || parts_->refined;
 }
 
 float Grower::progress() {
@@ -381,12 +365,12 @@ float Grower::progress() {
 Grower::Stock Grower::stock() {
     const std::scoped_lock lock(parts_->mutex);
     const std::size_t to_grow = parts_->jobs.size() + parts_->growing.size();
-    return {parts_->kept.size(), to_grow, to_grow > 0 || parts_->ordered};
+    return {parts_->kept.size(), to_grow, to_grow > 0 || parts_->ordered || !parts_->to_refine.empty()};
 }
 
 void Grower::wait() {
     std::unique_lock lock(parts_->mutex);
-    parts_->changed.wait(lock, [this] { return parts_->ready.has_value() || !parts_->ordered; });
+    parts_->changed.wait(lock, [this] { return !parts_->ordered && parts_->to_refine.empty(); });
 }
 
 }  // namespace quadrat::kiosk

@@ -38,16 +38,20 @@ class Grower {
     void begin_layouts(const genome::Offer& offer, base::Seed flight);
 
     // What stands of the scenes to come: the trees and lands that have grown of those last laid out, until they are
-    // taken.
+    // taken in their own light.
     std::vector<render::Ground> ahead();
 
-    // Whole scenes, composed for one flight. Replaces an order that has not been taken.
+    // Whole scenes, composed for one flight. Replaces an order that has not been taken. They are ready in a first,
+    // coarse light; it is refined at once.
     void order(std::vector<genome::Candidate> candidates, base::Seed flight);
 
     bool is_ready();               // the order can be taken
     std::optional<Scenes> take();  // once an order; nothing while it is not ready
     float progress();              // of the order, 0 to 1
-    void wait();                   // until the order is ready
+    // The same scenes in their own light, once, unless take() gave them so already.
+    std::optional<Scenes> take_refined();
+    bool is_refining();  // or has refined what nobody took
+    void wait();         // until the order is ready in its own light
 
     // Aspects held for what may be asked next, never more than the four scenes' twice, and aspects still to grow.
     struct Stock {

@@ -188,17 +188,24 @@ class Loop {
         const Instant until = parts_.clock.now() + kUploadTime;
         const Theatre::Haste haste =
             is_all ? Theatre::Haste::everything()
-                   : Theatre::Haste{kUploadBytes, [this, until] { return parts_.clock.now() < until; }};
+                   : Theatre::Haste{kUploadBytes, [this, until] { return parts_.clock.now() < until; }, 1};
         // What is on stage comes first: after a change of context it is missing too.
         if (!theatre_.prepare(parts_.show.on_stage(), haste)) return;
         const Act* act = parts_.show.waiting_for_upload();
-        if (act == nullptr) {
-            theatre_.prepare_ahead(parts_.show.ahead(), haste);
-        } else if (theatre_.prepare(*act, haste)) {
+        if (act != nullptr) {
+            // A visitor waits for these, and their first light is painted quickly.
+            Theatre::Haste quick = haste;
+            quick.scenes = static_cast<int>(act->scenes.size());
+            if (!theatre_.prepare(*act, quick)) return;
             parts_.show.uploaded(now);
-            theatre_.let_go();
             theatre_.keep_only(parts_.show.in_use());
             if (is_all) theatre_.prepare(parts_.show.on_stage(), haste);
+        } else if (const Act* refined = parts_.show.waiting_to_refine(); refined != nullptr) {
+            if (!theatre_.prepare(*refined, haste)) return;
+            parts_.show.refined();
+            theatre_.keep_only(parts_.show.in_use());
+        } else {
+            theatre_.prepare_ahead(parts_.show.ahead(), haste);
         }
     }
 
@@ -207,6 +214,7 @@ class Loop {
         const Screen screen = parts_.show.state().screen;
         const Act& act = parts_.show.on_stage();
         const bool is_worth_it = screen == Screen::Ask || screen == Screen::Slide || screen == Screen::Finale;
+        if (!parts_.show.is_refined()) return;
         if (parts_.album == nullptr || !is_worth_it || act.number == photographed_ || act.recipes.empty()) return;
         photographed_ = act.number;
         const Picture picture = picture_of(act, canvas, parts_.configuration);
@@ -223,7 +231,7 @@ class Loop {
         const Act& act = parts_.show.on_stage();
         const bool is_finale = parts_.show.state().screen == Screen::Finale && !act.recipes.empty();
         if (parts_.keepsakes == nullptr || parts_.caretaker == nullptr || parts_.mode == staff::Mode::Safe) return;
-        if (!is_finale || !parts_.keepsakes->wants_another(now)) return;
+        if (!is_finale || !parts_.show.is_refined() || !parts_.keepsakes->wants_another(now)) return;
         const mesh::Image picture = theatre_.photograph(act, picture_of(act, canvas, parts_.configuration), canvas);
         parts_.caretaker->keep_picture(staff::halved(picture), parts_.keepsakes->keep(now));
     }

@@ -130,6 +130,7 @@ void Show::grow_offer(int generation, Keeper::Ticket kept) {
         candidates = {session_->favourite()};
     else
         candidates.assign(session_->offer().candidates.begin(), session_->offer().candidates.end());
+    refined_.reset();
     waiting_.emplace();
     waiting_->generation = generation;
     waiting_->kept = kept;
@@ -246,6 +247,7 @@ void Show::carry_out(const exhibit::GrowFinale& wish, Instant /*now*/) {
     bred_ = {genome::recipe_of(favourite, flight), favourite.words, words_to_ask()};
     caption_ = favourite.words ? genome::language(language_).describe(*favourite.words) : "";
     if (!caption_.empty()) base::log::info("the landscape they bred: {}", caption_);
+    refined_.reset();
     waiting_.emplace();
     waiting_->generation = wish.generation;
     waiting_->is_finale = true;
@@ -332,6 +334,23 @@ void Show::uploaded(Instant now) {
     happen(exhibit::GenerationReady{done.generation}, now);
 }
 
+const Act* Show::waiting_to_refine() {
+    if (!waiting_ && !refined_)
+        if (auto scenes = grower_.take_refined()) refined_ = Act{std::move(*scenes), {}, acts_, {}};
+    return refined_ ? &*refined_ : nullptr;
+}
+
+void Show::refined() {
+    if (!refined_) return;
+    for (Act* act : {&offered_, &finale_}) {
+        if (act->number != refined_->number) continue;
+        for (std::size_t i = 0; i < act->scenes.size(); ++i)
+            std::ranges::replace(gallery_.scenes, act->scenes[i], refined_->scenes[i]);
+        act->scenes = refined_->scenes;
+    }
+    refined_.reset();
+}
+
 void Show::finish_growing() {
     keeper_->wait(study_);
     school_->wait();
@@ -369,7 +388,9 @@ const Act& Show::on_stage() const {
     return offered_;
 }
 
-std::vector<const Act*> Show::in_use() const { return {&offered_, &finale_, &gallery_}; }
+std::vector<const Act*> Show::in_use() const {
+    return {&offered_, &finale_, &gallery_, refined_ ? &*refined_ : nullptr};
+}
 
 bool Show::can_go_back() const {
     switch (state_.screen) {

@@ -70,6 +70,12 @@ class Show {
     const Act* waiting_for_upload();
     void uploaded(Instant now);
 
+    // The act that was uploaded last, in its own light instead of a first, coarse one; once it is on the GPU too, say
+    // refined(). None where it has grown so already.
+    const Act* waiting_to_refine();
+    void refined();
+    bool is_refined() { return !refined_ && !grower_.is_refining(); }  // nothing is shown in a first light
+
     // What of the landscapes to come needs no sky and has grown: may be brought to the GPU already.
     std::vector<render::Ground> ahead() { return grower_.ahead(); }
 
@@ -139,7 +145,8 @@ class Show {
     std::shared_ptr<std::int64_t> visit_;  // its number in the archive, written and read by the keeper's thread
     std::optional<Waiting> waiting_;
     float progress_ = 0;  // of what is waited for, as the visit was last told
-    Act offered_;         // the four of this round, or of the visit to come
+    std::optional<Act> refined_;
+    Act offered_;  // the four of this round, or of the visit to come
     Act finale_;
     Act gallery_;  // what the last visitors bred, for Attract
     int acts_ = 0;

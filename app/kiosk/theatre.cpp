@@ -67,6 +67,7 @@ bool Theatre::prepare(const Act& act, const Haste& haste) {
     if (!has_gpu()) return true;
     for (const auto& scene : act.scenes)
         if (!uploaded_.contains(scene.get()) && !stands(*scene, haste)) return false;
+    int finished = 0;
     for (const auto& scene : act.scenes) {
         if (uploaded_.contains(scene.get())) continue;
         begin_uploads(act, haste.may_wait);
@@ -75,9 +76,9 @@ bool Theatre::prepare(const Act& act, const Haste& haste) {
         if (!found->uploading.advance(haste)) return false;
         uploaded_[scene.get()] = {scene, found->uploading.upload->take()};
         uploading_.erase(found);
-        if (!haste.may_wait) return false;  // one scene's end is enough for a frame
+        if (++finished == haste.scenes) break;
     }
-    return true;
+    return std::ranges::all_of(act.scenes, [this](const auto& scene) { return uploaded_.contains(scene.get()); });
 }
 
 void Theatre::prepare_ahead(const std::vector<render::Ground>& grounds, const Haste& haste) {

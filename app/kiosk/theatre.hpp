@@ -29,15 +29,15 @@ class Theatre {
     struct Haste {
         std::size_t bytes;               // about
         std::function<bool()> has_time;  // asked before each piece; none: always
+        int scenes = 1;                  // are finished, at most
         bool may_wait = false;           // for what is still worked out beside the frames
 
-        static Haste everything() { return {static_cast<std::size_t>(-1), {}, true}; }
+        static Haste everything() { return {static_cast<std::size_t>(-1), {}, 1000, true}; }
     };
     // Uploads some of what is missing of this act; true when all of it is there, or there is no GPU.
     bool prepare(const Act& act, const Haste& haste);
-    // The same for what an act to come will stand on; held until let_go().
+    // The same for what an act to come will stand on; held as long as it is asked for.
     void prepare_ahead(const std::vector<render::Ground>& grounds, const Haste& haste);
-    void let_go() { ahead_.clear(); }
     // Frees what no act needs.
     void keep_only(const std::vector<const Act*>& acts);
 
@@ -76,7 +76,7 @@ class Theatre {
     };
     std::map<const scene::Scene*, Uploaded> uploaded_;
     // What needs no GPU is worked out beside the frames; at most so many at once, for their memory.
-    static constexpr std::size_t kMostAhead = 2;
+    static constexpr std::size_t kMostAhead = 4;
     template <typename Upload>
     struct Uploading {
         std::unique_ptr<Upload> upload;

@@ -25,10 +25,10 @@ struct CountryOnGpu {
 // What a picture of the scene needs, and nothing else of it: the grown scene may go once this is whole.
 class GpuScene {
   public:
-    std::shared_ptr<const CountryOnGpu> country;  // both shared with scenes that inherited them
+    std::shared_ptr<const CountryOnGpu> country;  // all three shared with scenes that inherited them
     std::shared_ptr<const passes::FloraOnGpu> flora;
+    std::shared_ptr<const passes::SkyOnGpu> sky;
     passes::GroundPictureOnGpu ground;
-    passes::SkyOnGpu sky;
     std::vector<scene::Plant> plants;
     LightAndAir air;
 };

@@ -123,7 +123,7 @@ Selection Renderer::Parts::select(const Frame& frame, std::size_t slot) {
 
     passes::Gathering gathering;
     gathering.view = s.block;
-    gathering.clouds = &scene.sky.shadow_map;
+    gathering.clouds = &scene.sky->shadow_map;
     gathering.pixels_per_radian = scale;
     gathering.growth = view.growth;
     gathering.fineness = std::sqrt(alpha);  // the budget takes the rest where there is much to see
@@ -205,7 +205,7 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
         of(Kind::Wood) += trees.wood;
     }
     if (what.ground) {
-        gl::bind_uniforms(scene.sky.shadow, passes::kShadowBinding);
+        gl::bind_uniforms(scene.sky->shadow, passes::kShadowBinding);
         const HeldGround& held = grounds[slot];
         of(Kind::Ground) += stone.draw(country.stone, held.indices(), held.stone());
         if (gl::Wires::are_on()) {
@@ -222,7 +222,7 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
         of(Kind::Water) += water.draw_fresh(country.fresh_water, scene.ground.lit, frustum);
     }
     if (!what.sky || gl::Wires::are_on()) return;
-    of(Kind::Sky) += sky.draw(scene.sky, frustum, view.camera.eye_m, place.height);
+    of(Kind::Sky) += sky.draw(*scene.sky, frustum, view.camera.eye_m, place.height);
     of(Kind::Falling) += falling.draw(scene.air.sky.precipitation, selection.block, pixels_per_radian(view));
 }
 

@@ -61,7 +61,7 @@ class WholeUpload final : public SceneUpload {
         made_->flora = ground.flora;
         made_->plants = source->plants;
         made_->air = light_and_air_of(*source);
-        passes::add_sky(slices_, made_->sky, source->sky);
+        made_->sky = shelved(slices_, shelves, &Shelves::skies, source->sky, passes::add_sky);
         const std::shared_ptr<const passes::GroundPainter> painter{shelves, &shelves->painter};
         passes::add_ground_picture(slices_, made_->ground, painter, ground.material, source);
     }

@@ -32,6 +32,7 @@ class Shelf {
 struct Shelves {
     Shelf<scene::Flora, passes::FloraOnGpu> floras;
     Shelf<scene::Land, CountryOnGpu> countries;
+    Shelf<scene::Sky, passes::SkyOnGpu> skies;
     Shelf<scene::Land, passes::MaterialOnGpu> materials;
     passes::GroundPainter painter;
 };

@@ -32,6 +32,7 @@ void light_grain_row(const scene::Land& land, glm::vec3 to_sun, mesh::Image& lit
 constexpr float kReliefTiles = 0.107F;
 
 constexpr int kBandRows = 256;
+constexpr int kPixelsOfLight = 4;  // a side, to one of the light's, at most
 
 }  // namespace
 
@@ -103,8 +104,9 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture,
     flat.sampling = gl::Sampling::Flat;
     gl::add_picture(slices, *light, {scene, &scene->light.ground}, flat);
     gl::TextureShape shape;
-    shape.width = land.albedo.width;
-    shape.height = land.albedo.height;
+    // As coarse as its light: no more of it would be seen.
+    shape.width = std::min(land.albedo.width, kPixelsOfLight * scene->light.ground.width);
+    shape.height = std::min(land.albedo.height, kPixelsOfLight * scene->light.ground.height);
     slices.add(0, [&picture, shape] { picture.lit = gl::Texture2D{shape}; });
     const float tiles = kReliefTiles * land.side_m() / land.detail_tile_m;
     slices.add_pieces(
