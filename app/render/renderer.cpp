@@ -219,7 +219,11 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
     }
     if (what.water) {
         if (country.land.has_water) of(Kind::Water) += water.draw(scene.ground.lit, frustum, view.camera.eye_m);
-        of(Kind::Water) += water.draw_fresh(country.fresh_water, scene.ground.lit, frustum);
+        // As many pixels as the lines of a finer or smaller picture ask for.
+        const float nearness = std::sqrt(std::min(frame.detail.alpha, 1.0F)) * pixels_per_radian(view) /
+                               passes::WaterLevels::kPixelsPerRadian;
+        of(Kind::Water) += water.draw_fresh(country.fresh_water, scene.ground.lit,
+                                            country.fresh_water.levels.seen(frustum, view.camera.eye_m, nearness));
     }
     if (!what.sky || gl::Wires::are_on()) return;
     of(Kind::Sky) += sky.draw(*scene.sky, frustum, view.camera.eye_m, place.height);

@@ -30,8 +30,8 @@ Grown grown(std::uint64_t number) {
             synthesis::grow_land(p.land, recipe.seeds[genome::Aspect::Land]),
             synthesis::grow_sky(p.sky, recipe.seeds[genome::Aspect::Sky]),
             {}};
-    const auto planted = synthesis::plant_land(g.land, g.flora, synthesis::plan_flight(recipe.flight), base::Seed{number},
-                                               {.trees = kTrees});
+    const auto planted = synthesis::plant_land(g.land, g.flora, synthesis::plan_flight(recipe.flight),
+                                               base::Seed{number}, {.trees = kTrees});
     for (const scene::Plant& plant : planted)
         if (g.flora.species[plant.species].storey == scene::Storey::Tree) g.plants.push_back(plant);
     // Where fewer grow, some stand twice: the light does not mind.
@@ -53,7 +53,8 @@ void sky(Results& results) {
         bakes.push_back(least_ms(3, [&] {
             const synthesis::LandShadow shadow(g.land, g.sky.sun_direction, g.sky.shadow_softness);
             synthesis::light_plants(g.plants, g.flora, g.sky, shadow);
-            synthesis::bake_light(g.land, synthesis::sky_openness(g.land), g.sky, g.flora, g.plants, shadow, scene::Fineness{}.light_px);
+            synthesis::bake_light(g.land, synthesis::sky_openness(g.land), g.sky, g.flora, g.plants, shadow,
+                                  scene::Fineness{}.light_px);
         }));
     }
     results.push_back({"sky.bake_ms", percentile(bakes, 0.5), "ms", cores()});

@@ -12,6 +12,7 @@
 #include "kiosk/benches/scratch.hpp"
 #include "kiosk/benches/visit_plot.hpp"
 #include "kiosk/detail/memory.hpp"
+#include "kiosk/heap.hpp"
 #include "kiosk/run_loop.hpp"
 
 namespace quadrat::kiosk::benches {
@@ -58,7 +59,8 @@ class WatchedScreen final : public display::Display {
         const exhibit::Screen screen = show_.state().screen;
         // A visitor who is kept waiting presses on: what counts is the press that was the last answer.
         if (screen == exhibit::Screen::Breed && screen_before_ != screen) answered_at_ = show_.last_press_at();
-        if (!is_first && act != frames_.back().act && screen == exhibit::Screen::Ask && answered_at_.count() > 0)
+        if (!is_first && act != frames_.back().act && screen == exhibit::Screen::Ask &&
+            screen_before_ == exhibit::Screen::Breed)
             frame.since_press = now - answered_at_;
         screen_before_ = screen;
         shown_at_ = presented.shown_at;
@@ -108,6 +110,7 @@ double milliseconds(Instant span) { return std::chrono::duration<double, std::mi
 }  // namespace
 
 void visit(Results& results, const Options& options) {
+    give_memory_back();  // as quadrat run does
     const Scratch scratch;
     Configuration configuration;
     display::DisplayOptions wanted;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <atomic>
 #include <csignal>
@@ -19,6 +17,7 @@
 #include "firmware-io/merged_buttons.hpp"
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/detail/memory.hpp"
+#include "kiosk/heap.hpp"
 #include "kiosk/run_loop.hpp"
 #include "kiosk/screen.hpp"
 #include "kiosk/service.hpp"
@@ -246,16 +245,6 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
                     fs::absolute(album->folder()).lexically_normal().c_str());
     }
     return status_of(end);
-}
-
-// For months, what is freed must go back to the system: with an arena for each thread that grows landscapes, glibc's
-// allocator holds on to ten times what is in use.
-void give_memory_back() {
-    constexpr int kArenas = 2;
-    constexpr int kAloneFrom_bytes = 128 << 10;
-    ::mallopt(M_ARENA_MAX, kArenas);
-    ::mallopt(M_MMAP_THRESHOLD, kAloneFrom_bytes);
-    ::mallopt(M_TRIM_THRESHOLD, kAloneFrom_bytes);
 }
 
 int run(const Options& options) {

@@ -3,7 +3,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "render/passes/chunks.hpp"
+#include "render/passes/frustum.hpp"
+#include "render/passes/ranges.hpp"
 
 namespace quadrat::render::passes {
 
@@ -17,8 +18,8 @@ class Sectors {
         : ways_(std::move(ways)), indices_a_sector_(indices_a_sector) {}
 
     // Neighbours in one range.
-    std::vector<Chunks::Range> seen(const Frustum& frustum, glm::vec3 apex_m) const {
-        std::vector<Chunks::Range> ranges;
+    std::vector<Range> seen(const Frustum& frustum, glm::vec3 apex_m) const {
+        std::vector<Range> ranges;
         for (std::size_t sector = 0; sector < ways_.size(); ++sector) {
             if (!frustum.may_see_cone(apex_m, ways_[sector])) continue;
             const std::size_t first = sector * indices_a_sector_;

@@ -131,7 +131,16 @@ void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shar
                                   const glm::vec2 current_m_s = mesh.texcoords[i];
                                   return FreshCorner{mesh.positions_m[i], foam_of(current_m_s), current_m_s};
                               });
-    add_chunks(slices, water.chunks, water.indices, {land, &mesh});
+    const auto indices = std::make_shared<std::vector<std::uint32_t>>();
+    slices.prepare([&water, land, indices] {
+        water.levels = WaterLevels(land->fresh_water, land->cell_m, land->height_m.columns);
+        *indices = water.levels.take_indices();
+    });
+    // How many there are is known when they are prepared; as a rule few.
+    slices.add(gl::kBufferPieceBytes, [&water, indices] {
+        water.indices = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, indices->size() * sizeof(std::uint32_t)};
+        water.indices.write<std::uint32_t>(0, *indices);
+    });
 }
 
 WaterPass::WaterPass()
@@ -175,8 +184,7 @@ gl::Work WaterPass::draw(const gl::Texture2D& ground, const Frustum& frustum, gl
 }
 
 gl::Work WaterPass::draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground,
-                               const Frustum& frustum) const {
-    const std::vector<Chunks::Range> seen = water.chunks.seen(frustum);
+                               std::span<const Range> seen) const {
     if (seen.empty()) return {};
     fresh_program_.use();
     fresh_vertices_.bind();

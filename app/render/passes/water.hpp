@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <memory>
+#include <span>
 
 #include "render/gl/buffer.hpp"
 #include "render/gl/program.hpp"
 #include "render/gl/slices.hpp"
 #include "render/gl/texture.hpp"
 #include "render/gl/vertex_array.hpp"
-#include "render/passes/chunks.hpp"
 #include "render/passes/sectors.hpp"
+#include "render/passes/water_levels.hpp"
 #include "scene/scene.hpp"
 
 namespace quadrat::render::passes {
@@ -17,7 +18,7 @@ namespace quadrat::render::passes {
 struct FreshWaterOnGpu {
     gl::Buffer corners;
     gl::Buffer indices;
-    Chunks chunks;
+    WaterLevels levels;
 };
 void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shared_ptr<const scene::Land>& land);
 
@@ -27,7 +28,7 @@ class WaterPass {
     WaterPass();
     // ground's alpha: how deep the water over it looks.
     gl::Work draw(const gl::Texture2D& ground, const Frustum& frustum, glm::vec3 eye_m) const;
-    gl::Work draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground, const Frustum& frustum) const;
+    gl::Work draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground, std::span<const Range> seen) const;
 
   private:
     void bind_pictures(const gl::Texture2D& ground) const;

@@ -48,7 +48,8 @@ std::shared_ptr<const scene::Scene> stand_alone(const genome::ParameterValues& v
     made->plants.push_back(plant);
     made->flora = flora;
     const synthesis::LandShadow shadow(*made->land, made->sky->sun_direction);
-    made->light = synthesis::bake_light(*made->land, synthesis::sky_openness(*made->land), *made->sky, *flora, made->plants, shadow, 256);
+    made->light = synthesis::bake_light(*made->land, synthesis::sky_openness(*made->land), *made->sky, *flora,
+                                        made->plants, shadow, 256);
     return made;
 }
 

@@ -128,8 +128,7 @@ TEST(Atmosphere, AgreesWithPreethamByDayAndGoesOnWhereHeEnds) {
         const glm::vec3 sun = toward(0, deg);
         const Atmosphere air({.turbidity = 3});
         const Preetham model(3, sun);
-        const float ours =
-            luminance(level_irradiance([&](const glm::vec3& d) { return air.radiance(d, sun); }));
+        const float ours = luminance(level_irradiance([&](const glm::vec3& d) { return air.radiance(d, sun); }));
         const float his = luminance(level_irradiance([&](const glm::vec3& d) { return model.radiance(d); }));
         EXPECT_GT(ours, 0.45F * his) << deg;
         EXPECT_LT(ours, 2.2F * his) << deg;
