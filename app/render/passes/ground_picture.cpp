@@ -73,7 +73,10 @@ void GroundPainter::paint(const Sheet& sheet, const GroundPictureOnGpu& picture,
     for (const GLenum test : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE}) glDisable(test);
     program_.use();
     glUniform1f(0, sheet.relief_tiles);
-    glUniform1f(1, 0.5F * kGrain);
+    const float rim = 1 - 2 / static_cast<float>(std::min(shape.width, shape.height));
+    glUniform2f(1, 0.5F * kGrain, rim);
+    const gl::TextureShape& kinds = sheet.material.kinds.shape();
+    glUniform2f(2, static_cast<float>(kinds.width), static_cast<float>(kinds.height));
     sheet.material.roots.bind(0);
     sheet.material.kinds.bind(1);
     sheet.light.bind(2);

@@ -23,8 +23,8 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr int kSectors = 64;
-constexpr int kBowRings = 14;
-constexpr int kBowSectors = 96;
+constexpr int kBowRings = 10;
+constexpr int kBowSectors = 56;  // a chord leaves its arc by less than a tenth of a degree
 // Encoded as the display wants it, in sixteen bits: eight would show as bands.
 struct DomeColour {
     std::uint16_t red, green, blue, unused;
@@ -208,6 +208,7 @@ SkyPass::SkyPass()
 }
 
 gl::Work SkyPass::draw(const SkyOnGpu& sky, const Frustum& frustum, glm::vec3 eye_m, int height_px) const {
+    glDepthMask(GL_FALSE);  // it lies where depth was cleared to
     program_.use();
     sky.clouds[0].bind(0);
     sky.clouds[1].bind(1);
@@ -222,6 +223,7 @@ gl::Work SkyPass::draw(const SkyOnGpu& sky, const Frustum& frustum, glm::vec3 ey
     work += draw_lights(sky, height_px);
     glEnable(GL_CULL_FACE);
     glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
     return work;
 }
 
