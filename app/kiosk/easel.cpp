@@ -57,13 +57,14 @@ mesh::Image Easel::draw(const Picture& picture, const Scenes& scenes) {
     return pixels;
 }
 
-mesh::Image draw_picture(render::Renderer& renderer, SignWriter& writer, const Picture& picture, const Cast& cast,
-                         const display::Canvas& canvas) {
+namespace {
+
+render::Frame frame_of(const Picture& picture, const Cast& cast, const display::Canvas& canvas) {
     render::Frame frame;
     frame.size = {canvas.size.width, canvas.size.height};
     frame.framebuffer = canvas.framebuffer;
     frame.seconds = picture.seconds;
-    frame.detail.alpha = picture.alpha;
+    frame.detail = {picture.alpha, picture.scale};
     frame.is_wired = picture.has_wires;
     const auto places = quarters(frame.size.x, frame.size.y);
     const bool is_four = cast.scenes.size() > 1;
@@ -75,7 +76,35 @@ mesh::Image draw_picture(render::Renderer& renderer, SignWriter& writer, const P
         view.growth = picture.growth;
         frame.views.push_back(std::move(view));
     }
-    if (is_four) frame.signs = writer.badges(frame.size.x, frame.size.y);
+    return frame;
+}
+
+}  // namespace
+
+mesh::Image Easel::draw(Picture& picture, const Budget& budget) {
+    const display::Canvas canvas = display_->begin_frame();
+    Cast cast;
+    for (const genome::Recipe& recipe : picture.scenes) {
+        const auto scene = grow(recipe, fineness_of(picture.land_samples));
+        cast.scenes.push_back({scene, upload_now(*renderer_, scene)});
+    }
+    render::Frame frame = frame_of(picture, cast, canvas);
+    const render::Detail detail = detail_within(budget, frame.size, frame.detail, [&](const render::Detail& tried) {
+        frame.detail = tried;
+        return renderer_->draw(frame).triangles;
+    });
+    picture.alpha = detail.alpha;
+    picture.scale = detail.scale;
+    SignWriter writer(*renderer_);
+    mesh::Image pixels = draw_picture(*renderer_, writer, picture, cast, canvas);
+    display_->present();
+    return pixels;
+}
+
+mesh::Image draw_picture(render::Renderer& renderer, SignWriter& writer, const Picture& picture, const Cast& cast,
+                         const display::Canvas& canvas) {
+    render::Frame frame = frame_of(picture, cast, canvas);
+    if (frame.views.size() > 1) frame.signs = writer.badges(frame.size.x, frame.size.y);
     renderer.draw(frame);
     return renderer.read_pixels(frame);
 }

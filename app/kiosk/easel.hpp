@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "display/display.hpp"
+#include "kiosk/detail/budget.hpp"
 #include "kiosk/growing.hpp"
 #include "kiosk/picture.hpp"
 #include "kiosk/stage.hpp"
@@ -18,7 +19,9 @@ class Easel {
 
     // Grows the picture's scenes and draws it. The size must be the easel's.
     mesh::Image draw(const Picture& picture);
-    // The same with scenes that are grown already.
+    // The same in less detail, where the budget asks for it, which the picture then tells.
+    mesh::Image draw(Picture& picture, const Budget& budget);
+    // With scenes that are grown already.
     mesh::Image draw(const Picture& picture, const Scenes& scenes);
 
     display::Display& display() { return *display_; }

@@ -69,6 +69,7 @@ Picture picture_in(const ordered_json& object, const std::string& source) {
     picture.seconds = number_in(object, "seconds", 0, 1e6F, 0, source);
     picture.growth = number_in(object, "growth", 0, 1, 1, source);
     picture.alpha = number_in(object, "alpha", 0.01F, 100, 1, source);
+    picture.scale = number_in(object, "scale", 0.25F, 1, 1, source);
     picture.land_samples = static_cast<int>(number_in(object, "land_samples", 65, 1025, 513, source));
     if (!std::has_single_bit(static_cast<unsigned>(picture.land_samples - 1)))
         refuse(source, fmt::format("land_samples is {}; it must be 65, 129, 257, 513 or 1025", picture.land_samples));
@@ -109,6 +110,7 @@ std::string to_json(const Picture& picture) {
         json["camera"] = {{"eye", vector_json(picture.camera->eye_m)},
                           {"target", vector_json(picture.camera->target_m)},
                           {"fov_deg", picture.camera->vertical_fov_deg}};
+    if (picture.scale < 1) json["scale"] = picture.scale;
     if (picture.has_wires) json["wires"] = true;
     json["scenes"] = ordered_json::array();
     for (const genome::Recipe& recipe : picture.scenes)

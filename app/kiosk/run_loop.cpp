@@ -67,7 +67,9 @@ firmware_io::Lamps lamps_for(const Show& show) {
 
 class Loop {
   public:
-    explicit Loop(const RunLoopParts& parts) : parts_(parts), theatre_(parts.configuration) {}
+    explicit Loop(const RunLoopParts& parts) : parts_(parts), theatre_(parts.configuration) {
+        if (parts.budget) budget_.emplace(*parts.budget, static_cast<float>(parts.configuration.picture.alpha));
+    }
 
     RunEnd run() {
         parts_.show.open(parts_.clock.now());
@@ -129,7 +131,9 @@ class Loop {
         Theatre::Over over;
         if (parts_.caretaker != nullptr) over.board = parts_.caretaker->board();
         if (parts_.keepsakes != nullptr && shows_earlier_landscapes()) over.backdrop = parts_.keepsakes->at(now);
+        if (budget_) theatre_.set_detail(budget_->detail({canvas.size.width, canvas.size.height}));
         drawn_ = theatre_.draw(parts_.show, parts_.show.growing_progress(), now, canvas, over);
+        if (budget_) budget_->drew(drawn_.triangles);
         if (parts_.caretaker == nullptr) return;
         if (const std::string file = parts_.caretaker->take_picture_wish(); !file.empty())
             parts_.caretaker->keep_picture(theatre_.read_back(), file);
@@ -137,10 +141,14 @@ class Loop {
 
     float alpha() const {
         const auto configured = static_cast<float>(parts_.configuration.picture.alpha);
+        if (budget_) return theatre_.detail().alpha;
         return parts_.governor != nullptr ? parts_.governor->level() : configured;
     }
 
-    float scale() const { return parts_.governor != nullptr ? scale_for(parts_.governor->level()) : 1; }
+    float scale() const {
+        if (budget_) return theatre_.detail().scale;
+        return parts_.governor != nullptr ? scale_for(parts_.governor->level()) : 1;
+    }
 
     Instant period_of(const display::Presented& presented) const {
         return presented.period.count() > 0 ? presented.period : kFrame;
@@ -164,7 +172,7 @@ class Loop {
         DetailGovernor& governor = *parts_.governor;
         governor.follow(static_cast<float>(parts_.configuration.picture.alpha));
         governor.frame({now, took, period_, had_room, parts_.show.is_growing()});
-        theatre_.set_level(governor.level());
+        theatre_.set_detail({alpha_for(governor.level()), scale_for(governor.level())});
         if (const auto why = governor.take_reason()) {
             base::log::info("{}", *why);
             // The plug may be pulled at any moment; once a minute is often enough for the disk.
@@ -309,6 +317,7 @@ class Loop {
     Theatre theatre_;
     display::Power power_ = display::Power::On;
     display::Outcome last_outcome_ = display::Outcome::Shown;
+    std::optional<BudgetKeeper> budget_;
     render::Drawn drawn_;  // last
     StartReport start_;
     std::uint64_t frames_ = 0;

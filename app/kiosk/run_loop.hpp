@@ -8,6 +8,7 @@
 #include "firmware-io/button_source.hpp"
 #include "kiosk/album.hpp"
 #include "kiosk/clock.hpp"
+#include "kiosk/detail/budget.hpp"
 #include "kiosk/detail/governor.hpp"
 #include "kiosk/panel.hpp"
 #include "kiosk/show.hpp"
@@ -28,8 +29,9 @@ struct RunLoopParts {
     staff::Keepsakes* keepsakes = nullptr;  // borrowed
     staff::Mode mode = staff::Mode::Usual;
     DetailGovernor* governor = nullptr;  // borrowed; nothing: the configured detail, however long a frame takes
-    Album* album = nullptr;              // borrowed; nothing: no pictures are kept
-    bool ends_after_visit = false;       // the program ends with the first visit that ends
+    std::optional<Budget> budget = std::nullopt;  // instead of the governor's
+    Album* album = nullptr;                       // borrowed; nothing: no pictures are kept
+    bool ends_after_visit = false;                // the program ends with the first visit that ends
     const std::atomic<bool>* stop = nullptr;
 };
 

@@ -125,7 +125,7 @@ render::Drawn Theatre::draw(const Show& show, float growing_progress, Instant no
     render::Frame frame = stage_->frame({show.state(), show.timings(), cast, flash, growing_progress, now,
                                          show.caption(), asked ? &*asked : nullptr, over.board, over.backdrop},
                                         canvas);
-    if (level_) frame.detail = {alpha_for(*level_), scale_for(*level_)};
+    if (detail_) frame.detail = *detail_;
     drawn_ = {frame.size, frame.hanging, frame.framebuffer, frame.seconds, {}, {}, frame.detail, {}};
     return renderer_->draw(frame);
 }

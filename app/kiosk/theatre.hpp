@@ -50,9 +50,9 @@ class Theatre {
                        const Over& over);
     // What was drawn last, as the panel has it; an empty image where nothing was.
     mesh::Image read_back();
-    // The governor's level to draw with (alpha_for()); what is configured, until somebody governs. Pictures that are
-    // kept have what is configured.
-    void set_level(float level) { level_ = level; }
+    // To draw with; what is configured, until somebody governs. Pictures that are kept have what is configured.
+    void set_detail(const render::Detail& detail) { detail_ = detail; }
+    render::Detail detail() const { return detail_.value_or(render::Detail{}); }
     // Waits so long at most for the last frame to be drawn; true when it is.
     bool is_drawn_within(std::chrono::nanoseconds patience) {
         return !has_gpu() || renderer_->is_done_within(patience);
@@ -67,7 +67,7 @@ class Theatre {
     std::uint32_t context_ = 0;
     std::unique_ptr<render::Renderer> renderer_;
     std::unique_ptr<Stage> stage_;
-    std::optional<float> level_;
+    std::optional<render::Detail> detail_;
     render::Frame drawn_;  // last, without its views and signs
     // A scene is held as long as what was made of it: its address stays its own.
     struct Uploaded {

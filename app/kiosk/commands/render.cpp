@@ -20,6 +20,7 @@ struct Options {
     std::optional<float> detail;
     bool has_wires = false;
     std::optional<float> growth;
+    Budget budget;
 };
 
 scene::Camera camera_from(const std::string& text) {
@@ -49,7 +50,8 @@ int draw(const Options& options) {
     if (options.has_wires) picture.has_wires = true;
     if (options.growth) picture.growth = *options.growth;
     Easel easel(picture.width, picture.height);
-    write_picture(options.output, easel.draw(picture), to_json(picture));
+    const mesh::Image pixels = options.budget.is_bound() ? easel.draw(picture, options.budget) : easel.draw(picture);
+    write_picture(options.output, pixels, to_json(picture));
     return 0;
 }
 
@@ -66,6 +68,8 @@ void add_render(CLI::App& app, Action& chosen) {
                         "EX,EY,EZ:TX,TY,TZ[:FOV] instead of the flight's, metres, degrees");
     command->add_option("--detail", options->detail, "alpha: 1 is standard, 0.25 coarse, 4 fine")
         ->check(CLI::Range(0.01F, 100.0F));
+    command->add_option("--triangles", options->budget.triangles, "In so much detail that no more are drawn");
+    command->add_option("--pixels", options->budget.pixels, "No more of the landscape; spread over the picture");
     command->add_flag("--wires", options->has_wires,
                       "With the edges of all triangles, warm where fine, cold where coarse");
     command->add_option("--growth", options->growth, "0 seedlings to 1 grown")->check(CLI::Range(0.0F, 1.0F));

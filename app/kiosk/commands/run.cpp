@@ -40,6 +40,7 @@ struct Options {
     std::optional<std::uint64_t> seed;
     std::string log_file;
     double speed = 1;
+    Budget budget;
 };
 
 namespace fs = std::filesystem;
@@ -223,7 +224,7 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
                                                 state, ladder, screen->description()});
     }
     std::optional<DetailGovernor> governor;
-    if (!clock->is_simulated())
+    if (!clock->is_simulated() && !options.budget.is_bound())
         governor.emplace(
             options_for(static_cast<float>(configuration.picture.alpha), kept.detail, screen->description()));
     RunLoopParts parts{configuration, *clock, *screen, panel, *buttons.source, show};
@@ -231,6 +232,7 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
     parts.keepsakes = keepsakes ? &*keepsakes : nullptr;
     parts.mode = ladder.rung().mode;
     parts.governor = governor ? &*governor : nullptr;
+    if (options.budget.is_bound()) parts.budget = options.budget;
     parts.album = album.get();
     parts.ends_after_visit = options.rounds.has_value() || is_demonstration;
     parts.stop = &stop_flag();
@@ -280,6 +282,9 @@ void add_run(CLI::App& app, Action& chosen) {
     command->add_option("--capture", options->capture,
                         "Folder for one PNG a generation, the finale and a contact sheet");
     command->add_option("--seed", options->seed, "Names all chance; without it, every start is another");
+    command->add_option("--triangles", options->budget.triangles,
+                        "No more a frame, whatever this machine could draw: for tests");
+    command->add_option("--pixels", options->budget.pixels, "The same for the pixels of the landscapes");
     command->add_option("--log-file", options->log_file, "Write the log there too");
     command
         ->add_option("--speed", options->speed, "How many times as fast the clock runs, 1 to 100: for endurance tests")

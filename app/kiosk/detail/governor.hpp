@@ -6,7 +6,8 @@
 #include <string>
 
 // Detail that holds the frame: watches whether frames reach the screen in time, never how long a GPU says it took (a
-// Raspberry Pi's clock follows its load), and turns one knob, the level: alpha, and below 0.3 the size of the views too.
+// Raspberry Pi's clock follows its load), and turns one knob, the level: alpha, and below 0.3 the size of the views
+// too.
 namespace quadrat::kiosk {
 
 struct GovernorOptions {
