@@ -4,14 +4,15 @@
 
 namespace quadrat::base {
 
-// A handle that is closed exactly once: move-only, with a named deleter and a value that means "nothing".
+// A handle that is closed exactly once: move-only, with a named deleter and a value that means "nothing". A deleter
+// that counts has a static taken(), which is called for each handle that comes to be owned.
 //     struct CloseDescriptor { void operator()(int fd) const; };
 //     using OwnedDescriptor = Owned<int, CloseDescriptor, -1>;
 template <typename Handle, typename Deleter, Handle Nothing = Handle{}>
 class Owned {
   public:
     Owned() = default;
-    explicit Owned(Handle handle) : handle_(handle) {}
+    explicit Owned(Handle handle) : handle_(handle) { tell(); }
     Owned(Owned&& other) noexcept : handle_(std::exchange(other.handle_, Nothing)) {}
     Owned& operator=(Owned&& other) noexcept {
         if (this != &other) {
@@ -30,9 +31,15 @@ class Owned {
     void reset(Handle handle = Nothing) {
         if (handle_ != Nothing) Deleter{}(handle_);
         handle_ = handle;
+        tell();
     }
 
   private:
+    void tell() const {
+        if constexpr (requires { Deleter::taken(); })
+            if (handle_ != Nothing) Deleter::taken();
+    }
+
     Handle handle_ = Nothing;
 };
 

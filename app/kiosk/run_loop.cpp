@@ -248,7 +248,7 @@ class Loop {
     void report(const display::Presented& presented, Instant now) {
         using display::Outcome;
         if (parts_.caretaker != nullptr)
-            parts_.caretaker->framed(presented, now, {alpha(), scale(), drawn_.triangles, drawn_.draws});
+            parts_.caretaker->framed(presented, now, {alpha(), scale(), drawn_.triangles, drawn_.draws, drawn_.objects});
         if (presented.outcome != last_outcome_) {
             last_outcome_ = presented.outcome;
             if (presented.outcome == Outcome::Shown)

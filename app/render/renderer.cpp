@@ -280,7 +280,7 @@ Drawn Renderer::draw(const Frame& frame) {
     const glm::ivec2 drawn_size = scaled(size, frame.detail.scale);
     const GLuint smaller = drawn_size == size ? 0 : parts.reduced.of(size);
     glBindFramebuffer(GL_FRAMEBUFFER, smaller != 0 ? smaller : frame.framebuffer);
-    const Drawn drawn =
+    Drawn drawn =
         parts.draw_views(frame, selections, smaller != 0 ? std::clamp(frame.detail.scale, 0.25F, 1.0F) : 1);
     if (smaller != 0) parts.reduced.show(drawn_size, frame.framebuffer, size);
     parts.draw_signs(frame);
@@ -290,6 +290,7 @@ Drawn Renderer::draw(const Frame& frame) {
     glInvalidateFramebuffer(GL_FRAMEBUFFER, 2, unneeded);
     glBindVertexArray(0);
     parts.last_drawn.set();
+    drawn.objects = gl::LiveObjects::count();
     return drawn;
 }
 

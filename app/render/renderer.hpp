@@ -101,6 +101,7 @@ struct Drawn {
     std::size_t triangles = 0;          // of all
     std::size_t draws = 0;
     std::size_t sent_bytes = 0;  // that are new every frame: instances, indices, views
+    std::size_t objects = 0;     // buffers, textures, programs that there are
 };
 
 class Renderer {

@@ -203,6 +203,7 @@ Vitals Caretaker::vitals(const Panel& panel, const Show& show, Instant now) cons
     vitals.scale = drawn_.scale;
     vitals.triangles = drawn_.triangles;
     vitals.draws = drawn_.draws;
+    vitals.gpu_objects = drawn_.objects;
     vitals.buttons = panel.status();
     vitals.presses = panel.presses();
     vitals.findings = panel.health().findings();

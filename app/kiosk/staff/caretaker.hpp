@@ -41,6 +41,7 @@ class Caretaker {
         float scale;
         std::size_t triangles;
         std::size_t draws;
+        std::size_t objects;  // of the GPU's, that there are
     };
     void framed(const display::Presented& presented, Instant now, const DrawnWith& drawn);
     // Shows how it draws; then its triangles too; then no longer.
@@ -83,7 +84,7 @@ class Caretaker {
     int fault_pictures_ = 0;
     std::optional<Instant> looked_at_, shown_since_, reported_at_, remembered_at_, drawn_at_;
     bool has_looked_ = false;
-    DrawnWith drawn_{1, 1, 0, 0};  // the last frame
+    DrawnWith drawn_{1, 1, 0, 0, 0};  // the last frame
     enum class Figures { None, Shown, WithWires } figures_ = Figures::None;
     bool is_good_ = false;
     bool wants_restart_ = false;

@@ -73,6 +73,7 @@ std::string to_json(const Vitals& vitals) {
                       {"longest_ms", vitals.frames.longest_ms},
                       {"per_second", vitals.frames.per_second}};
     json["alpha"] = vitals.level;
+    json["gpu_objects"] = vitals.gpu_objects;
     json["buttons"] = {{"present", vitals.buttons.presence == Presence::Present},
                        {"reason", vitals.buttons.reason},
                        {"presses", vitals.presses}};
@@ -105,6 +106,7 @@ std::string to_prometheus(const Vitals& vitals) {
     text += metric("screen_up", "gauge", "1 while the screen shows", vitals.screen_trouble.empty() ? 1 : 0);
     text += metric("frames_total", "counter", "Frames handed over", vitals.frames.frames);
     text += metric("frames_late_total", "counter", "Frames that missed their moment", vitals.frames.late);
+    text += metric("gpu_objects", "gauge", "Buffers, textures and programs on the GPU", vitals.gpu_objects);
     text += metric("buttons_up", "gauge", "1 while buttons are there",
                    vitals.buttons.presence == Presence::Present ? 1 : 0);
     text += metric("presses_total", "counter", "Presses heard", vitals.presses);

@@ -44,6 +44,7 @@ struct Vitals {
     double scale = 1;  // of a side of the views, as they are drawn
     std::size_t triangles = 0;
     std::size_t draws = 0;
+    std::size_t gpu_objects = 0;  // buffers, textures, programs; constant over visits
     firmware_io::SourceStatus buttons;
     std::uint64_t presses = 0;
     std::vector<firmware_io::Finding> findings;

@@ -2,25 +2,56 @@
 #pragma once
 #include <epoxy/gl.h>
 
+#include <atomic>
+#include <cstddef>
+
 #include "base/owned.hpp"
 
 // GL names, each deleted once, on the context's thread.
 namespace quadrat::render::gl {
 
-struct DeleteBuffer {
-    void operator()(GLuint name) const noexcept { glDeleteBuffers(1, &name); }
+// How many there are: what grows from hour to hour is lost.
+class LiveObjects {
+  public:
+    static std::size_t count() { return count_.load(std::memory_order_relaxed); }
+    static void taken() { count_.fetch_add(1, std::memory_order_relaxed); }
+
+  protected:
+    static void left() { count_.fetch_sub(1, std::memory_order_relaxed); }
+
+  private:
+    inline static std::atomic<std::size_t> count_{0};
 };
-struct DeleteTexture {
-    void operator()(GLuint name) const noexcept { glDeleteTextures(1, &name); }
+
+struct DeleteBuffer : LiveObjects {
+    void operator()(GLuint name) const noexcept {
+        glDeleteBuffers(1, &name);
+        left();
+    }
 };
-struct DeleteVertexArray {
-    void operator()(GLuint name) const noexcept { glDeleteVertexArrays(1, &name); }
+struct DeleteTexture : LiveObjects {
+    void operator()(GLuint name) const noexcept {
+        glDeleteTextures(1, &name);
+        left();
+    }
 };
-struct DeleteShader {
-    void operator()(GLuint name) const noexcept { glDeleteShader(name); }
+struct DeleteVertexArray : LiveObjects {
+    void operator()(GLuint name) const noexcept {
+        glDeleteVertexArrays(1, &name);
+        left();
+    }
 };
-struct DeleteProgram {
-    void operator()(GLuint name) const noexcept { glDeleteProgram(name); }
+struct DeleteShader : LiveObjects {
+    void operator()(GLuint name) const noexcept {
+        glDeleteShader(name);
+        left();
+    }
+};
+struct DeleteProgram : LiveObjects {
+    void operator()(GLuint name) const noexcept {
+        glDeleteProgram(name);
+        left();
+    }
 };
 
 using BufferName = base::Owned<GLuint, DeleteBuffer>;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "render/gl/picture_upload.hpp"
 #include "render/gl/slices.hpp"
@@ -74,6 +75,23 @@ TEST_F(Pictures, ArriveWholeInSmallSlices) {
     glReadPixels(0, 0, 300, 200, GL_RGBA, GL_UNSIGNED_BYTE, back.data());
     glDeleteFramebuffers(1, &framebuffer);
     EXPECT_EQ(back, image->bytes);
+}
+
+class LiveObjectsOnGpu : public Gpu {};
+
+TEST_F(LiveObjectsOnGpu, AreCountedOnceAndNoLongerThanTheyLive) {
+    const std::size_t before = LiveObjects::count();
+    {
+        Texture2D one{TextureShape{}};
+        EXPECT_EQ(LiveObjects::count(), before + 1);
+        Texture2D other = std::move(one);
+        EXPECT_EQ(LiveObjects::count(), before + 1);
+        one = Texture2D{TextureShape{}};
+        EXPECT_EQ(LiveObjects::count(), before + 2);
+        other = std::move(one);
+        EXPECT_EQ(LiveObjects::count(), before + 1);
+    }
+    EXPECT_EQ(LiveObjects::count(), before);
 }
 
 }  // namespace
