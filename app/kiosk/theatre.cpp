@@ -45,7 +45,9 @@ bool Theatre::Uploading<Upload>::advance(const Haste& haste) {
 void Theatre::begin_uploads(const Act& act, bool may_wait) {
     // What is no longer wanted goes when its thread is done: no frame waits for it.
     std::erase_if(uploading_, [&](const SceneUploading& u) {
-        return (may_wait || u.uploading.is_prepared()) && std::ranges::find(act.scenes, u.scene) == act.scenes.end();
+        if (std::ranges::find(act.scenes, u.scene) != act.scenes.end()) return false;
+        if (may_wait && u.uploading.prepared.valid()) u.uploading.prepared.wait();
+        return u.uploading.is_prepared();
     });
     for (const auto& scene : act.scenes) {
         if (uploading_.size() >= kMostAhead) return;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mesh/field.hpp"
+#include "scene/colour.hpp"
 
 namespace quadrat::render {
 namespace {
@@ -211,8 +212,8 @@ mesh::Image badge(Shape shape, const std::string& letter_in_it, glm::vec4 colour
     cairo_move_to(pen.get(), outline.middle - ink.x - 0.5 * ink.width,
                   outline.middle + down - ink.y - 0.5 * ink.height);
     // On light grounds a dark letter reads better (relative luminance, sRGB coefficients).
-    const float luminance = 0.2126F * colour.r + 0.7152F * colour.g + 0.0722F * colour.b;
-    draw_text(pen.get(), layout.get(), luminance > 0.62F ? glm::vec4{0.08F, 0.08F, 0.1F, 1} : glm::vec4{1});
+    const bool is_light = scene::luminance(glm::vec3(colour)) > 0.62F;
+    draw_text(pen.get(), layout.get(), is_light ? glm::vec4{0.08F, 0.08F, 0.1F, 1} : glm::vec4{1});
     mesh::Image image = image_of(surface.get());
     put_halo_under(image, halo_px);
     return image;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "render/gpu_scene.hpp"
 #include "render/passes/encode.hpp"
 #include "render/view.hpp"
+#include "scene/colour.hpp"
 
 namespace quadrat::render {
 namespace {
@@ -19,8 +19,6 @@ constexpr float kRippleTurn_rad_s = 1.9F;
 // A dimmed view keeps a third of its light: still readable, plainly not chosen.
 float kept(float dim) { return 1 - 0.68F * glm::clamp(dim, 0.0F, 1.0F); }
 
-float brightness(glm::vec3 light) { return glm::dot(light, glm::vec3{0.2126F, 0.7152F, 0.0722F}); }
-
 // Of a bright cloud's colour no more is shown than fits beside it.
 glm::vec3 shown(const glm::vec3& light, float left) { return encode(passes::held(light) * left); }
 
@@ -30,9 +28,9 @@ void set_clouds(passes::ViewBlock& b, const View& view, float left, float second
     const glm::vec3 shaded = shown(layers[0].shaded, left);
     const glm::vec3 gain = shown(layers[0].sunlit, left) - shaded;
     // The upper layer lies on the same scale of light, by its own brightness.
-    const float low = brightness(shown(layers[1].shaded, left)) - brightness(shaded);
-    const float high = brightness(shown(layers[1].sunlit, left)) - brightness(shaded);
-    const float whole = std::max(brightness(gain), 0.02F);
+    const float low = scene::luminance(shown(layers[1].shaded, left)) - scene::luminance(shaded);
+    const float high = scene::luminance(shown(layers[1].sunlit, left)) - scene::luminance(shaded);
+    const float whole = std::max(scene::luminance(gain), 0.02F);
     b.cloud_shaded = {shaded, (high - low) / whole};
     b.cloud_gain = {gain, low / whole};
     const glm::vec2 eye{view.camera.eye_m.x, view.camera.eye_m.z};
@@ -44,8 +42,8 @@ void set_clouds(passes::ViewBlock& b, const View& view, float left, float second
         b.cloud_place[i] = {over, 0, 0};
     }
     // A cloud takes the sun's share of the light and leaves the sky's.
-    const float sun = brightness(sky.sunlight) * std::max(sky.sun_direction.y, 0.0F);
-    const float all = sun + brightness(sky.ambient.on({0, 1, 0}));
+    const float sun = scene::luminance(sky.sunlight) * std::max(sky.sun_direction.y, 0.0F);
+    const float all = sun + scene::luminance(sky.ambient.on({0, 1, 0}));
     b.cloud_place[0].z = sky.cloud_shadow * layers[0].opacity * std::min(1.25F * sun / std::max(all, 1e-4F), 1.0F);
     const glm::vec2 run = glm::vec2{sky.sun_direction.x, sky.sun_direction.z} / std::max(sky.sun_direction.y, 0.2F);
     const glm::vec2 over_middle = run * layers[0].height_m - layers[0].wind_m_s * seconds;
@@ -60,7 +58,7 @@ void set_water(passes::ViewBlock& b, const LightAndAir& air, float left, float s
     b.scales.w = 0.5F * (cosine + sine);
     b.shallow_water = {shallow, cosine};
     b.deepening = {encode(air.deep_water * left) - shallow, sine};
-    b.mirrored = {shown(air.high_sky, left), 0.35F * encode(brightness(air.foam) * left)};
+    b.mirrored = {shown(air.high_sky, left), 0.35F * encode(scene::luminance(air.foam) * left)};
 }
 
 }  // namespace

@@ -8,6 +8,9 @@
 // image processing", 2020.
 namespace quadrat::scene {
 
+// How bright a linear colour is (ITU-R BT.709).
+inline float luminance(const glm::vec3& linear) { return 0.2126F * linear.r + 0.7152F * linear.g + 0.0722F * linear.b; }
+
 glm::vec3 oklab_from_linear(const glm::vec3& linear);
 glm::vec3 linear_from_oklab(const glm::vec3& lab);  // may lie outside [0, 1]
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
@@ -32,11 +33,6 @@ struct Seen {
     float height_px;
     float shown;  // 1, or less while it fades with distance
 };
-
-float smooth(float low, float high, float x) {
-    const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
-    return t * t * (3 - 2 * t);
-}
 
 std::size_t wood_triangles(const Kind& kind, const Closeness& how) {
     return how.wood_level < kind.wood_triangles.size() ? kind.wood_triangles[how.wood_level] : 0;
@@ -84,7 +80,8 @@ std::vector<Seen> seen_by(std::span<const scene::Plant> plants, std::span<const 
         const float distance_m = glm::length(middle_m - glm::vec3{g.view.eye_seconds});
         const float height_px = 2 * half_m * g.pixels_per_radian / std::max(distance_m, 0.5F);
         const bool is_low = kind.height_m < kLowPlant_m;
-        const float shown = is_low ? smooth(5.0F, 9.0F, height_px * reach) : smooth(1.2F, 2.2F, height_px * reach);
+        const float shown =
+            is_low ? glm::smoothstep(5.0F, 9.0F, height_px * reach) : glm::smoothstep(1.2F, 2.2F, height_px * reach);
         if (shown <= 0) continue;
         if (!frustum.may_see_sphere(middle_m, std::hypot(half_m, kind.radius_m * plant.scale))) continue;
         seen.push_back({static_cast<std::uint32_t>(i), plant.species, height_px, shown});

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 
+#include "scene/colour.hpp"
+
 namespace quadrat::render::passes {
 
 // shaders/common/encode.glsl: linear, exposed light to what the display is given, 0 to 1.
@@ -15,7 +17,7 @@ inline float encode(float light) { return encode_root(std::sqrt(std::max(light, 
 
 // A sky's light, which may be many times paper white, brought under it by its brightness: alike up to a half.
 inline glm::vec3 held(const glm::vec3& light) {
-    const float y = 0.2126F * light.r + 0.7152F * light.g + 0.0722F * light.b;
+    const float y = scene::luminance(light);
     constexpr float kAlike = 0.5F;
     constexpr float kMost = 0.95F;
     if (y <= kAlike) return light;

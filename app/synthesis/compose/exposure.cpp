@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
+#include "scene/colour.hpp"
 #include "synthesis/compose/view_rays.hpp"
 
 namespace quadrat::synthesis {
@@ -14,8 +14,6 @@ namespace {
 constexpr float kBrightest = 0.67F;     // that a picture may be, shown, on the mean
 constexpr float kLeast = 0.72F;         // of what would be shown
 constexpr float kShownByLight = 0.45F;  // shown brightness follows light to about this power
-
-float luminance(const glm::vec3& light) { return glm::dot(light, glm::vec3{0.2126F, 0.7152F, 0.0722F}); }
 
 // Nearly as the renderer's tone curve does.
 float shown(float light) { return 0.95F * std::min(std::sqrt(std::max(light, 0.0F)), 1.05F); }
@@ -33,13 +31,13 @@ struct Seen {
     float country(const glm::vec3& at) const {
         const glm::vec3 on_level = sky.ambient.on({0, 1, 0}) + sky.sunlight * std::max(sky.sun_direction.y, 0.0F);
         const mesh::Image& colours = land.surround_albedo;
-        if (colours.bytes.empty()) return shown(luminance(glm::min(land.far_colour * on_level, 1.1F)));
+        if (colours.bytes.empty()) return shown(scene::luminance(glm::min(land.far_colour * on_level, 1.1F)));
         const auto sample = [&](float along_m, int samples) {
             const float place = along_m / land.surround_cell_m + 0.5F * static_cast<float>(samples - 1);
             return std::clamp(static_cast<int>(place + 0.5F), 0, samples - 1);
         };
         const std::uint8_t* colour = colours.pixel(sample(at.x, colours.width), sample(at.z, colours.height));
-        return shown(luminance(glm::min(linear(colour) * on_level, 1.1F)));
+        return shown(scene::luminance(glm::min(linear(colour) * on_level, 1.1F)));
     }
     float ground(const glm::vec3& at) const {
         const float u = at.x / land.side_m() + 0.5F;
@@ -51,15 +49,17 @@ struct Seen {
         };
         const std::uint8_t* lit = pixel(light.ground);
         const glm::vec3 sent = linear(pixel(land.albedo)) * (glm::vec3{lit[0], lit[1], lit[2]} * (2.0F / 255));
-        return shown(luminance(glm::min(sent, 1.1F)));
+        return shown(scene::luminance(glm::min(sent, 1.1F)));
     }
     float along(const glm::vec3& eye, const glm::vec3& ray) const {
         const Hit hit = first_hit(land, eye, ray);
-        if (hit.distance_m >= kFarthest_m) return shown(std::min(luminance(scene::mean_radiance(sky, ray)), 0.9F));
+        if (hit.distance_m >= kFarthest_m)
+            return shown(std::min(scene::luminance(scene::mean_radiance(sky, ray)), 0.9F));
         const float air = 1 - std::exp(-hit.distance_m / std::max(sky.haze_distance_m, 1.0F));
-        const float water = shown(0.5F * luminance(scene::mean_radiance(sky, {ray.x, std::abs(ray.y) + 0.2F, ray.z})));
+        const float water =
+            shown(0.5F * scene::luminance(scene::mean_radiance(sky, {ray.x, std::abs(ray.y) + 0.2F, ray.z})));
         const float surface = hit.is_water ? water : ground(eye + ray * hit.distance_m);
-        return glm::mix(surface, shown(luminance(sky.haze_colour)), air);
+        return glm::mix(surface, shown(scene::luminance(sky.haze_colour)), air);
     }
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <vector>
@@ -10,15 +11,12 @@
 namespace quadrat::synthesis::land {
 namespace {
 
-float smooth(float low, float high, float x) {
-    const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
-    return t * t * (3.0F - 2.0F * t);
-}
-
 float mix(float a, float b, float t) { return a + t * (b - a); }
 
 // 1 on the land, 0 before its border.
-float inside(float x_m, float z_m) { return 1.0F - smooth(390.0F, 500.0F, std::max(std::abs(x_m), std::abs(z_m))); }
+float inside(float x_m, float z_m) {
+    return 1.0F - glm::smoothstep(390.0F, 500.0F, std::max(std::abs(x_m), std::abs(z_m)));
+}
 
 // 0 where the viewer stands.
 float off_the_knoll(float x_m, float z_m) {
@@ -75,7 +73,7 @@ void Landforms::mesas(Heights h) const {
             height = level_m + (height - level_m) * (1.0F - 0.93F * p_.mesa_share);
         } else if (height > 0.7F * level_m) {
             const float t = (height - 0.7F * level_m) / (0.3F * level_m);
-            height = level_m * (0.7F + 0.3F * mix(t, smooth(0.3F, 0.7F, t), p_.mesa_share));
+            height = level_m * (0.7F + 0.3F * mix(t, glm::smoothstep(0.3F, 0.7F, t), p_.mesa_share));
         }
     }
 }
@@ -87,7 +85,7 @@ void Landforms::terraces(Row xs_m, float z_m, Heights h) const {
         const float steps = h[i] / p_.terrace_step_m + bend;
         const float on = std::floor(steps);
         const float half_edge = 0.5F * p_.terrace_edge;
-        const float stepped = on + smooth(0.5F - half_edge, 0.5F + half_edge, steps - on) - bend;
+        const float stepped = on + glm::smoothstep(0.5F - half_edge, 0.5F + half_edge, steps - on) - bend;
         h[i] = mix(h[i], stepped * p_.terrace_step_m, 0.92F * p_.terrace_share);
     }
 }
@@ -128,7 +126,7 @@ void Landforms::karst(Row xs_m, float z_m, Heights h) const {
                 const float radius = 0.17F + 0.17F * base::unit_of(hash << 24U);
                 const float r = rough * std::sqrt(x * x + y * y) / radius;
                 const float tall = 0.4F + 0.6F * base::unit_of(hash << 32U);
-                most = std::max(most, tall * (1.0F - smooth(0.45F, 1.0F, r)) * (1.0F - 0.2F * r * r));
+                most = std::max(most, tall * (1.0F - glm::smoothstep(0.45F, 1.0F, r)) * (1.0F - 0.2F * r * r));
             }
         }
         h[i] += most * p_.karst_height_m * where;
@@ -143,7 +141,8 @@ void Landforms::canyon(Row xs_m, float z_m, Heights h) const {
         if (h[i] <= kFloor_m) continue;
         const float away_m = std::abs(xs_m[i] - middle_m) - 0.5F * p_.canyon_width_m;
         const float wall_m = 10.0F + 0.55F * h[i];
-        const float cut = (1.0F - smooth(0.0F, wall_m, away_m)) * inside(xs_m[i], z_m) * off_the_knoll(xs_m[i], z_m);
+        const float cut =
+            (1.0F - glm::smoothstep(0.0F, wall_m, away_m)) * inside(xs_m[i], z_m) * off_the_knoll(xs_m[i], z_m);
         h[i] -= 0.95F * p_.canyon_share * cut * (h[i] - kFloor_m);
     }
 }
@@ -159,8 +158,8 @@ void Landforms::heap_dunes(Row xs_m, float z_m, Heights h) const {
     const auto bends = noise_row(wander_, xs_m, z_m, p_.dune_wave_m / 0.6F, {0, 0}, {.count = 2});
     const auto patches = noise_row(wander_, xs_m, z_m, 140.0F, {0, 77.0F}, {.count = 1});
     for (std::size_t i = 0; i < h.size(); ++i) {
-        const float low =
-            smooth(0.4F, 2.5F, h[i]) * (1.0F - smooth(0.35F, 0.75F, h[i] / std::max(p_.land_relief_m, 80.0F)));
+        const float low = glm::smoothstep(0.4F, 2.5F, h[i]) *
+                          (1.0F - glm::smoothstep(0.35F, 0.75F, h[i] / std::max(p_.land_relief_m, 80.0F)));
         const float where = low * inside(xs_m[i], z_m);
         if (where <= 0) continue;
         const float phase = xs_m[i] * along_x + z_m * along_z + 0.65F * bends[i];
@@ -178,7 +177,8 @@ void Landforms::cliffs(Heights h) const {
     const float tall_m = p_.cliff_share * p_.cliff_height_m;
     for (float& height : h)
         if (height > 0)
-            height += tall_m * smooth(0.1F, 1.4F, height) * (1.0F - smooth(1.2F * tall_m, 6.0F * tall_m, height));
+            height += tall_m * glm::smoothstep(0.1F, 1.4F, height) *
+                      (1.0F - glm::smoothstep(1.2F * tall_m, 6.0F * tall_m, height));
 }
 
 void Landforms::marsh(Row xs_m, float z_m, Heights h) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,14 +12,7 @@
 #include "synthesis/noise/gradient.hpp"
 
 namespace quadrat::synthesis::land {
-namespace {
-
-float smooth(float low, float high, float x) {
-    const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
-    return t * t * (3.0F - 2.0F * t);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 mesh::Image surround_colours(const mesh::Field& surround_m, float cell_m, const Palette& palette,
                              const scene::LandParameters& p, base::Seed seed) {
@@ -61,14 +55,15 @@ mesh::Image surround_colours(const mesh::Field& surround_m, float cell_m, const 
                 const float w = woody[static_cast<std::size_t>(column)];
                 const auto toward = [](glm::vec3& c, const glm::vec3& to, float t) { c += t * (to - c); };
                 glm::vec3 c = dry;
-                toward(c, lush, smooth(-0.8F, 0.8F, 0.9F * hollow + 1.4F * n + p.ground_lushness));
+                toward(c, lush, glm::smoothstep(-0.8F, 0.8F, 0.9F * hollow + 1.4F * n + p.ground_lushness));
                 toward(c, wood,
-                       0.85F * smooth(-0.05F, 0.18F, w + 0.15F * hollow) * (1.0F - smooth(0.55F, 0.8F, slope)));
-                toward(c, scree, 0.8F * smooth(0.42F, 0.62F, slope + 0.15F * n));
-                toward(c, rock, smooth(0.58F, 0.85F, slope + 0.12F * n - 0.1F * hollow));
+                       0.85F * glm::smoothstep(-0.05F, 0.18F, w + 0.15F * hollow) *
+                           (1.0F - glm::smoothstep(0.55F, 0.8F, slope)));
+                toward(c, scree, 0.8F * glm::smoothstep(0.42F, 0.62F, slope + 0.15F * n));
+                toward(c, rock, glm::smoothstep(0.58F, 0.85F, slope + 0.12F * n - 0.1F * hollow));
                 toward(c, snow,
-                       smooth(-15.0F, 25.0F, h - line_m + 40.0F * n + 12.0F * hollow) *
-                           (1.0F - 0.9F * smooth(0.42F, 0.72F, slope + 0.1F * n)));
+                       glm::smoothstep(-15.0F, 25.0F, h - line_m + 40.0F * n + 12.0F * hollow) *
+                           (1.0F - 0.9F * glm::smoothstep(0.42F, 0.72F, slope + 0.1F * n)));
                 const glm::vec3 linear = scene::linear_from_oklab(c);
                 for (int k = 0; k < 3; ++k)
                     image.pixel(column, row)[k] = scene::srgb_byte(std::clamp(linear[k], 0.0F, 1.0F));

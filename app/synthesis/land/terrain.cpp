@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 #include <vector>
 
@@ -11,11 +12,6 @@ namespace {
 
 constexpr float kHalfSide_m = 512.0F;
 constexpr float kHighestRange = 0.16F;  // to its distance
-
-float smooth(float low, float high, float x) {
-    const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
-    return t * t * (3.0F - 2.0F * t);
-}
 
 }  // namespace
 
@@ -27,7 +23,7 @@ Terrain::Terrain(const scene::LandParameters& parameters, base::Seed seed)
       bends_(seed.child("bends")),
       range_(seed.child("range")) {
     base::RandomStream random{seed.child("terrain")};
-    rugged_ = smooth(0.38F, 0.56F, parameters.land_gain);
+    rugged_ = glm::smoothstep(0.38F, 0.56F, parameters.land_gain);
     form_relief_m_ = parameters.form_share * parameters.land_relief_m;
     // Hills no steeper than a place one could stand in, however small they are.
     noise_relief_m_ = std::min((1.37F - parameters.form_share) * parameters.land_relief_m,
@@ -75,9 +71,9 @@ void Terrain::add_ranges(std::span<const float> xs_m, float z_m, std::span<float
     for (std::size_t i = 0; i < xs_m.size(); ++i) {
         const float x_m = xs_m[i];
         const float out_m = std::sqrt(x_m * x_m + z_m * z_m);
-        const float rise = smooth(700.0F, p.range_distance_m, out_m);
+        const float rise = glm::smoothstep(700.0F, p.range_distance_m, out_m);
         if (rise <= 0) continue;
-        const float fall = 1.0F - 0.55F * smooth(p.range_distance_m + 400.0F, 8000.0F, out_m);
+        const float fall = 1.0F - 0.55F * glm::smoothstep(p.range_distance_m + 400.0F, 8000.0F, out_m);
         const float toward_north = 1.0F - 0.7F * p.range_north + p.range_north * (-z_m / out_m);
         out[i] += rise * fall * toward_north * height_m * std::max(0.0F, 0.42F + 1.15F * ridges[i]);
     }
@@ -139,8 +135,8 @@ void Terrain::above_lowest_m(std::span<const float> xs_m, float z_m, float cell_
     const float v = z_m / kHalfSide_m;
     const float bend =
         valley_phase_ * (0.55F - v) + p.form_valley_bend * noise::gradient(bends_, 0.8F * v + 7.3F, 0.37F);
-    const float north = p.form_north_rise * smooth(-0.1F, -1.7F, v);
-    const float flank_share = p.form_flank_rise * (0.55F + 0.45F * smooth(0.9F, -0.6F, v));
+    const float north = p.form_north_rise * glm::smoothstep(-0.1F, -1.7F, v);
+    const float flank_share = p.form_flank_rise * (0.55F + 0.45F * glm::smoothstep(0.9F, -0.6F, v));
     const float reach = p.form_knoll_size * p.form_knoll_size;
     const float dv = v - 0.66F;
     const float knoll_share = p.form_knoll_rise * std::exp(-dv * dv / reach);
@@ -165,7 +161,7 @@ void Terrain::lower_outskirts(std::span<const float> xs_m, float z_m, std::span<
     const float near_m = 0.42F * form_relief_m_ + 14.0F;  // about the height the viewer stands at
     for (std::size_t i = 0; i < xs_m.size(); ++i) {
         const float out_m = std::sqrt(xs_m[i] * xs_m[i] + z_m * z_m);
-        const float share = smooth(420.0F, 900.0F, out_m);
+        const float share = glm::smoothstep(420.0F, 900.0F, out_m);
         const float least_m = near_m + 0.035F * out_m;
         if (share <= 0 || out[i] <= least_m) continue;
         const float over_m = out[i] - least_m;

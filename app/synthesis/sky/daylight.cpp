@@ -27,12 +27,6 @@ constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kMoonlight = 2.5e-4F;
 constexpr float kFill = 1.95F;  // how far an illustrator opens the shadows
 
-float smooth(float low, float high, float x) {
-    const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
-    return t * t * (3.0F - 2.0F * t);
-}
-
-float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3{0.2126F, 0.7152F, 0.0722F}); }
 float brightest(const glm::vec3& c) { return std::max({c.x, c.y, c.z, 1.0e-9F}); }
 
 glm::vec3 toward(float azimuth_deg, float elevation_deg) {
@@ -45,7 +39,7 @@ glm::vec3 toward(float azimuth_deg, float elevation_deg) {
 glm::vec3 warmed(const glm::vec3& colour, float warmth, const glm::vec3& warm, const glm::vec3& cool) {
     const glm::vec3 tint = glm::mix(glm::vec3{1}, warmth > 0 ? warm : cool, std::abs(warmth));
     const glm::vec3 tinted = colour * tint;
-    return tinted * (luminance(colour) / std::max(luminance(tinted), 1.0e-9F));
+    return tinted * (scene::luminance(colour) / std::max(scene::luminance(tinted), 1.0e-9F));
 }
 
 constexpr glm::vec3 kAmber{1.28F, 0.93F, 0.48F};
@@ -54,9 +48,7 @@ constexpr glm::vec3 kRose{1.38F, 0.90F, 0.86F};
 constexpr glm::vec3 kBlue{0.62F, 0.96F, 1.45F};
 constexpr glm::vec3 kMoonBlue{0.46F, 0.88F, 1.75F};
 
-Air air_of(const Parameters& p) {
-    return {p.air_turbidity, p.air_molecules, p.air_ozone, p.air_forward, p.air_ground};
-}
+Air air_of(const Parameters& p) { return {p.air_turbidity, p.air_molecules, p.air_ozone, p.air_forward, p.air_ground}; }
 
 // Radiance by bearing from the light, 0 to 180 degrees, and by the dome's heights: a clear sky is alike on both sides.
 class HalfDome {
@@ -84,8 +76,8 @@ class HalfDome {
 
 float preetham_share(const Parameters& p, const Lights& lights) {
     if (lights.is_night) return 0;
-    return std::max(p.air_preetham, 0.0F) * smooth(5.0F, 12.0F, lights.sun_height_deg) *
-           (1.0F - smooth(5.5F, 8.0F, p.air_turbidity));
+    return std::max(p.air_preetham, 0.0F) * glm::smoothstep(5.0F, 12.0F, lights.sun_height_deg) *
+           (1.0F - glm::smoothstep(5.5F, 8.0F, p.air_turbidity));
 }
 
 HalfDome sunlit_dome(const Parameters& p, const Lights& lights, const Atmosphere& atmosphere) {
@@ -139,8 +131,8 @@ glm::vec3 restrained(const glm::vec3& colour) {
     if (chroma < 1.0e-5F) return colour;
     const float red = lab.y / chroma;     // 1 red to -1 green
     const float yellow = lab.z / chroma;  // 1 yellow to -1 blue
-    const float warm = std::max(yellow, 0.0F) * smooth(-0.5F, 0.3F, red);
-    const float blue = std::max(-yellow, 0.0F) * smooth(0.1F, -0.25F, red);
+    const float warm = std::max(yellow, 0.0F) * glm::smoothstep(-0.5F, 0.3F, red);
+    const float blue = std::max(-yellow, 0.0F) * glm::smoothstep(0.1F, -0.25F, red);
     const float most = (0.06F + 0.11F * warm + 0.12F * blue) * std::max(lab.x, 0.5F);
     const float allowed = most * std::tanh(chroma / most);
     lab.y *= allowed / chroma;
@@ -175,10 +167,11 @@ struct Grade {
         c = warmed(c, p.haze_warmth * 0.75F * near, {1.25F, 0.96F, 0.60F}, kColdLight);
         const float deep = 2.0F * p.sky_depth - 1.0F;
         // A deep sky darkens upward; a pale one is lifted.
-        c *= 1.0F + 0.14F - 0.42F * p.sky_depth * smooth(0.05F, 0.8F, height);
+        c *= 1.0F + 0.14F - 0.42F * p.sky_depth * glm::smoothstep(0.05F, 0.8F, height);
         if (lights.is_night) {
-            const glm::vec3 night = glm::mix(glm::vec3{0.85F, 0.95F, 1.2F}, glm::vec3{0.38F, 0.85F, 2.1F}, p.night_blue);
-            c = glm::mix(c, night * (luminance(c) / luminance(night)), 0.8F * lights.darkness);
+            const glm::vec3 night =
+                glm::mix(glm::vec3{0.85F, 0.95F, 1.2F}, glm::vec3{0.38F, 0.85F, 2.1F}, p.night_blue);
+            c = glm::mix(c, night * (scene::luminance(c) / scene::luminance(night)), 0.8F * lights.darkness);
         }
         return restrained(scene::shifted_colour(glm::max(c, glm::vec3{0}), 1.0F, 1.22F + 0.46F * deep));
     }
@@ -187,7 +180,7 @@ struct Grade {
 }  // namespace
 
 float overcast(const Parameters& p) {
-    return smooth(0.55F, 0.97F, p.cloud_cover) * (0.45F + 0.55F * p.cloud_thickness);
+    return glm::smoothstep(0.55F, 0.97F, p.cloud_cover) * (0.45F + 0.55F * p.cloud_thickness);
 }
 
 Lights::Lights(const Parameters& p)
@@ -195,8 +188,8 @@ Lights::Lights(const Parameters& p)
     // The hour of nightfall takes the sun from the horizon down to where it gives no more light.
     sun_height_deg = is_night ? 0.5F - 14.5F * p.night_share : p.sun_elevation_deg;
     sun = toward(p.sun_azimuth_deg, sun_height_deg);
-    darkness = smooth(0.0F, -11.0F, sun_height_deg);
-    lowness = 1.0F - smooth(4.0F, 30.0F, sun_height_deg);
+    darkness = glm::smoothstep(0.0F, -11.0F, sun_height_deg);
+    lowness = 1.0F - glm::smoothstep(4.0F, 30.0F, sun_height_deg);
 }
 
 Daylight make_daylight(const Parameters& p, const Lights& lights) {
@@ -214,9 +207,8 @@ Daylight make_daylight(const Parameters& p, const Lights& lights) {
         thin.turbidity = 1.0F + 0.3F * (thin.turbidity - 1.0F);
         thin.forward = 0.5F * thin.forward;
         const Atmosphere dark(thin);
-        const HalfDome by_moon(lights.moon, [&](const glm::vec3& d, const glm::vec3& m) {
-            return 0.6F * moon * dark.radiance(d, m);
-        });
+        const HalfDome by_moon(
+            lights.moon, [&](const glm::vec3& d, const glm::vec3& m) { return 0.6F * moon * dark.radiance(d, m); });
         const glm::vec3 airglow = glm::vec3{0.55F, 0.75F, 1.15F} * (0.03F * kMoonlight);
         fill(day.dome, [&](const glm::vec3& d, int, int row) {
             return by_sun.at(d, row) + by_moon.at(d, row) + airglow * (1.3F - 0.6F * d.y) +
@@ -230,22 +222,23 @@ Daylight make_daylight(const Parameters& p, const Lights& lights) {
         light = warmed(light, p.sun_warmth - 0.2F, kAmber, kColdLight);
     }
     const glm::vec3 level = level_light(day.dome);
-    const float meter = luminance(light) / kPi * std::max(lights.brightest().y, 0.28F) + kFill * luminance(level);
+    const float meter =
+        scene::luminance(light) / kPi * std::max(lights.brightest().y, 0.28F) + kFill * scene::luminance(level);
     // A picture spans less than the world does: a thousandth of the light is shown at 0.4 of the brightness.
     const float key = std::max(1.27F * std::pow(meter / 0.33F, 0.15F), 0.30F);
     // Under closed clouds a camera opens, though not all the way: they should feel closed.
-    day.exposure = std::exp2(p.light_exposure) * key / std::max(meter, 1.0e-9F) * (1.0F + overcast(p) * (0.70F - 0.55F * p.cloud_thickness));
+    day.exposure = std::exp2(p.light_exposure) * key / std::max(meter, 1.0e-9F) *
+                   (1.0F + overcast(p) * (0.70F - 0.55F * p.cloud_thickness));
 
     const glm::vec2 flat{lights.sun.x, lights.sun.z};
     const Grade grade{p, lights, flat / std::max(glm::length(flat), 1.0e-4F)};
     // A night's sky is darker than what its moon lights, or no star would show.
     const float night_sky = glm::mix(1.0F, 0.26F, lights.darkness);
     const float fill_light = day.exposure * kFill * (0.5F + 0.5F * p.ambient_strength) * night_sky;
-    fill(day.dome, [&](const glm::vec3& d, int column, int row) {
-        return grade(day.dome.at(column, row) * fill_light, d);
-    });
+    fill(day.dome,
+         [&](const glm::vec3& d, int column, int row) { return grade(day.dome.at(column, row) * fill_light, d); });
     // A sky all white has nothing to look at: it gives way to the land it lights.
-    const float bright = luminance(level_light(day.dome));
+    const float bright = scene::luminance(level_light(day.dome));
     if (const float most = 0.60F; bright > most) {
         const float less = std::pow(most / bright, 0.75F);
         fill(day.dome, [&](const glm::vec3&, int column, int row) { return day.dome.at(column, row) * less; });

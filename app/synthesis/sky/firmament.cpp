@@ -18,13 +18,6 @@ namespace {
 
 using Parameters = scene::SkyParameters;
 
-float smooth(float low, float high, float x) {
-    const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
-    return t * t * (3.0F - 2.0F * t);
-}
-
-float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3{0.2126F, 0.7152F, 0.0722F}); }
-
 glm::vec2 way(float bearing_deg) {
     const float a = glm::radians(bearing_deg);
     return {std::sin(a), -std::cos(a)};
@@ -41,13 +34,13 @@ Falling falling(const Parameters& p) { return {std::max(p.rain_share, 0.0F), std
 
 // Never burnt out: the shoulder of a film, by luminance.
 glm::vec3 held(const glm::vec3& c, float most) {
-    const float y = luminance(c);
+    const float y = scene::luminance(c);
     return y > 0 ? c * (most * (1.0F - std::exp(-y / most)) / y) : c;
 }
 
 glm::vec3 of_clouds(const glm::vec3& c, float warmth) {
-    const glm::vec3 tint =
-        glm::mix(glm::vec3{1}, warmth > 0 ? glm::vec3{1.26F, 0.93F, 0.90F} : glm::vec3{0.72F, 0.98F, 1.22F}, std::abs(warmth));
+    const glm::vec3 tint = glm::mix(
+        glm::vec3{1}, warmth > 0 ? glm::vec3{1.26F, 0.93F, 0.90F} : glm::vec3{0.72F, 0.98F, 1.22F}, std::abs(warmth));
     return c * tint;
 }
 
@@ -57,11 +50,11 @@ void paint_layer(scene::CloudLayer& layer, CloudImages images, const Parameters&
     layer.lit = std::move(images.lit);
     layer.mean_density = images.mean_density;
     layer.mean_lit = images.mean_lit;
-    const glm::vec3 sky = glm::mix(day.sky_light, glm::vec3{luminance(day.sky_light)}, 0.55F);
+    const glm::vec3 sky = glm::mix(day.sky_light, glm::vec3{scene::luminance(day.sky_light)}, 0.55F);
     const float closed = overcast(p);
     const glm::vec3 sun = day.high_light * (0.80F + 0.45F * lights.lowness);
     const glm::vec3 sunlit = sun * (1.0F - 0.55F * closed) + 0.75F * sky;
-    const glm::vec3 through = glm::mix(sun, glm::vec3{luminance(sun)}, 0.6F);
+    const glm::vec3 through = glm::mix(sun, glm::vec3{scene::luminance(sun)}, 0.6F);
     const glm::vec3 shaded = (0.78F * sky + 0.22F * through) * (1.0F - 0.52F * depth);
     layer.sunlit = held(of_clouds(sunlit, 0.8F * p.cloud_warmth), 1.15F);
     layer.shaded = held(of_clouds(shaded, p.cloud_warmth), 0.9F);
@@ -82,8 +75,15 @@ void add_clouds(scene::Sky& sky, const Parameters& p, const Daylight& day, const
     low.height_m = p.cloud_height_m;
     low.wind_m_s = wind;
     low.opacity = 0.80F + 0.18F * p.cloud_thickness;
-    const CloudShape heaps{512, 3, 6, p.cloud_roughness, p.cloud_billow, p.cloud_clumps, p.cloud_cover,
-                           p.cloud_sharpness, p.cloud_thickness};
+    const CloudShape heaps{512,
+                           3,
+                           6,
+                           p.cloud_roughness,
+                           p.cloud_billow,
+                           p.cloud_clumps,
+                           p.cloud_cover,
+                           p.cloud_sharpness,
+                           p.cloud_thickness};
     paint_layer(low, make_clouds(heaps, in_the_tile(sun, low.along), seed.child("lower clouds")), p, day, lights,
                 p.cloud_thickness * (0.55F + 0.45F * overcast(p)));
     scene::CloudLayer& high = sky.clouds[1];
@@ -93,8 +93,8 @@ void add_clouds(scene::Sky& sky, const Parameters& p, const Daylight& day, const
     high.height_m = p.cloud_height_m + 2600.0F;
     high.wind_m_s = 1.6F * wind;
     high.opacity = 0.25F + 0.5F * p.cirrus_sharpness;
-    const CloudShape feathers{256, 2, 6, 0.58F, -0.3F * p.cirrus_sharpness, 0.4F, 0.92F * p.cirrus_cover,
-                              0.45F * p.cirrus_sharpness, 0.25F};
+    const CloudShape feathers{
+        256, 2, 6, 0.58F, -0.3F * p.cirrus_sharpness, 0.4F, 0.92F * p.cirrus_cover, 0.45F * p.cirrus_sharpness, 0.25F};
     paint_layer(high, make_clouds(feathers, in_the_tile(sun, high.along), seed.child("upper clouds")), p, day, lights,
                 0.1F);
     sky.silver = p.cloud_silver;
@@ -129,7 +129,7 @@ void set_air(scene::Sky& sky, const Parameters& p, const Lights& lights) {
     sky.haze_colour = held(even, 0.72F);
     // Thick air has scattered its light so often that it is nearly white.
     const float thick = std::clamp(p.mist_share, 0.0F, 1.0F);
-    sky.haze_sunward = glm::mix(sky.haze_sunward, glm::vec3{luminance(sky.haze_sunward)}, 0.35F * thick);
+    sky.haze_sunward = glm::mix(sky.haze_sunward, glm::vec3{scene::luminance(sky.haze_sunward)}, 0.35F * thick);
     if (p.mist_share <= 0) return;
     sky.mist = {0.0028F * std::pow(4.5F, p.mist_share), p.mist_level_m, p.mist_depth_m};
     const glm::vec3 tint = p.mist_warmth > 0 ? glm::vec3{1.18F, 0.98F, 0.76F} : glm::vec3{0.80F, 0.97F, 1.20F};
@@ -157,8 +157,8 @@ void for_half_sphere(bool is_above, const Piece& piece) {
 
 void gather_ambient(scene::Sky& sky, const Parameters& p, const Lights& lights) {
     // By night the eye opens the shadows; no light that could be seen does.
-    const glm::vec3 opened =
-        glm::mix(glm::vec3{0.9F}, glm::vec3{0.55F, 0.85F, 1.5F}, p.night_blue) * ((0.09F + 0.10F * p.ambient_strength) * lights.darkness);
+    const glm::vec3 opened = glm::mix(glm::vec3{0.9F}, glm::vec3{0.55F, 0.85F, 1.5F}, p.night_blue) *
+                             ((0.09F + 0.10F * p.ambient_strength) * lights.darkness);
     glm::vec3 level{0};
     for_half_sphere(true, [&](const glm::vec3& d, float sr) {
         const glm::vec3 seen = scene::mean_radiance(sky, d) + opened;
@@ -198,8 +198,8 @@ void add_falling(scene::Sky& sky, const Parameters& p) {
 
 // What lies before it hides it: mist, thick air.
 float bow_of(const Parameters& p, float closed) {
-    return std::max(p.bow_strength, 0.0F) * (1.0F - 0.7F * closed) * (1.0F - std::clamp(1.3F * p.mist_share, 0.0F, 1.0F)) *
-           smooth(350.0F, 1600.0F, p.haze_distance_m);
+    return std::max(p.bow_strength, 0.0F) * (1.0F - 0.7F * closed) *
+           (1.0F - std::clamp(1.3F * p.mist_share, 0.0F, 1.0F)) * glm::smoothstep(350.0F, 1600.0F, p.haze_distance_m);
 }
 
 void add_disc(scene::Sky& sky, const Parameters& p, const Lights& lights, base::Seed seed) {
@@ -208,7 +208,8 @@ void add_disc(scene::Sky& sky, const Parameters& p, const Lights& lights, base::
     if (lights.is_night) {
         sky.disc.picture = moon_picture(128, p.moon_phase, seed.child("moon"));
         sky.disc.radius_rad *= 1.7F;
-        sky.disc.colour = glm::mix(glm::vec3{0.95F, 0.96F, 1.0F}, glm::vec3{1.0F, 0.78F, 0.5F}, std::max(p.moon_warmth, 0.0F));
+        sky.disc.colour =
+            glm::mix(glm::vec3{0.95F, 0.96F, 1.0F}, glm::vec3{1.0F, 0.78F, 0.5F}, std::max(p.moon_warmth, 0.0F));
         sky.glare = sky.disc.colour * (0.13F * p.sun_glow * p.moon_phase * open);
         return;
     }
