@@ -41,20 +41,20 @@ Easel::Easel(int width, int height) : display_(open_headless(width, height)) {
 }
 
 mesh::Image Easel::draw(const Picture& picture) {
+    Picture drawn = picture;
+    return draw(drawn, Budget{});
+}
+
+mesh::Image Easel::draw(Picture& picture, const Budget& budget) {
     Scenes scenes;
     for (const genome::Recipe& recipe : picture.scenes)
         scenes.push_back(grow(recipe, fineness_of(picture.land_samples)));
-    return draw(picture, scenes);
+    return draw(picture, scenes, budget);
 }
 
 mesh::Image Easel::draw(const Picture& picture, const Scenes& scenes) {
-    const display::Canvas canvas = display_->begin_frame();
-    Cast cast;
-    for (const auto& scene : scenes) cast.scenes.push_back({scene, upload_now(*renderer_, scene)});
-    SignWriter writer(*renderer_);
-    mesh::Image pixels = draw_picture(*renderer_, writer, picture, cast, canvas);
-    display_->present();
-    return pixels;
+    Picture drawn = picture;
+    return draw(drawn, scenes, {});
 }
 
 namespace {
@@ -81,13 +81,10 @@ render::Frame frame_of(const Picture& picture, const Cast& cast, const display::
 
 }  // namespace
 
-mesh::Image Easel::draw(Picture& picture, const Budget& budget) {
+mesh::Image Easel::draw(Picture& picture, const Scenes& scenes, const Budget& budget) {
     const display::Canvas canvas = display_->begin_frame();
     Cast cast;
-    for (const genome::Recipe& recipe : picture.scenes) {
-        const auto scene = grow(recipe, fineness_of(picture.land_samples));
-        cast.scenes.push_back({scene, upload_now(*renderer_, scene)});
-    }
+    for (const auto& scene : scenes) cast.scenes.push_back({scene, upload_now(*renderer_, scene)});
     render::Frame frame = frame_of(picture, cast, canvas);
     const render::Detail detail = detail_within(budget, frame.size, frame.detail, [&](const render::Detail& tried) {
         frame.detail = tried;

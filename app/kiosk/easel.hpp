@@ -28,6 +28,8 @@ class Easel {
     render::Renderer& renderer() { return *renderer_; }
 
   private:
+    mesh::Image draw(Picture& picture, const Scenes& scenes, const Budget& budget);
+
     std::unique_ptr<display::Display> display_;
     std::unique_ptr<render::Renderer> renderer_;
 };

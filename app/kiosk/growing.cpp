@@ -8,12 +8,12 @@
 
 #include <algorithm>
 #include <condition_variable>
-#include <map>
 #include <mutex>
 #include <span>
 #include <thread>
 #include <vector>
 
+#include "kiosk/aspect_store.hpp"
 #include "kiosk/low_priority.hpp"
 #include "kiosk/plot.hpp"
 
@@ -22,19 +22,21 @@ namespace {
 
 using genome::Aspect;
 
-// Threads that grow give way to the one that draws.
-class LowPriority : public tbb::task_scheduler_observer {
+// Threads that grow give way to the one that draws: all of them of this arena.
+class GivingWay : public tbb::task_scheduler_observer {
   public:
-    explicit LowPriority(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) { observe(true); }
-    ~LowPriority() override { observe(false); }
-    LowPriority(const LowPriority&) = delete;
-    LowPriority& operator=(const LowPriority&) = delete;
-    void on_scheduler_entry(bool /*is_worker*/) override { lower_priority(); }
-};
+    GivingWay(tbb::task_arena& arena, LowPriority& priority)
+        : tbb::task_scheduler_observer(arena), priority_(priority) {
+        observe(true);
+    }
+    ~GivingWay() override { observe(false); }
+    GivingWay(const GivingWay&) = delete;
+    GivingWay& operator=(const GivingWay&) = delete;
+    void on_scheduler_entry(bool /*is_worker*/) override { priority_.join(); }
+    void on_scheduler_exit(bool /*is_worker*/) override { priority_.leave(); }
 
-struct Order {
-    std::vector<genome::Candidate> candidates;
-    base::Seed flight;
+  private:
+    LowPriority& priority_;
 };
 
 #if defined(__SANITIZE_THREAD__)
@@ -50,23 +52,18 @@ constexpr std::size_t kAspectsKept = 2 * genome::kCandidates * genome::kAspects.
 
 std::shared_ptr<const scene::Scene> grow(const genome::Recipe& recipe, const scene::Fineness& fineness) {
     const auto part = [&](Aspect aspect) { return grow_aspect(aspect, recipe.values, recipe.seeds[aspect], fineness); };
-    Plot plot{planting_of(recipe.seeds), recipe.flight, std::get<0>(part(Aspect::Trees)),
-              std::get<1>(part(Aspect::Land)), std::get<2>(part(Aspect::Sky))};
-    lay_out(plot);
-    return illuminated(plot, fineness);
+    return std::make_shared<const scene::Scene>(
+        synthesis::compose(std::get<0>(part(Aspect::Trees)), std::get<1>(part(Aspect::Land)),
+                           std::get<2>(part(Aspect::Sky)), planting_of(recipe.seeds), recipe.flight, fineness));
 }
 
 struct Grower::Parts {
     explicit Parts(const GrowerOptions& options_)
         : options(options_),
           arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic),
-          observer(arena),
+          observer(arena, priority),
           worker([this](const std::stop_token& stop) { work(stop); }) {}
 
-    struct Kept {
-        std::uint64_t wanted;  // when, last
-        Grown grown;
-    };
     struct Job {
         AspectKey key;
         genome::ParameterValues values;
@@ -76,36 +73,51 @@ struct Grower::Parts {
 
     void work(const std::stop_token& stop);
     void grow_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
-    bool can_be_laid_out(const genome::Candidate& candidate) const;
-    bool can_lay_out() const;
-    void note_standing();
-    void forget_ahead();
-    void lay_out_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
-    Plot plot_of(const genome::Candidate& candidate, base::Seed flight) const;
+    std::size_t at_once() const { return static_cast<std::size_t>(std::max(1, arena.max_concurrency())); }
     template <typename Work>
-    void on_all(std::vector<Plot>& plots, std::unique_lock<std::mutex>& lock, const std::stop_token& stop,
-                const Work& work);
+    void on_all(std::size_t count, std::unique_lock<std::mutex>& lock, const std::stop_token& stop, const Work& work);
+    Plot plot_of(const genome::Candidate& candidate, base::Seed flight) const;
+    std::vector<Plot> plots_of(const Order& order) const;
+    bool stands(const genome::Candidate& candidate) const;
+    void note_standing();
+    std::vector<genome::Candidate> to_lay_out(std::size_t most) const;
+    void lay_out_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
+    struct Dark {
+        SceneKey key;
+        genome::Candidate candidate;
+        Plot plot;
+    };
+    std::vector<Dark> to_light(std::size_t most) const;
+    void light_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
+    bool is_ahead_done() const { return to_lay_out(1).empty() && to_light(1).empty(); }
+    void forget_ahead();
+    void take_lit(const Order& wanted);
+    void work_out_head_start(std::unique_lock<std::mutex>& lock);
+    bool has_work() const;
     void compose_order(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
+    void finish_order(Scenes made, std::vector<Plot> plots);
     void refine(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
     void enqueue(Aspect aspect, std::span<const genome::Candidate> candidates);
     bool has_all(const Order& wanted) const;
-    bool is_ordered(const AspectKey& key) const;
     void forget_old();
 
     GrowerOptions options;
     tbb::task_arena arena;
-    LowPriority observer;
+    LowPriority priority;  // low while somebody waits or will soon, else idle
+    GivingWay observer;
 
     std::mutex mutex;
     std::condition_variable_any changed;
     std::vector<Job> jobs;           // not begun
     std::vector<AspectKey> growing;  // begun
-    std::map<AspectKey, Kept> kept;
-    std::optional<Order> ahead;                                             // the last that were to be laid out
-    std::map<LayoutKey, std::shared_ptr<const synthesis::Layout>> layouts;  // of those
-    std::vector<render::Ground> standing;                                   // of those
-    std::uint64_t wants = 0;
-    std::optional<Order> ordered;  // not composed yet
+    AspectStore kept;
+    std::function<HeadStart()> to_work_out;  // or null
+    std::uint64_t head_start_number = 0;
+    bool is_working_out = false;
+    Ahead ahead;
+    std::vector<scene::Ground> standing;  // of what is to be laid out
+    std::optional<Order> ordered;         // not composed yet
+    Scenes ordered_lit;                   // of those, what was lit ahead, or null
     std::uint64_t order_number = 0;
     std::optional<Scenes> ready;
     std::vector<Plot> to_refine;  // of what is or was ready, in its first light
@@ -116,15 +128,12 @@ struct Grower::Parts {
 };
 
 void Grower::Parts::enqueue(Aspect aspect, std::span<const genome::Candidate> candidates) {
-    ++wants;
+    kept.pass_time();
     for (const genome::Candidate& candidate : candidates) {
         AspectKey key = key_of(aspect, candidate);
-        if (const auto found = kept.find(key); found != kept.end()) {
-            found->second.wanted = wants;
-            continue;
-        }
+        if (kept.want(key)) continue;
         if (std::ranges::find(jobs, key, &Job::key) == jobs.end() && std::ranges::find(growing, key) == growing.end())
-            jobs.push_back({std::move(key), candidate.values, candidate.seeds[aspect], wants});
+            jobs.push_back({std::move(key), candidate.values, candidate.seeds[aspect], kept.now()});
     }
 }
 
@@ -135,29 +144,18 @@ bool Grower::Parts::has_all(const Order& wanted) const {
     return true;
 }
 
-bool Grower::Parts::is_ordered(const AspectKey& key) const {
-    if (!ordered) return false;
-    return std::ranges::any_of(ordered->candidates, [&](const genome::Candidate& candidate) {
-        return key == key_of(std::get<0>(key), candidate);
-    });
-}
-
 // After every batch: orders that are replaced before they are composed would otherwise pile up what they grew.
 void Grower::Parts::forget_old() {
-    while (kept.size() > kAspectsKept) {
-        auto oldest = kept.end();
-        for (auto i = kept.begin(); i != kept.end(); ++i) {
-            if (is_ordered(i->first)) continue;
-            if (oldest == kept.end() || i->second.wanted < oldest->second.wanted) oldest = i;
-        }
-        if (oldest == kept.end()) return;
-        kept.erase(oldest);
-    }
+    kept.forget_old(kAspectsKept, [this](const AspectKey& key) {
+        return ordered && std::ranges::any_of(ordered->candidates, [&](const genome::Candidate& candidate) {
+                   return key == key_of(std::get<0>(key), candidate);
+               });
+    });
 }
 
 void Grower::Parts::grow_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
     // One job a core at a time, so that a newer wish need not wait for a long queue of older ones.
-    const auto take = std::min(jobs.size(), static_cast<std::size_t>(std::max(1, arena.max_concurrency())));
+    const std::size_t take = std::min(jobs.size(), at_once());
     std::vector<Job> batch(jobs.begin(), jobs.begin() + static_cast<std::ptrdiff_t>(take));
     jobs.erase(jobs.begin(), jobs.begin() + static_cast<std::ptrdiff_t>(take));
     growing.clear();
@@ -173,7 +171,7 @@ void Grower::Parts::grow_batch(std::unique_lock<std::mutex>& lock, const std::st
     lock.lock();
     growing.clear();
     if (stop.stop_requested()) return;
-    for (std::size_t i = 0; i < batch.size(); ++i) kept[batch[i].key] = {batch[i].wanted, grown[i]};
+    for (std::size_t i = 0; i < batch.size(); ++i) kept.keep(batch[i].key, batch[i].wanted, grown[i]);
     forget_old();
     note_standing();
     const float share =
@@ -181,115 +179,192 @@ void Grower::Parts::grow_batch(std::unique_lock<std::mutex>& lock, const std::st
     progress = std::min(0.9F, progress + share);
 }
 
+bool Grower::Parts::stands(const genome::Candidate& candidate) const {
+    return kept.contains(key_of(Aspect::Trees, candidate)) && kept.contains(key_of(Aspect::Land, candidate));
+}
+
 void Grower::Parts::note_standing() {
     standing.clear();
-    if (!ahead) return;
-    for (const genome::Candidate& candidate : ahead->candidates) {
-        const auto trees = kept.find(key_of(Aspect::Trees, candidate));
-        const auto land = kept.find(key_of(Aspect::Land, candidate));
-        if (trees != kept.end() && land != kept.end())
-            standing.push_back({std::get<0>(trees->second.grown), std::get<1>(land->second.grown)});
-    }
+    if (!ahead.wanted()) return;
+    for (const genome::Candidate& candidate : ahead.wanted()->candidates)
+        if (stands(candidate))
+            standing.push_back(
+                {kept.flora(key_of(Aspect::Trees, candidate)), kept.land(key_of(Aspect::Land, candidate))});
 }
 
-void Grower::Parts::forget_ahead() {
-    ahead.reset();
-    layouts.clear();
-    standing.clear();
-}
-
-bool Grower::Parts::can_be_laid_out(const genome::Candidate& candidate) const {
-    return kept.contains(key_of(Aspect::Trees, candidate)) && kept.contains(key_of(Aspect::Land, candidate)) &&
-           !layouts.contains(layout_key_of(candidate, ahead->flight));
-}
-
-bool Grower::Parts::can_lay_out() const {
-    return ahead && std::ranges::any_of(ahead->candidates, [this](const auto& c) { return can_be_laid_out(c); });
-}
-
+// It stands.
 Plot Grower::Parts::plot_of(const genome::Candidate& candidate, base::Seed flight) const {
-    const auto sky = kept.find(key_of(Aspect::Sky, candidate));
-    const auto layout = layouts.find(layout_key_of(candidate, flight));
     return {planting_of(candidate.seeds),
             flight,
-            std::get<0>(kept.at(key_of(Aspect::Trees, candidate)).grown),
-            std::get<1>(kept.at(key_of(Aspect::Land, candidate)).grown),
-            sky == kept.end() ? nullptr : std::get<2>(sky->second.grown),
-            layout == layouts.end() ? nullptr : layout->second};
+            kept.flora(key_of(Aspect::Trees, candidate)),
+            kept.land(key_of(Aspect::Land, candidate)),
+            kept.sky(key_of(Aspect::Sky, candidate)),
+            ahead.layout(layout_key_of(candidate, flight))};
+}
+
+std::vector<Plot> Grower::Parts::plots_of(const Order& order) const {
+    std::vector<Plot> plots;
+    for (const genome::Candidate& candidate : order.candidates) plots.push_back(plot_of(candidate, order.flight));
+    return plots;
 }
 
 // Without the lock.
 template <typename Work>
-void Grower::Parts::on_all(std::vector<Plot>& plots, std::unique_lock<std::mutex>& lock, const std::stop_token& stop,
+void Grower::Parts::on_all(std::size_t count, std::unique_lock<std::mutex>& lock, const std::stop_token& stop,
                            const Work& work) {
     lock.unlock();
     arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, plots.size(), [&](std::size_t i) {
+        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
             if (!stop.stop_requested()) work(i);
         });
     });
     lock.lock();
 }
 
+void Grower::Parts::forget_ahead() {
+    ahead.forget();
+    standing.clear();
+}
+
+std::vector<genome::Candidate> Grower::Parts::to_lay_out(std::size_t most) const {
+    std::vector<genome::Candidate> found;
+    if (!ahead.wanted()) return found;
+    for (const genome::Candidate& candidate : ahead.wanted()->candidates)
+        if (found.size() < most && stands(candidate) && !ahead.layout(layout_key_of(candidate, ahead.wanted()->flight)))
+            found.push_back(candidate);
+    return found;
+}
+
 void Grower::Parts::lay_out_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
-    const base::Seed flight = ahead->flight;
+    const base::Seed flight = ahead.wanted()->flight;
     std::vector<LayoutKey> keys;
     std::vector<Plot> plots;
-    const auto most = static_cast<std::size_t>(std::max(1, arena.max_concurrency()));
-    for (const genome::Candidate& candidate : ahead->candidates) {
-        if (plots.size() == most || !can_be_laid_out(candidate)) continue;
+    for (const genome::Candidate& candidate : to_lay_out(at_once())) {
         keys.push_back(layout_key_of(candidate, flight));
         plots.push_back(plot_of(candidate, flight));
     }
-    on_all(plots, lock, stop, [&](std::size_t i) { lay_out(plots[i]); });
+    on_all(plots.size(), lock, stop, [&](std::size_t i) { lay_out(plots[i]); });
     if (stop.stop_requested()) return;
-    for (std::size_t i = 0; i < plots.size(); ++i) layouts[keys[i]] = plots[i].layout;
+    for (std::size_t i = 0; i < plots.size(); ++i) ahead.keep(keys[i], plots[i].layout);
+}
+
+// Laid out, and still without light. Most have no sky either: there are four of each, for four answers.
+std::vector<Grower::Parts::Dark> Grower::Parts::to_light(std::size_t most) const {
+    std::vector<Dark> found;
+    for (const Order& order : ahead.possible()) {
+        for (const genome::Candidate& candidate : order.candidates) {
+            if (found.size() == most) return found;
+            const SceneKey key = scene_key_of(candidate, order.flight);
+            const bool is_dark = stands(candidate) && ahead.layout(std::get<0>(key)) && !ahead.lit(key);
+            if (is_dark && std::ranges::find(found, key, &Dark::key) == found.end())
+                found.push_back({key, candidate, plot_of(candidate, order.flight)});
+        }
+    }
+    return found;
+}
+
+void Grower::Parts::light_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
+    std::vector<Dark> dark = to_light(at_once());
+    Scenes made(dark.size());
+    const scene::Fineness first = first_light(options.fineness);
+    on_all(dark.size(), lock, stop, [&](std::size_t i) {
+        auto& [key, candidate, plot] = dark[i];
+        if (!plot.sky)
+            plot.sky =
+                std::get<2>(grow_aspect(Aspect::Sky, candidate.values, candidate.seeds[Aspect::Sky], options.fineness));
+        made[i] = illuminated(plot, first);
+    });
+    if (stop.stop_requested()) return;
+    for (std::size_t i = 0; i < dark.size(); ++i) ahead.keep(dark[i].key, made[i]);
 }
 
 void Grower::Parts::compose_order(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
     const std::uint64_t number = order_number;
-    std::vector<Plot> plots;
-    for (const genome::Candidate& candidate : ordered->candidates) plots.push_back(plot_of(candidate, ordered->flight));
+    std::vector<Plot> plots = plots_of(*ordered);
+    Scenes made = ordered_lit;
     const scene::Fineness first = first_light(options.fineness);
-    Scenes made(plots.size());
-    on_all(plots, lock, stop, [&](std::size_t i) {
+    on_all(plots.size(), lock, stop, [&](std::size_t i) {
+        if (made[i]) return;
         lay_out(plots[i]);
         made[i] = illuminated(plots[i], first);
     });
     if (stop.stop_requested() || number != order_number) return;
+    finish_order(std::move(made), std::move(plots));
+}
+
+void Grower::Parts::finish_order(Scenes made, std::vector<Plot> plots) {
     ready = std::move(made);
-    if (first.light_px < options.fineness.light_px) to_refine = std::move(plots);
+    if (first_light(options.fineness).light_px < options.fineness.light_px) to_refine = std::move(plots);
     ordered.reset();
+    ordered_lit.clear();
     progress = 1;
+    priority.set(Way::Idle);
+}
+
+// The skies of what was lit ahead are kept as if they had been asked for.
+void Grower::Parts::take_lit(const Order& wanted) {
+    ordered_lit.clear();
+    for (const genome::Candidate& candidate : wanted.candidates) {
+        ordered_lit.push_back(ahead.lit(scene_key_of(candidate, wanted.flight)));
+        if (const auto& lit = ordered_lit.back()) kept.keep(key_of(Aspect::Sky, candidate), kept.now(), lit->sky);
+    }
+    ahead.want_light({});
 }
 
 void Grower::Parts::refine(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
     const std::uint64_t number = order_number;
     std::vector<Plot> plots = to_refine;
     Scenes made(plots.size());
-    on_all(plots, lock, stop, [&](std::size_t i) { made[i] = illuminated(plots[i], options.fineness); });
+    on_all(plots.size(), lock, stop, [&](std::size_t i) { made[i] = illuminated(plots[i], options.fineness); });
     if (stop.stop_requested() || number != order_number) return;
     to_refine.clear();
     (ready ? ready : refined) = std::move(made);
 }
 
+void Grower::Parts::work_out_head_start(std::unique_lock<std::mutex>& lock) {
+    const std::uint64_t number = head_start_number;
+    const auto work_out = std::exchange(to_work_out, nullptr);
+    is_working_out = true;
+    lock.unlock();
+    HeadStart start = work_out();
+    lock.lock();
+    is_working_out = false;
+    if (number != head_start_number) return;
+    for (const Aspect aspect : start.known) enqueue(aspect, start.coming.candidates);
+    const auto is_known = [&](Aspect aspect) { return std::ranges::find(start.known, aspect) != start.known.end(); };
+    if (is_known(Aspect::Trees) && is_known(Aspect::Land)) ahead.want_layouts(std::move(start.coming));
+    // With one answer to come the visitor may give it at any moment.
+    priority.set(start.possible.empty() ? Way::Idle : Way::Low);
+    ahead.want_light(std::move(start.possible));
+    note_standing();
+}
+
+bool Grower::Parts::has_work() const {
+    return ordered || !to_refine.empty() || to_work_out || !jobs.empty() || !is_ahead_done();
+}
+
 void Grower::Parts::work(const std::stop_token& stop) {
-    lower_priority();
+    priority.join();
     std::unique_lock lock(mutex);
     while (!stop.stop_requested()) {
         if (ordered && has_all(*ordered)) {
             compose_order(lock, stop);
+        } else if (to_work_out) {
+            work_out_head_start(lock);
         } else if (!to_refine.empty()) {
             refine(lock, stop);
         } else if (!jobs.empty()) {
             grow_batch(lock, stop);
-        } else if (can_lay_out()) {
+        } else if (!to_lay_out(1).empty()) {
             lay_out_batch(lock, stop);
+        } else if (!to_light(1).empty()) {
+            light_batch(lock, stop);
         } else {
-            changed.wait(lock, stop, [this] { return !jobs.empty() || ordered || can_lay_out(); });
+            changed.wait(lock, stop, [this] { return has_work(); });
         }
         changed.notify_all();
     }
+    priority.leave();
 }
 
 Grower::Grower(const GrowerOptions& options) : parts_(std::make_unique<Parts>(options)) {}
@@ -299,39 +374,38 @@ Grower::~Grower() {
     parts_->changed.notify_all();
 }
 
-void Grower::begin(Aspect aspect, const genome::Offer& offer) {
+void Grower::begin(std::function<HeadStart()> work_out) {
     const std::scoped_lock lock(parts_->mutex);
-    parts_->enqueue(aspect, offer.candidates);
+    parts_->to_work_out = std::move(work_out);
+    ++parts_->head_start_number;
     parts_->changed.notify_all();
 }
 
-void Grower::begin_layouts(const genome::Offer& offer, base::Seed flight) {
+Prospect Grower::ahead() {
     const std::scoped_lock lock(parts_->mutex);
-    parts_->ahead = Order{{offer.candidates.begin(), offer.candidates.end()}, flight};
-    std::erase_if(parts_->layouts, [&](const auto& layout) {
-        return std::ranges::none_of(offer.candidates, [&](const genome::Candidate& candidate) {
-            return layout.first == layout_key_of(candidate, flight);
-        });
-    });
-    parts_->note_standing();
-    parts_->changed.notify_all();
+    Scenes lit = parts_->ordered ? parts_->ordered_lit : parts_->ahead.lit();
+    std::erase(lit, nullptr);
+    return {parts_->standing, std::move(lit)};
 }
 
-std::vector<render::Ground> Grower::ahead() {
+void Grower::order(Order wanted) {
     const std::scoped_lock lock(parts_->mutex);
-    return parts_->standing;
-}
-
-void Grower::order(std::vector<genome::Candidate> candidates, base::Seed flight) {
-    const std::scoped_lock lock(parts_->mutex);
-    parts_->jobs.clear();  // head starts for answers that were not given
-    for (const Aspect aspect : genome::kAspects) parts_->enqueue(aspect, candidates);
-    parts_->ordered = Order{std::move(candidates), flight};
+    parts_->to_work_out = nullptr;  // head starts for answers that were not given
+    ++parts_->head_start_number;
+    parts_->jobs.clear();
+    parts_->take_lit(wanted);
+    for (const Aspect aspect : genome::kAspects) parts_->enqueue(aspect, wanted.candidates);
     ++parts_->order_number;
     parts_->ready.reset();
     parts_->to_refine.clear();
     parts_->refined.reset();
     parts_->progress = 0;
+    parts_->ordered = std::move(wanted);
+    parts_->priority.set(Way::Low);
+    parts_->forget_old();
+    const bool is_lit = std::ranges::find(parts_->ordered_lit, nullptr) == parts_->ordered_lit.end();
+    if (is_lit && parts_->has_all(*parts_->ordered))
+        parts_->finish_order(parts_->ordered_lit, parts_->plots_of(*parts_->ordered));
     parts_->changed.notify_all();
 }
 
@@ -365,7 +439,7 @@ float Grower::progress() {
 Grower::Stock Grower::stock() {
     const std::scoped_lock lock(parts_->mutex);
     const std::size_t to_grow = parts_->jobs.size() + parts_->growing.size();
-    return {parts_->kept.size(), to_grow, to_grow > 0 || parts_->ordered || !parts_->to_refine.empty()};
+    return {parts_->kept.size(), to_grow, parts_->is_working_out || to_grow > 0 || parts_->has_work()};
 }
 
 void Grower::wait() {

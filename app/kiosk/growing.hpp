@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "genome/offer.hpp"
 #include "genome/recipe.hpp"
-#include "render/renderer.hpp"
+#include "kiosk/ahead.hpp"
 #include "scene/scene.hpp"
 
 namespace quadrat::kiosk {
-
-using Scenes = std::vector<std::shared_ptr<const scene::Scene>>;
 
 // One scene, now, on the calling thread's arena.
 std::shared_ptr<const scene::Scene> grow(const genome::Recipe& recipe, const scene::Fineness& fineness = {});
@@ -20,6 +19,12 @@ std::shared_ptr<const scene::Scene> grow(const genome::Recipe& recipe, const sce
 struct GrowerOptions {
     int threads = 0;  // that grow; 0: all cores. They run at low priority beside the frame loop.
     scene::Fineness fineness;
+};
+
+// What has grown of scenes to come.
+struct Prospect {
+    std::vector<scene::Ground> grounds;  // that stand, until their scenes are taken in their own light
+    Scenes lit;                          // whole, in first light; of some of them at most four will be taken
 };
 
 // Grows in the background. Aspects are kept by what they were grown from, so one that is inherited, or was begun as
@@ -31,19 +36,16 @@ class Grower {
     Grower(const Grower&) = delete;
     Grower& operator=(const Grower&) = delete;
 
-    // A head start: this aspect of the four candidates.
-    void begin(genome::Aspect aspect, const genome::Offer& offer);
+    // Works for an order that has not been given: what is known of it grows, is laid out once trees and land are known,
+    // and once they stand, each of the possible orders gets its skies and first light; whichever of them is given is
+    // ready at once. It is worked out beside the caller too, unless an order or another head start comes first.
+    void begin(std::function<HeadStart()> work_out);
 
-    // A further one: once their trees and lands have grown, lays the four out for this flight.
-    void begin_layouts(const genome::Offer& offer, base::Seed flight);
+    Prospect ahead();
 
-    // What stands of the scenes to come: the trees and lands that have grown of those last laid out, until they are
-    // taken in their own light.
-    std::vector<render::Ground> ahead();
-
-    // Whole scenes, composed for one flight. Replaces an order that has not been taken. They are ready in a first,
-    // coarse light; it is refined at once.
-    void order(std::vector<genome::Candidate> candidates, base::Seed flight);
+    // Whole scenes. Replaces an order that has not been taken. They are ready in a first, coarse light; it is refined
+    // at once.
+    void order(Order wanted);
 
     bool is_ready();               // the order can be taken
     std::optional<Scenes> take();  // once an order; nothing while it is not ready
@@ -57,7 +59,7 @@ class Grower {
     struct Stock {
         std::size_t kept;
         std::size_t to_grow;
-        bool is_busy;  // growing or composing
+        bool is_busy;  // with any of it
     };
     Stock stock();
 

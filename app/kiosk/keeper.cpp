@@ -57,9 +57,9 @@ Keeper::Ticket Keeper::post(Work work, Urgency urgency) {
     return ++posted_;
 }
 
-bool Keeper::is_done(Ticket ticket) {
-    const std::scoped_lock lock(mutex_);
-    return done_ >= ticket;
+bool Keeper::is_done(Ticket ticket, std::chrono::nanoseconds patience) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, patience, [&] { return done_ >= ticket; });
 }
 
 void Keeper::wait(Ticket ticket) {

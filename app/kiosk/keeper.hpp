@@ -40,7 +40,7 @@ class Keeper {
     std::optional<exhibit::Kept> kept_within(std::chrono::milliseconds patience);
 
     Ticket post(Work work, Urgency urgency);
-    bool is_done(Ticket ticket);
+    bool is_done(Ticket ticket, std::chrono::nanoseconds patience = {});  // within it
     void wait(Ticket ticket);
     std::string trouble();  // of what was done last, "" if it was kept
     // How long the work at hand has been waiting for the disk; 0 while there is none.

@@ -36,6 +36,10 @@ LayoutKey layout_key_of(const genome::Candidate& candidate, base::Seed flight) {
             flight.value};
 }
 
+SceneKey scene_key_of(const genome::Candidate& candidate, base::Seed flight) {
+    return {layout_key_of(candidate, flight), key_of(Aspect::Sky, candidate)};
+}
+
 void lay_out(Plot& plot) {
     if (plot.layout) return;
     plot.layout = std::make_shared<const synthesis::Layout>(

@@ -26,6 +26,10 @@ Grown grow_aspect(genome::Aspect aspect, const genome::ParameterValues& values, 
 using LayoutKey = std::tuple<AspectKey, AspectKey, std::uint64_t, std::uint64_t>;
 LayoutKey layout_key_of(const genome::Candidate& candidate, base::Seed flight);
 
+// And its sky.
+using SceneKey = std::tuple<LayoutKey, AspectKey>;
+SceneKey scene_key_of(const genome::Candidate& candidate, base::Seed flight);
+
 // Where one scene grows, and what of it there is.
 struct Plot {
     base::Seed planting;

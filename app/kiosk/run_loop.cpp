@@ -206,6 +206,8 @@ class Loop {
             Theatre::Haste quick = haste;
             quick.scenes = static_cast<int>(act->scenes.size());
             if (!theatre_.prepare(*act, quick)) return;
+            // A flush takes a millisecond or two where nothing is wrong, and a frame more would be seen.
+            if (!parts_.show.is_kept_within(std::max(until - parts_.clock.now(), Instant{0}))) return;
             parts_.show.uploaded(now);
             theatre_.keep_only(parts_.show.in_use());
             if (is_all) theatre_.prepare(parts_.show.on_stage(), haste);
@@ -222,17 +224,19 @@ class Loop {
         keep_earlier_landscape(canvas, now);
         const Screen screen = parts_.show.state().screen;
         const Act& act = parts_.show.on_stage();
-        const bool is_worth_it = screen == Screen::Ask || screen == Screen::Slide || screen == Screen::Finale;
-        if (!parts_.show.is_refined()) return;
+        const bool is_seen = screen == Screen::Ask || screen == Screen::Slide || screen == Screen::Finale;
+        if (is_seen) round_ = parts_.show.state().rounds + 1;
+        // Whoever answers before its light is refined still finds it in the album.
+        const bool is_worth_it = (is_seen && parts_.show.is_refined()) || screen == Screen::Breed;
         if (parts_.album == nullptr || !is_worth_it || act.number == photographed_ || act.recipes.empty()) return;
         photographed_ = act.number;
         const Picture picture = picture_of(act, canvas, parts_.configuration);
         const bool is_finale = screen == Screen::Finale;
         const std::string name =
             is_finale ? fmt::format("finale-{:02}", ++finales_) : fmt::format("generation-{:02}", ++generations_);
-        const std::string caption = is_finale ? "The finale" : fmt::format("Round {}", parts_.show.state().rounds + 1);
+        const std::string caption = is_finale ? "The finale" : fmt::format("Round {}", round_);
         parts_.album->add(name, theatre_.photograph(act, picture, canvas), picture, caption);
-        base::log::info("picture {} of round {}", name + ".png", parts_.show.state().rounds + (is_finale ? 0 : 1));
+        base::log::info("picture {} of round {}", name + ".png", is_finale ? round_ - 1 : round_);
     }
 
     // Of a finale, while it is seen: one frame of it is drawn once more for the picture.
@@ -248,7 +252,8 @@ class Loop {
     void report(const display::Presented& presented, Instant now) {
         using display::Outcome;
         if (parts_.caretaker != nullptr)
-            parts_.caretaker->framed(presented, now, {alpha(), scale(), drawn_.triangles, drawn_.draws, drawn_.objects});
+            parts_.caretaker->framed(presented, now,
+                                     {alpha(), scale(), drawn_.triangles, drawn_.draws, drawn_.objects});
         if (presented.outcome != last_outcome_) {
             last_outcome_ = presented.outcome;
             if (presented.outcome == Outcome::Shown)
@@ -329,7 +334,8 @@ class Loop {
     Instant framed_at_{0};
     Instant shown_at_{0};  // the last frame, where the screen tells
     std::optional<Instant> remembered_at_;
-    int photographed_ = 0;
+    int photographed_ = 0;  // an act
+    int round_ = 1;         // that is or was seen last
     int generations_ = 0;
     int finales_ = 0;
 };

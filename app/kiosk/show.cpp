@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "genome/speech.hpp"
+#include "kiosk/head_start.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -136,7 +137,7 @@ void Show::grow_offer(int generation, Keeper::Ticket kept) {
     waiting_->kept = kept;
     for (const genome::Candidate& candidate : candidates)
         waiting_->recipes.push_back(genome::recipe_of(candidate, session_->flight()));
-    grower_.order(std::move(candidates), session_->flight());
+    grower_.order({std::move(candidates), session_->flight()});
 }
 
 exhibit::Generation Show::generation_of(const genome::Pick& answers) const {
@@ -196,12 +197,11 @@ void Show::keep_answers(const genome::Pick& answers) {
 
 void Show::carry_out(const exhibit::KeepAnswers& wish, Instant /*now*/) {
     keep_answers(wish.answers);
-    // Aspects are independent: what was judged is final for the next four, and can begin to grow.
-    const genome::Offer preview = session_->preview(wish.answers);
-    for (const genome::Aspect aspect : genome::kAspects)
-        if (wish.answers[aspect]) grower_.begin(aspect, preview);
-    if (wish.answers[genome::Aspect::Trees] && wish.answers[genome::Aspect::Land])
-        grower_.begin_layouts(preview, session_->flight(preview));
+    const bool is_last_round = state_.rounds + 1 >= timings_.rounds;
+    const bool is_last_question = state_.question == genome::kAspects.back();
+    grower_.begin([session = *session_, answered = Answered{wish.answers, is_last_round, is_last_question}] {
+        return head_start(session, answered);
+    });
 }
 
 // Where the answers moved the wish, aspect by aspect.
@@ -252,7 +252,7 @@ void Show::carry_out(const exhibit::GrowFinale& wish, Instant /*now*/) {
     waiting_->generation = wish.generation;
     waiting_->is_finale = true;
     waiting_->recipes.push_back(genome::recipe_of(favourite, flight));
-    grower_.order({favourite}, flight);
+    grower_.order({{favourite}, flight});
 }
 
 // One of each aspect in turn, by the chance of this visit; none twice. More than are asked now: the settings may change
@@ -307,7 +307,7 @@ void Show::carry_out(const exhibit::EndVisit& wish, Instant /*now*/) {
 }
 
 const Act* Show::waiting_for_upload() {
-    if (!waiting_ || (!keeper_->is_done(waiting_->kept) && keeper_->waited_for() < kDiskPatience)) return nullptr;
+    if (!waiting_) return nullptr;
     if (!waiting_->act) {
         auto scenes = grower_.take();
         if (!scenes) return nullptr;
@@ -316,8 +316,12 @@ const Act* Show::waiting_for_upload() {
     return waiting_->act.get();
 }
 
+bool Show::is_kept_within(std::chrono::nanoseconds patience) {
+    return !waiting_ || keeper_->is_done(waiting_->kept, patience) || keeper_->waited_for() >= kDiskPatience;
+}
+
 void Show::uploaded(Instant now) {
-    if (waiting_for_upload() == nullptr) return;
+    if (waiting_for_upload() == nullptr || !is_kept_within({})) return;
     Waiting done = std::move(*waiting_);
     waiting_.reset();
     // A landscape that is turned stays where the eye is; four new ones grow in.

@@ -66,8 +66,9 @@ class Show {
 
     void happen(const exhibit::Event& event, Instant now);
 
-    // Landscapes that are grown and kept but not yet on the GPU; say happen(GenerationReady) through uploaded().
+    // Landscapes that are grown but not yet on the GPU. Once they are, and are kept too, say uploaded().
     const Act* waiting_for_upload();
+    bool is_kept_within(std::chrono::nanoseconds patience);  // or the disk had time enough
     void uploaded(Instant now);
 
     // The act that was uploaded last, in its own light instead of a first, coarse one; once it is on the GPU too, say
@@ -76,8 +77,8 @@ class Show {
     void refined();
     bool is_refined() { return !refined_ && !grower_.is_refining(); }  // nothing is shown in a first light
 
-    // What of the landscapes to come needs no sky and has grown: may be brought to the GPU already.
-    std::vector<render::Ground> ahead() { return grower_.ahead(); }
+    // What has grown of the landscapes that may come: may be brought to the GPU already.
+    Prospect ahead() { return grower_.ahead(); }
 
     // Blocks until nothing grows and everything is kept: for simulated clocks.
     void finish_growing();

@@ -13,6 +13,7 @@ void Theatre::enter(const display::Canvas& canvas) {
     if (canvas.context == context_) return;
     uploading_.clear();
     ahead_.clear();
+    uploaded_ahead_.clear();
     uploaded_.clear();
     stage_.reset();
     renderer_.reset();
@@ -25,7 +26,7 @@ void Theatre::enter(const display::Canvas& canvas) {
 template <typename Upload>
 Theatre::Uploading<Upload>::Uploading(std::unique_ptr<Upload> upload_)
     : upload(std::move(upload_)), prepared(std::async(std::launch::async, [preparing = upload.get()] {
-          lower_priority();
+          give_way(Way::Low);
           preparing->prepare();
       })) {}
 
@@ -42,16 +43,16 @@ bool Theatre::Uploading<Upload>::advance(const Haste& haste) {
     return is_done = upload->advance(haste.bytes, haste.has_time);
 }
 
-void Theatre::begin_uploads(const Act& act, bool may_wait) {
+void Theatre::begin_uploads(const Scenes& scenes, bool may_wait) {
     // What is no longer wanted goes when its thread is done: no frame waits for it.
     std::erase_if(uploading_, [&](const SceneUploading& u) {
-        if (std::ranges::find(act.scenes, u.scene) != act.scenes.end()) return false;
+        if (std::ranges::find(scenes, u.scene) != scenes.end()) return false;
         if (may_wait && u.uploading.prepared.valid()) u.uploading.prepared.wait();
         return u.uploading.is_prepared();
     });
-    for (const auto& scene : act.scenes) {
+    for (const auto& scene : scenes) {
         if (uploading_.size() >= kMostAhead) return;
-        if (uploaded_.contains(scene.get()) ||
+        if (uploaded_.contains(scene.get()) || uploaded_ahead_.contains(scene.get()) ||
             std::ranges::find(uploading_, scene, &SceneUploading::scene) != uploading_.end())
             continue;
         uploading_.push_back({scene, Uploading<render::SceneUpload>{renderer_->begin_upload(scene)}});
@@ -61,40 +62,63 @@ void Theatre::begin_uploads(const Act& act, bool may_wait) {
 // What was begun ahead of it is finished first, so that it comes once.
 bool Theatre::stands(const scene::Scene& scene, const Haste& haste) {
     return std::ranges::all_of(ahead_, [&](GroundUploading& ahead) {
-        return ahead.ground != render::Ground{scene.flora, scene.land} || ahead.uploading.advance(haste);
+        return ahead.ground != scene::Ground{scene.flora, scene.land} || ahead.uploading.advance(haste);
     });
 }
 
 bool Theatre::prepare(const Act& act, const Haste& haste) {
     if (!has_gpu()) return true;
     for (const auto& scene : act.scenes)
+        if (auto ahead = uploaded_ahead_.extract(scene.get())) uploaded_.insert(std::move(ahead));
+    for (const auto& scene : act.scenes)
         if (!uploaded_.contains(scene.get()) && !stands(*scene, haste)) return false;
     int finished = 0;
     for (const auto& scene : act.scenes) {
         if (uploaded_.contains(scene.get())) continue;
-        begin_uploads(act, haste.may_wait);
-        const auto found = std::ranges::find(uploading_, scene, &SceneUploading::scene);
-        if (found == uploading_.end()) return false;  // others still hold the threads
-        if (!found->uploading.advance(haste)) return false;
-        uploaded_[scene.get()] = {scene, found->uploading.upload->take()};
-        uploading_.erase(found);
+        begin_uploads(act.scenes, haste.may_wait);
+        if (!bring(scene, uploaded_, haste)) return false;
         if (++finished == haste.scenes) break;
     }
     return std::ranges::all_of(act.scenes, [this](const auto& scene) { return uploaded_.contains(scene.get()); });
 }
 
-void Theatre::prepare_ahead(const std::vector<render::Ground>& grounds, const Haste& haste) {
+// Of those whose upload has begun: true when it is there.
+bool Theatre::bring(const std::shared_ptr<const scene::Scene>& scene, OnGpu& to, const Haste& haste) {
+    const auto found = std::ranges::find(uploading_, scene, &SceneUploading::scene);
+    if (found == uploading_.end()) return false;  // others still hold the threads
+    if (!found->uploading.advance(haste)) return false;
+    to[scene.get()] = {scene, found->uploading.upload->take()};
+    uploading_.erase(found);
+    return true;
+}
+
+void Theatre::prepare_ahead(const Prospect& prospect, const Haste& haste) {
     if (!has_gpu()) return;
+    if (!prepare_grounds(prospect.grounds, haste)) return;
+    std::erase_if(uploaded_ahead_, [&](const auto& entry) {
+        return std::ranges::find(prospect.lit, entry.second.scene) == prospect.lit.end();
+    });
+    begin_uploads(prospect.lit, haste.may_wait);
+    for (const auto& scene : prospect.lit)
+        if (!uploaded_.contains(scene.get()) && !uploaded_ahead_.contains(scene.get())) {
+            bring(scene, uploaded_ahead_, haste);
+            return;
+        }
+}
+
+// True when all are there.
+bool Theatre::prepare_grounds(const std::vector<scene::Ground>& grounds, const Haste& haste) {
     std::erase_if(ahead_, [&](const GroundUploading& a) {
         return a.uploading.is_prepared() && std::ranges::find(grounds, a.ground) == grounds.end();
     });
     for (GroundUploading& ahead : ahead_)
-        if (!ahead.uploading.advance(haste)) return;  // one after the other: what two share comes once
-    for (const render::Ground& ground : grounds)
+        if (!ahead.uploading.advance(haste)) return false;  // one after the other: what two share comes once
+    for (const scene::Ground& ground : grounds)
         if (std::ranges::find(ahead_, ground, &GroundUploading::ground) == ahead_.end()) {
             ahead_.push_back({ground, Uploading<render::Upload>{renderer_->begin_upload(ground)}});
-            return;
+            return false;
         }
+    return true;
 }
 
 void Theatre::keep_only(const std::vector<const Act*>& acts) {

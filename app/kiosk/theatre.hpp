@@ -36,8 +36,8 @@ class Theatre {
     };
     // Uploads some of what is missing of this act; true when all of it is there, or there is no GPU.
     bool prepare(const Act& act, const Haste& haste);
-    // The same for what an act to come will stand on; held as long as it is asked for.
-    void prepare_ahead(const std::vector<render::Ground>& grounds, const Haste& haste);
+    // The same for what may be needed of an act to come; held as long as it is asked for.
+    void prepare_ahead(const Prospect& prospect, const Haste& haste);
     // Frees what no act needs.
     void keep_only(const std::vector<const Act*>& acts);
 
@@ -74,7 +74,9 @@ class Theatre {
         std::shared_ptr<const scene::Scene> scene;
         std::shared_ptr<const render::GpuScene> gpu;
     };
-    std::map<const scene::Scene*, Uploaded> uploaded_;
+    using OnGpu = std::map<const scene::Scene*, Uploaded>;
+    OnGpu uploaded_;
+    OnGpu uploaded_ahead_;
     // What needs no GPU is worked out beside the frames; at most so many at once, for their memory.
     static constexpr std::size_t kMostAhead = 4;
     template <typename Upload>
@@ -93,10 +95,12 @@ class Theatre {
         Uploading<render::SceneUpload> uploading;
     };
     struct GroundUploading {
-        render::Ground ground;
+        scene::Ground ground;
         Uploading<render::Upload> uploading;
     };
-    void begin_uploads(const Act& act, bool may_wait);
+    void begin_uploads(const Scenes& scenes, bool may_wait);
+    bool bring(const std::shared_ptr<const scene::Scene>& scene, OnGpu& to, const Haste& haste);
+    bool prepare_grounds(const std::vector<scene::Ground>& grounds, const Haste& haste);
     bool stands(const scene::Scene& scene, const Haste& haste);
     std::vector<SceneUploading> uploading_;
     std::vector<GroundUploading> ahead_;

@@ -256,7 +256,9 @@ std::unique_ptr<SceneUpload> Renderer::begin_upload(std::shared_ptr<const scene:
     return make_upload(std::move(scene), parts_->shelves);
 }
 
-std::unique_ptr<Upload> Renderer::begin_upload(const Ground& ground) { return make_upload(ground, parts_->shelves); }
+std::unique_ptr<Upload> Renderer::begin_upload(const scene::Ground& ground) {
+    return make_upload(ground, parts_->shelves);
+}
 
 std::shared_ptr<const Texture> Renderer::texture(const mesh::Image& premultiplied_rgba) {
     auto texture = std::make_shared<Texture>();
@@ -280,8 +282,7 @@ Drawn Renderer::draw(const Frame& frame) {
     const glm::ivec2 drawn_size = scaled(size, frame.detail.scale);
     const GLuint smaller = drawn_size == size ? 0 : parts.reduced.of(size);
     glBindFramebuffer(GL_FRAMEBUFFER, smaller != 0 ? smaller : frame.framebuffer);
-    Drawn drawn =
-        parts.draw_views(frame, selections, smaller != 0 ? std::clamp(frame.detail.scale, 0.25F, 1.0F) : 1);
+    Drawn drawn = parts.draw_views(frame, selections, smaller != 0 ? std::clamp(frame.detail.scale, 0.25F, 1.0F) : 1);
     if (smaller != 0) parts.reduced.show(drawn_size, frame.framebuffer, size);
     parts.draw_signs(frame);
     const bool is_window = frame.framebuffer == 0;

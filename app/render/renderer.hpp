@@ -28,13 +28,6 @@ struct Detail {
 
 class GpuScene;  // a scene's buffers and textures; freed on the context's thread
 
-// What a scene stands on, whatever its sky.
-struct Ground {
-    std::shared_ptr<const scene::Flora> flora;
-    std::shared_ptr<const scene::Land> land;
-    friend bool operator==(const Ground&, const Ground&) = default;
-};
-
 // An upload that is cut into slices, so that frames keep their deadline.
 class Upload {
   public:
@@ -115,7 +108,7 @@ class Renderer {
     std::unique_ptr<SceneUpload> begin_upload(std::shared_ptr<const scene::Scene> scene);
     // Ahead of the scenes that will stand on it. It stays on the GPU as long as the upload lives: scenes whose own
     // uploads begin after it is finished and before it goes bring their sky and light alone.
-    std::unique_ptr<Upload> begin_upload(const Ground& ground);
+    std::unique_ptr<Upload> begin_upload(const scene::Ground& ground);
     std::shared_ptr<const Texture> texture(const mesh::Image& premultiplied_rgba);  // with mipmaps
     Drawn draw(const Frame& frame);
     // Waits so long at most for what draw() asked of the GPU last; true when it is done.

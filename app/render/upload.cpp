@@ -27,7 +27,7 @@ struct GroundOnGpu {
     std::shared_ptr<const passes::MaterialOnGpu> material;
     std::shared_ptr<const passes::FloraOnGpu> flora;
 
-    GroundOnGpu(gl::Slices& slices, const Ground& ground, const std::shared_ptr<Shelves>& shelves)
+    GroundOnGpu(gl::Slices& slices, const scene::Ground& ground, const std::shared_ptr<Shelves>& shelves)
         : country(shelved(slices, shelves, &Shelves::countries, ground.land,
                           [](gl::Slices& to, CountryOnGpu& made, const std::shared_ptr<const scene::Land>& land) {
                               passes::add_land(to, made.land, land);
@@ -40,7 +40,8 @@ struct GroundOnGpu {
 
 class GroundUpload final : public Upload {
   public:
-    GroundUpload(const Ground& ground, const std::shared_ptr<Shelves>& shelves) : made_(slices_, ground, shelves) {}
+    GroundUpload(const scene::Ground& ground, const std::shared_ptr<Shelves>& shelves)
+        : made_(slices_, ground, shelves) {}
 
     void prepare() override { slices_.prepare_all(); }
     bool advance(std::size_t budget_bytes, const std::function<bool()>& has_time) override {
@@ -87,7 +88,7 @@ std::unique_ptr<SceneUpload> make_upload(std::shared_ptr<const scene::Scene> sce
     return std::make_unique<WholeUpload>(scene, shelves);
 }
 
-std::unique_ptr<Upload> make_upload(const Ground& ground, std::shared_ptr<Shelves> shelves) {
+std::unique_ptr<Upload> make_upload(const scene::Ground& ground, std::shared_ptr<Shelves> shelves) {
     return std::make_unique<GroundUpload>(ground, shelves);
 }
 

@@ -38,6 +38,6 @@ struct Shelves {
 };
 
 std::unique_ptr<SceneUpload> make_upload(std::shared_ptr<const scene::Scene> scene, std::shared_ptr<Shelves> shelves);
-std::unique_ptr<Upload> make_upload(const Ground& ground, std::shared_ptr<Shelves> shelves);
+std::unique_ptr<Upload> make_upload(const scene::Ground& ground, std::shared_ptr<Shelves> shelves);
 
 }  // namespace quadrat::render

@@ -25,6 +25,13 @@ struct BakedLight {
     mesh::Image ground;
 };
 
+// What a scene stands on, whatever its sky.
+struct Ground {
+    std::shared_ptr<const Flora> flora;
+    std::shared_ptr<const Land> land;
+    friend bool operator==(const Ground&, const Ground&) = default;
+};
+
 // One landscape, whole and immutable once composed. The three aspects are shared with others that inherited them.
 struct Scene {
     std::shared_ptr<const Flora> flora;

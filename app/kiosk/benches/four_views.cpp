@@ -16,7 +16,7 @@ FourViews::FourViews(const Options& options, std::uint64_t seed)
 
 void FourViews::grow(std::uint64_t seed) {
     Grower grower;
-    grower.order(random_candidates(seed), base::Seed{seed});
+    grower.order({random_candidates(seed), base::Seed{seed}});
     grower.wait();
     scenes = *grower.take();
     picture.views.clear();

@@ -9,7 +9,7 @@ void generation(Results& results) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         samples.push_back(milliseconds_of([&] {
             Grower grower;
-            grower.order(random_candidates(seed), base::Seed{seed});
+            grower.order({random_candidates(seed), base::Seed{seed}});
             grower.wait();
         }));
     }

@@ -20,6 +20,7 @@ namespace {
 
 using std::chrono::seconds;
 
+constexpr Instant kPause = seconds{2};  // between presses
 constexpr Instant kSlowUpload = std::chrono::milliseconds{3};
 
 // Another screen, and what was seen on it.
@@ -57,10 +58,12 @@ class WatchedScreen final : public display::Display {
                         show_.is_growing(),
                         act};
         const exhibit::Screen screen = show_.state().screen;
-        // A visitor who is kept waiting presses on: what counts is the press that was the last answer.
-        if (screen == exhibit::Screen::Breed && screen_before_ != screen) answered_at_ = show_.last_press_at();
-        if (!is_first && act != frames_.back().act && screen == exhibit::Screen::Ask &&
-            screen_before_ == exhibit::Screen::Breed)
+        // A visitor who is kept waiting presses on: what counts is the press that was the last answer, when it was
+        // made, not when a frame came to hear of it.
+        const bool was_breeding = screen_before_ == exhibit::Screen::Breed;
+        if (!was_breeding) answered_at_ = show_.last_press_at() / kPause * kPause;
+        const bool was_answered = was_breeding || screen_before_ == exhibit::Screen::Ask;
+        if (!is_first && act != frames_.back().act && screen == exhibit::Screen::Ask && was_answered)
             frame.since_press = now - answered_at_;
         screen_before_ = screen;
         shown_at_ = presented.shown_at;
@@ -88,7 +91,7 @@ class WatchedScreen final : public display::Display {
 std::unique_ptr<firmware_io::ButtonSource> visitor_for(Instant span) {
     base::RandomStream liking{base::Seed{5}.child("visitor")};
     firmware_io::scripted::ScriptWriter writer;
-    for (Instant at = seconds{4}; at < span; at += seconds{2})
+    for (Instant at = 2 * kPause; at < span; at += kPause)
         writer.at(at).press(static_cast<firmware_io::Button>(liking.below(4)));
     return std::make_unique<firmware_io::scripted::ScriptedButtons>(writer.script());
 }

@@ -50,7 +50,7 @@ int draw(const Options& options) {
     if (options.has_wires) picture.has_wires = true;
     if (options.growth) picture.growth = *options.growth;
     Easel easel(picture.width, picture.height);
-    const mesh::Image pixels = options.budget.is_bound() ? easel.draw(picture, options.budget) : easel.draw(picture);
+    const mesh::Image pixels = easel.draw(picture, options.budget);
     write_picture(options.output, pixels, to_json(picture));
     return 0;
 }

@@ -15,8 +15,6 @@ class LiveObjects {
   public:
     static std::size_t count() { return count_.load(std::memory_order_relaxed); }
     static void taken() { count_.fetch_add(1, std::memory_order_relaxed); }
-
-  protected:
     static void left() { count_.fetch_sub(1, std::memory_order_relaxed); }
 
   private:
@@ -24,34 +22,19 @@ class LiveObjects {
 };
 
 struct DeleteBuffer : LiveObjects {
-    void operator()(GLuint name) const noexcept {
-        glDeleteBuffers(1, &name);
-        left();
-    }
+    void operator()(GLuint name) const noexcept { glDeleteBuffers(1, &name); }
 };
 struct DeleteTexture : LiveObjects {
-    void operator()(GLuint name) const noexcept {
-        glDeleteTextures(1, &name);
-        left();
-    }
+    void operator()(GLuint name) const noexcept { glDeleteTextures(1, &name); }
 };
 struct DeleteVertexArray : LiveObjects {
-    void operator()(GLuint name) const noexcept {
-        glDeleteVertexArrays(1, &name);
-        left();
-    }
+    void operator()(GLuint name) const noexcept { glDeleteVertexArrays(1, &name); }
 };
 struct DeleteShader : LiveObjects {
-    void operator()(GLuint name) const noexcept {
-        glDeleteShader(name);
-        left();
-    }
+    void operator()(GLuint name) const noexcept { glDeleteShader(name); }
 };
 struct DeleteProgram : LiveObjects {
-    void operator()(GLuint name) const noexcept {
-        glDeleteProgram(name);
-        left();
-    }
+    void operator()(GLuint name) const noexcept { glDeleteProgram(name); }
 };
 
 using BufferName = base::Owned<GLuint, DeleteBuffer>;

@@ -33,6 +33,8 @@ constexpr float kReliefTiles = 0.107F;
 
 constexpr int kBandRows = 256;
 constexpr int kPixelsOfLight = 4;  // a side, to one of the light's, at most
+// What a GPU does while it paints a pixel, in bytes it could have been brought instead.
+constexpr std::size_t kPaintedBytes = 8;
 
 }  // namespace
 
@@ -113,11 +115,12 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture,
     slices.add(0, [&picture, shape] { picture.lit = gl::Texture2D{shape}; });
     const float tiles = kReliefTiles * land.side_m() / land.detail_tile_m;
     slices.add_pieces(
-        static_cast<std::size_t>(shape.height), kBandRows, static_cast<std::size_t>(4 * shape.width),
+        static_cast<std::size_t>(shape.height), kBandRows, kPaintedBytes * static_cast<std::size_t>(shape.width),
         [&picture, painter, light, material, tiles](std::size_t first, std::size_t rows) {
             painter->paint({*light, *material, tiles}, picture, static_cast<int>(first), static_cast<int>(rows));
         });
-    slices.add(static_cast<std::size_t>(shape.width * shape.height), [&picture] { picture.lit.fill_levels(); });
+    slices.add(kPaintedBytes / 4 * static_cast<std::size_t>(shape.width * shape.height),
+               [&picture] { picture.lit.fill_levels(); });
 }
 
 }  // namespace quadrat::render::passes

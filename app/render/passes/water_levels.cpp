@@ -99,18 +99,13 @@ void divide(const Surface& surface, const Leaf& leaf, const Limits& limits, std:
 
 using Marks = mesh::Grid<std::uint8_t>;
 
-void mark(const Leaf& leaf, Marks& corners) {
+template <typename Function>
+void for_corners(const Leaf& leaf, Function&& function) {
     for (const int y : {leaf.y, leaf.y + leaf.cells})
-        for (const int x : {leaf.x, leaf.x + leaf.cells}) corners.at(x, y) = 1;
+        for (const int x : {leaf.x, leaf.x + leaf.cells}) function(x, y);
 }
 
-// Of all corners of the square that this leaf is in, those on its rim.
-void keep_rim(const Leaf& any, Marks& corners) {
-    const int left = any.x / WaterLevels::kSquare * WaterLevels::kSquare;
-    const int top = any.y / WaterLevels::kSquare * WaterLevels::kSquare;
-    for (int y = top + 1; y < std::min(top + WaterLevels::kSquare, corners.rows); ++y)
-        for (int x = left + 1; x < std::min(left + WaterLevels::kSquare, corners.columns); ++x) corners.at(x, y) = 0;
-}
+bool is_on_rim(int x, int y) { return x % WaterLevels::kSquare == 0 || y % WaterLevels::kSquare == 0; }
 
 // Counter-clockwise from above, as the surface's own: around its middle to every corner on its edges, or two triangles.
 void add_triangles(const Surface& surface, const Leaf& leaf, const Marks& corners,
@@ -139,45 +134,45 @@ void add_triangles(const Surface& surface, const Leaf& leaf, const Marks& corner
 WaterLevels::WaterLevels(const mesh::Mesh& surface_mesh, float cell_m, int columns) {
     if (surface_mesh.indices.empty()) return;
     const Surface surface(surface_mesh, cell_m, columns);
-    // The finest level's corners are those of every rim.
-    struct Divided {
-        std::array<std::vector<Leaf>, kLevels> leaves;
-    };
-    std::vector<Divided> squares;
-    Marks rims(columns, columns, 0);
+    std::vector<std::array<std::vector<Leaf>, kLevels>> divided;  // for each square
     for (int y = 0; y < surface.cells(); y += kSquare) {
         for (int x = 0; x < surface.cells(); x += kSquare) {
-            Divided square;
+            std::array<std::vector<Leaf>, kLevels> leaves;
             for (std::size_t level = 0; level < kLevels; ++level)
-                divide(surface, {x, y, kSquare}, limits_of(level), square.leaves[level]);
-            if (square.leaves.front().empty()) continue;
-            for (const Leaf& leaf : square.leaves.front()) mark(leaf, rims);
-            squares.push_back(std::move(square));
+                divide(surface, {x, y, kSquare}, limits_of(level), leaves[level]);
+            if (!leaves.front().empty()) divided.push_back(std::move(leaves));
         }
     }
-    for (const Divided& divided : squares) {
-        Square square{{}, glm::vec3{1e9F}, glm::vec3{-1e9F}};
-        for (std::size_t level = 0; level < kLevels; ++level) {
-            Marks corners = rims;
-            const std::vector<Leaf>& leaves = divided.leaves[level];
-            if (level > 0 && leaves.size() == divided.leaves[level - 1].size()) {
-                square.levels[level] = square.levels[level - 1];  // nothing left to merge
+    // The finest level's corners on a rim are those of every level.
+    Marks rims(columns, columns, 0);
+    for (const auto& leaves : divided)
+        for (const Leaf& leaf : leaves.front())
+            for_corners(leaf, [&](int x, int y) { rims.at(x, y) = is_on_rim(x, y) ? 1 : 0; });
+    squares_.resize(divided.size(), {{}, glm::vec3{1e9F}, glm::vec3{-1e9F}});
+    // One level after the other, so that neighbours of one level lie side by side.
+    for (std::size_t level = 0; level < kLevels; ++level) {
+        Marks corners = rims;
+        for (const auto& leaves : divided)
+            for (const Leaf& leaf : leaves[level]) for_corners(leaf, [&](int x, int y) { corners.at(x, y) = 1; });
+        for (std::size_t i = 0; i < divided.size(); ++i) {
+            const std::vector<Leaf>& leaves = divided[i][level];
+            auto& levels = squares_[i].levels;
+            if (level > 0 && leaves.size() == divided[i][level - 1].size()) {
+                levels[level] = levels[level - 1];  // nothing left to merge
                 continue;
             }
-            if (level > 0) keep_rim(leaves.front(), corners);
-            for (const Leaf& leaf : leaves) mark(leaf, corners);
-            square.levels[level].first = indices_.size();
+            levels[level].first = indices_.size();
             for (const Leaf& leaf : leaves) add_triangles(surface, leaf, corners, indices_);
-            square.levels[level].count = indices_.size() - square.levels[level].first;
+            levels[level].count = indices_.size() - levels[level].first;
         }
+    }
+    for (Square& square : squares_) {
         const Range& finest = square.levels.front();
         for (std::size_t i = finest.first; i < finest.first + finest.count; ++i) {
             square.low_m = glm::min(square.low_m, surface_mesh.positions_m[indices_[i]]);
             square.high_m = glm::max(square.high_m, surface_mesh.positions_m[indices_[i]]);
         }
-        squares_.push_back(square);
     }
-    index_count_ = indices_.size();
 }
 
 std::vector<Range> WaterLevels::seen(const Frustum& frustum, const glm::vec3& eye_m, float nearness) const {

@@ -30,7 +30,6 @@ class WaterLevels {
 
     // Of all levels, once.
     std::vector<std::uint32_t> take_indices() { return std::move(indices_); }
-    std::size_t index_count() const { return index_count_; }
 
     // What may be seen. nearness: scales the distances; 1, or less where less is asked for.
     std::vector<Range> seen(const Frustum& frustum, const glm::vec3& eye_m, float nearness) const;
@@ -43,7 +42,6 @@ class WaterLevels {
     };
     std::vector<Square> squares_;
     std::vector<std::uint32_t> indices_;
-    std::size_t index_count_ = 0;
 };
 
 }  // namespace quadrat::render::passes

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "scene/scene.hpp"
+
 namespace quadrat::synthesis {
 namespace {
 
@@ -15,6 +17,15 @@ struct Ellipse {
     float wide_m;
     float darkness;  // at its middle
 };
+
+// What is narrower than light can show is wider and fainter, and darkens as much in all.
+Ellipse shown(Ellipse e, float least_m) {
+    const float area = e.long_m * e.wide_m;
+    e.long_m = std::max(e.long_m, least_m);
+    e.wide_m = std::max(e.wide_m, least_m);
+    e.darkness *= area / (e.long_m * e.wide_m);
+    return e;
+}
 
 void darken(mesh::Field& field, float px_m, float half_m, const Ellipse& e) {
     const float reach = std::max(e.long_m, e.wide_m) + px_m;
@@ -45,6 +56,9 @@ CrownShade cast_crowns(const scene::Land& land, const glm::vec3& sun_direction, 
     CrownShade shade{mesh::Field(side, side, 1.0F), mesh::Field(side, side, 1.0F)};
     const float half_m = 0.5F * land.side_m();
     const float px_m = land.side_m() / static_cast<float>(side);
+    // In coarser light than the standard one the same shadows fall, as well as it can show them.
+    const float fine_m = std::min(px_m, land.side_m() / static_cast<float>(scene::Fineness{}.light_px));
+    const float least_m = 0.75F * px_m;
     const glm::vec2 flat{sun_direction.x, sun_direction.z};
     const float flat_length = std::max(glm::length(flat), 1.0e-3F);
     const glm::vec2 away = -flat / flat_length;
@@ -52,7 +66,7 @@ CrownShade cast_crowns(const scene::Land& land, const glm::vec3& sun_direction, 
     for (const scene::Plant& plant : plants) {
         const scene::Species& species = flora.species[plant.species];
         if (species.storey == scene::Storey::Herb) continue;
-        const float radius_m = std::max(species.crown_radius_m * plant.scale, 0.75F * px_m);
+        const float radius_m = std::max(species.crown_radius_m * plant.scale, 0.75F * fine_m);
         const float high_m = species.height_m * plant.scale;
         const float crown_m = 0.58F * high_m;
         const glm::vec2 root{plant.root_m.x, plant.root_m.z};
@@ -63,13 +77,13 @@ CrownShade cast_crowns(const scene::Land& land, const glm::vec3& sun_direction, 
             spot = root + away * (0.5F * glm::length(spot - root) + 0.5F * run_per_rise * drop_m);
         }
         const float tall_m = 0.40F * high_m * run_per_rise;
-        darken(shade.sun, px_m, half_m, {spot, away, std::hypot(radius_m, tall_m), radius_m, 0.80F});
+        darken(shade.sun, px_m, half_m, shown({spot, away, std::hypot(radius_m, tall_m), radius_m, 0.80F}, least_m));
         // The stem's shadow ties the crown's to the root.
         const float stem_m = 0.5F * glm::length(spot - root);
-        if (stem_m > px_m)
+        if (stem_m > fine_m)
             darken(shade.sun, px_m, half_m,
-                   {0.5F * (root + spot), away, stem_m, std::max(0.22F * radius_m, px_m), 0.5F});
-        darken(shade.sky, px_m, half_m, {root, {1, 0}, 1.25F * radius_m, 1.25F * radius_m, 0.42F});
+                   shown({0.5F * (root + spot), away, stem_m, std::max(0.22F * radius_m, fine_m), 0.5F}, least_m));
+        darken(shade.sky, px_m, half_m, shown({root, {1, 0}, 1.25F * radius_m, 1.25F * radius_m, 0.42F}, least_m));
     }
     return shade;
 }

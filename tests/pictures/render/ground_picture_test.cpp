@@ -120,7 +120,7 @@ TEST_F(GroundPicture, AGroundBroughtAheadIsTheSame) {
     };
     const mesh::Image at_once = picture_of(uploaded(scene));
     f.views.clear();
-    const auto ahead = renderer_->begin_upload(render::Ground{scene->flora, scene->land});
+    const auto ahead = renderer_->begin_upload(scene::Ground{scene->flora, scene->land});
     ahead->prepare();
     int pieces = 0;
     while (!ahead->advance(1)) ++pieces;

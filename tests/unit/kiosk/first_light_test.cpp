@@ -2,6 +2,7 @@
 // What is there before a visitor has answered everything, and what comes after it is on the screen.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "kiosk/growing.hpp"
@@ -29,6 +30,10 @@ std::vector<genome::Candidate> candidates_of(const genome::Offer& offer) {
     return {offer.candidates.begin(), offer.candidates.end()};
 }
 
+HeadStart head_start_of(const genome::Offer& offer) {
+    return {{candidates_of(offer), kFlight}, {Aspect::Trees, Aspect::Land}, {}};
+}
+
 template <typename Take>
 Scenes taken(const Take& take) {
     for (;;) {
@@ -40,7 +45,7 @@ Scenes taken(const Take& take) {
 TEST(FirstLight, ComesFirstAndThenTheSceneAsItIs) {
     const genome::Offer offer = offer_of(4);
     Grower grower({2, kFine});
-    grower.order(candidates_of(offer), kFlight);
+    grower.order({candidates_of(offer), kFlight});
     const Scenes first = taken([&] { return grower.take(); });
     const Scenes refined = first.front()->light.ground.width == kFine.light_px
                                ? first  // it was faster than we are
@@ -70,9 +75,7 @@ TEST(FirstLight, IsTheSameLightOnlyCoarser) {
                 for (std::size_t i = static_cast<std::size_t>(c); i < image.bytes.size(); i += 4) sum += image.bytes[i];
                 return sum / (static_cast<double>(image.width) * image.height);
             };
-            // Small crowns shade a whole coarse pixel.
-            EXPECT_NEAR(mean(first->light.ground), mean(fine->light.ground), 1 + 0.06 * mean(fine->light.ground))
-                << seed;
+            EXPECT_NEAR(mean(first->light.ground), mean(fine->light.ground), 2.5) << seed;
         }
         EXPECT_NEAR(first->exposure, fine->exposure, 0.03F * fine->exposure) << seed;
     }
@@ -80,7 +83,7 @@ TEST(FirstLight, IsTheSameLightOnlyCoarser) {
 
 TEST(FirstLight, IsLeftOutWhereNobodyCouldSeeIt) {
     Grower grower({2, {65, 64, 128}});
-    grower.order(candidates_of(offer_of(5)), kFlight);
+    grower.order({candidates_of(offer_of(5)), kFlight});
     const Scenes scenes = taken([&] { return grower.take(); });
     EXPECT_FALSE(grower.is_refining());
     EXPECT_EQ(scenes.front()->light.ground.width, 64);
@@ -88,7 +91,7 @@ TEST(FirstLight, IsLeftOutWhereNobodyCouldSeeIt) {
 
 TEST(FirstLight, WhoWaitsGetsTheSceneAsItIs) {
     Grower grower({2, kFine});
-    grower.order(candidates_of(offer_of(6)), kFlight);
+    grower.order({candidates_of(offer_of(6)), kFlight});
     grower.wait();
     EXPECT_EQ(grower.take()->front()->light.ground.width, kFine.light_px);
     EXPECT_FALSE(grower.take_refined().has_value());
@@ -96,10 +99,10 @@ TEST(FirstLight, WhoWaitsGetsTheSceneAsItIs) {
 
 TEST(FirstLight, AnOrderForgetsWhatWasToBeRefined) {
     Grower grower({2, kFine});
-    grower.order(candidates_of(offer_of(7)), kFlight);
+    grower.order({candidates_of(offer_of(7)), kFlight});
     taken([&] { return grower.take(); });
     const genome::Offer next = offer_of(8);
-    grower.order(candidates_of(next), kFlight);
+    grower.order({candidates_of(next), kFlight});
     grower.wait();
     const auto scenes = grower.take();
     ASSERT_TRUE(scenes.has_value());
@@ -111,15 +114,13 @@ TEST(FirstLight, AnOrderForgetsWhatWasToBeRefined) {
 TEST(Ahead, WhatStandsIsKnownOnceTreesAndLandHaveGrownAndUntilItIsTaken) {
     const genome::Offer offer = offer_of(9);
     Grower grower({2, kFine});
-    EXPECT_TRUE(grower.ahead().empty());
-    grower.begin(Aspect::Trees, offer);
-    grower.begin(Aspect::Land, offer);
-    grower.begin_layouts(offer, kFlight);
-    while (grower.ahead().size() < genome::kCandidates) std::this_thread::yield();
-    const auto grounds = grower.ahead();
-    grower.order(candidates_of(offer), kFlight);
+    EXPECT_TRUE(grower.ahead().grounds.empty());
+    grower.begin([&] { return head_start_of(offer); });
+    while (grower.ahead().grounds.size() < genome::kCandidates) std::this_thread::yield();
+    const auto grounds = grower.ahead().grounds;
+    grower.order({candidates_of(offer), kFlight});
     grower.wait();
-    EXPECT_EQ(grower.ahead(), grounds);
+    EXPECT_EQ(grower.ahead().grounds, grounds);
     const Scenes scenes = *grower.take();
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         EXPECT_EQ(scenes[i]->flora, grounds[i].flora);
@@ -130,25 +131,67 @@ TEST(Ahead, WhatStandsIsKnownOnceTreesAndLandHaveGrownAndUntilItIsTaken) {
         for (std::size_t p = 0; p < at_once->plants.size(); ++p)
             ASSERT_EQ(scenes[i]->plants[p].root_m, at_once->plants[p].root_m);
     }
-    EXPECT_TRUE(grower.ahead().empty());
+    EXPECT_TRUE(grower.ahead().grounds.empty());
 }
 
 TEST(Ahead, AnotherAnswerLaysOutOthers) {
     const genome::Offer one = offer_of(10);
     const genome::Offer other = offer_of(11);
     Grower grower({2, kFine});
-    for (const genome::Offer& offer : {one, other}) {
-        grower.begin(Aspect::Trees, offer);
-        grower.begin(Aspect::Land, offer);
-        grower.begin_layouts(offer, kFlight);
-    }
-    while (grower.ahead().size() < genome::kCandidates || grower.stock().to_grow > 0) std::this_thread::yield();
-    grower.order(candidates_of(other), kFlight);
+    for (const genome::Offer& offer : {one, other}) grower.begin([offer] { return head_start_of(offer); });
+    while (grower.ahead().grounds.size() < genome::kCandidates || grower.stock().is_busy) std::this_thread::yield();
+    grower.order({candidates_of(other), kFlight});
     grower.wait();
     const Scenes scenes = *grower.take();
     const auto at_once = grow(genome::recipe_of(other.candidates.back(), kFlight), kFine);
     EXPECT_EQ(scenes.back()->plants.size(), at_once->plants.size());
     EXPECT_EQ(scenes.back()->light.ground, at_once->light.ground);
+}
+
+TEST(Ahead, WhicheverOfTheFewOrdersThatCanComeIsGivenIsReadyAtOnce) {
+    const genome::Offer offer = offer_of(12);
+    std::vector<Order> possible;
+    for (std::uint64_t answer = 0; answer < 4; ++answer) {
+        Order order{candidates_of(offer), kFlight};
+        const genome::Offer skies = offer_of(100 + answer);
+        for (std::size_t i = 0; i < order.candidates.size(); ++i) {
+            for (const auto id : genome::parameters_of(Aspect::Sky, genome::Genome::Full))
+                order.candidates[i].values.set(id, skies.candidates[i].values[id]);
+            order.candidates[i].seeds[Aspect::Sky] = skies.candidates[i].seeds[Aspect::Sky];
+        }
+        possible.push_back(std::move(order));
+    }
+    Grower grower({2, kFine});
+    grower.begin([&] { return HeadStart{possible.front(), {Aspect::Trees, Aspect::Land}, possible}; });
+    while (grower.ahead().lit.size() < 16) std::this_thread::yield();
+    const Scenes all = grower.ahead().lit;
+    grower.order(possible[2]);
+    ASSERT_TRUE(grower.is_ready());
+    const Scenes first = *grower.take();
+    EXPECT_TRUE(grower.ahead().lit.empty());
+    const Scenes refined = taken([&] { return grower.take_refined(); });
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        EXPECT_NE(std::ranges::find(all, first[i]), all.end());
+        EXPECT_EQ(first[i]->sky, refined[i]->sky);
+        const auto at_once = grow(genome::recipe_of(possible[2].candidates[i], kFlight), kFine);
+        EXPECT_EQ(refined[i]->sky->dome, at_once->sky->dome);
+        EXPECT_EQ(refined[i]->light.ground, at_once->light.ground);
+    }
+}
+
+TEST(Ahead, AnAnswerTakenBackForgetsWhatWasLitForIt) {
+    const genome::Offer offer = offer_of(13);
+    const Order order{candidates_of(offer), kFlight};
+    Grower grower({2, kFine});
+    grower.begin([&] { return HeadStart{order, {Aspect::Trees, Aspect::Land}, {order}}; });
+    while (grower.ahead().lit.size() < 4) std::this_thread::yield();
+    grower.begin([&] { return HeadStart{order, {Aspect::Trees}, {}}; });
+    while (grower.stock().is_busy) std::this_thread::yield();
+    EXPECT_TRUE(grower.ahead().lit.empty());
+    grower.order(order);
+    EXPECT_FALSE(grower.is_ready());
+    grower.wait();
+    EXPECT_TRUE(grower.is_ready());
 }
 
 }  // namespace

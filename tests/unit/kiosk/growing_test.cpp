@@ -24,7 +24,7 @@ std::vector<genome::Candidate> candidates(std::uint64_t seed) {
 
 Scenes grown_by(int threads, std::uint64_t seed) {
     Grower grower({threads, kCoarse});
-    grower.order(candidates(seed), base::Seed{seed});
+    grower.order({candidates(seed), base::Seed{seed}});
     grower.wait();
     return *grower.take();
 }
@@ -57,12 +57,10 @@ TEST(Threads, GrowingInTheBackgroundEqualsGrowingAtOnce) {
 
 TEST(Threads, AnOrderReplacesTheOneBeforeAndHeadStartsAreShared) {
     Grower grower({2, kCoarse});
-    genome::Offer offer;
     const auto first = candidates(1);
-    std::copy(first.begin(), first.end(), offer.candidates.begin());
-    grower.begin(genome::Aspect::Trees, offer);
-    grower.order(candidates(2), base::Seed{2});
-    grower.order(first, base::Seed{1});
+    grower.begin([&] { return HeadStart{{first, base::Seed{1}}, {genome::Aspect::Trees}, {}}; });
+    grower.order({candidates(2), base::Seed{2}});
+    grower.order({first, base::Seed{1}});
     grower.wait();
     EXPECT_TRUE(grower.is_ready());
     EXPECT_EQ(grower.progress(), 1.0F);
@@ -71,7 +69,7 @@ TEST(Threads, AnOrderReplacesTheOneBeforeAndHeadStartsAreShared) {
     EXPECT_TRUE(are_same(*scenes->front(), *grow(genome::recipe_of(first.front(), base::Seed{1}), kCoarse)));
     EXPECT_FALSE(grower.take().has_value());
     // The same four again share what they are made of.
-    grower.order(first, base::Seed{77});
+    grower.order({first, base::Seed{77}});
     grower.wait();
     EXPECT_EQ(grower.take()->front()->land.get(), scenes->front()->land.get());
 }
@@ -80,18 +78,15 @@ TEST(Threads, WhatIsGrownAndNeverComposedDoesNotPileUp) {
     Grower grower({2, kCoarse});
     std::size_t most = 0;
     for (std::uint64_t i = 0; i < 12; ++i) {
-        genome::Offer offer;
-        const auto four = candidates(i);
-        std::copy(four.begin(), four.end(), offer.candidates.begin());
-        grower.begin(genome::Aspect::Sky, offer);
-        while (grower.stock().to_grow > 0) std::this_thread::yield();
+        grower.begin([&] { return HeadStart{{candidates(i), base::Seed{i}}, {genome::Aspect::Sky}, {}}; });
+        while (grower.stock().is_busy) std::this_thread::yield();
         most = std::max(most, grower.stock().kept);
     }
     EXPECT_LE(most, 2 * genome::kCandidates * genome::kAspects.size());
     EXPECT_GE(most, genome::kCandidates * genome::kAspects.size());
     // What was forgotten grows again.
     const auto first = candidates(0);
-    grower.order(first, base::Seed{3});
+    grower.order({first, base::Seed{3}});
     grower.wait();
     EXPECT_TRUE(are_same(*grower.take()->front(), *grow(genome::recipe_of(first.front(), base::Seed{3}), kCoarse)));
 }
@@ -99,7 +94,7 @@ TEST(Threads, WhatIsGrownAndNeverComposedDoesNotPileUp) {
 TEST(Threads, AGrowerThatIsNotWaitedForEndsQuietly) {
     for (std::uint64_t i = 0; i < 3; ++i) {
         Grower grower({2, kCoarse});
-        grower.order(candidates(i), base::Seed{i});
+        grower.order({candidates(i), base::Seed{i}});
         EXPECT_LE(grower.progress(), 1.0F);
     }
 }
