@@ -22,21 +22,14 @@ namespace {
 
 using genome::Aspect;
 
-// Threads that grow give way to the one that draws: all of them of this arena.
-class GivingWay : public tbb::task_scheduler_observer {
+// Threads that grow give way to the one that draws.
+class LowPriority : public tbb::task_scheduler_observer {
   public:
-    GivingWay(tbb::task_arena& arena, LowPriority& priority)
-        : tbb::task_scheduler_observer(arena), priority_(priority) {
-        observe(true);
-    }
-    ~GivingWay() override { observe(false); }
-    GivingWay(const GivingWay&) = delete;
-    GivingWay& operator=(const GivingWay&) = delete;
-    void on_scheduler_entry(bool /*is_worker*/) override { priority_.join(); }
-    void on_scheduler_exit(bool /*is_worker*/) override { priority_.leave(); }
-
-  private:
-    LowPriority& priority_;
+    explicit LowPriority(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) { observe(true); }
+    ~LowPriority() override { observe(false); }
+    LowPriority(const LowPriority&) = delete;
+    LowPriority& operator=(const LowPriority&) = delete;
+    void on_scheduler_entry(bool /*is_worker*/) override { lower_priority(); }
 };
 
 #if defined(__SANITIZE_THREAD__)
@@ -61,7 +54,7 @@ struct Grower::Parts {
     explicit Parts(const GrowerOptions& options_)
         : options(options_),
           arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic),
-          observer(arena, priority),
+          observer(arena),
           worker([this](const std::stop_token& stop) { work(stop); }) {}
 
     struct Job {
@@ -103,8 +96,7 @@ struct Grower::Parts {
 
     GrowerOptions options;
     tbb::task_arena arena;
-    LowPriority priority;  // low while somebody waits or will soon, else idle
-    GivingWay observer;
+    LowPriority observer;
 
     std::mutex mutex;
     std::condition_variable_any changed;
@@ -298,7 +290,6 @@ void Grower::Parts::finish_order(Scenes made, std::vector<Plot> plots) {
     ordered.reset();
     ordered_lit.clear();
     progress = 1;
-    priority.set(Way::Idle);
 }
 
 // The skies of what was lit ahead are kept as if they had been asked for.
@@ -333,8 +324,6 @@ void Grower::Parts::work_out_head_start(std::unique_lock<std::mutex>& lock) {
     for (const Aspect aspect : start.known) enqueue(aspect, start.coming.candidates);
     const auto is_known = [&](Aspect aspect) { return std::ranges::find(start.known, aspect) != start.known.end(); };
     if (is_known(Aspect::Trees) && is_known(Aspect::Land)) ahead.want_layouts(std::move(start.coming));
-    // With one answer to come the visitor may give it at any moment.
-    priority.set(start.possible.empty() ? Way::Idle : Way::Low);
     ahead.want_light(std::move(start.possible));
     note_standing();
 }
@@ -344,7 +333,7 @@ bool Grower::Parts::has_work() const {
 }
 
 void Grower::Parts::work(const std::stop_token& stop) {
-    priority.join();
+    lower_priority();
     std::unique_lock lock(mutex);
     while (!stop.stop_requested()) {
         if (ordered && has_all(*ordered)) {
@@ -364,7 +353,6 @@ void Grower::Parts::work(const std::stop_token& stop) {
         }
         changed.notify_all();
     }
-    priority.leave();
 }
 
 Grower::Grower(const GrowerOptions& options) : parts_(std::make_unique<Parts>(options)) {}
@@ -401,7 +389,6 @@ void Grower::order(Order wanted) {
     parts_->refined.reset();
     parts_->progress = 0;
     parts_->ordered = std::move(wanted);
-    parts_->priority.set(Way::Low);
     parts_->forget_old();
     const bool is_lit = std::ranges::find(parts_->ordered_lit, nullptr) == parts_->ordered_lit.end();
     if (is_lit && parts_->has_all(*parts_->ordered))

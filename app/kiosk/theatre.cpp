@@ -26,7 +26,7 @@ void Theatre::enter(const display::Canvas& canvas) {
 template <typename Upload>
 Theatre::Uploading<Upload>::Uploading(std::unique_ptr<Upload> upload_)
     : upload(std::move(upload_)), prepared(std::async(std::launch::async, [preparing = upload.get()] {
-          give_way(Way::Low);
+          lower_priority();
           preparing->prepare();
       })) {}
 
