@@ -24,6 +24,10 @@ constexpr float kMergedFrom_px = 44;  // and how high it is then
 constexpr float kMergedTo_px = 24;
 constexpr float kLeavesMerged = 0.55F;  // of the blades are not needed then
 constexpr float kMass_px = 13;          // of a tree so small no more is seen
+// With less fineness than this larger crowns merge too: four blades that stand for thousands are shards.
+constexpr float kLeafyFrom = 0.125F;
+constexpr float kMassFineness = 0.06F;  // a mass is never coarser than with this
+constexpr float kFewestOverMass = 12;   // blades; fewer are left out
 constexpr float kLeaving = 1.5F;        // a level begins to become the next with so many times the triangles asked for
 constexpr float kShape_px = 11;         // a shorter blade shows no more than that it is one
 
@@ -158,8 +162,9 @@ void choose_wood(const Kind& kind, float wanted, Closeness& how) {
 }
 
 // How far a crown is one mass: none of it while it is large on the screen, or its blades are many.
-float merged_crown(const Kind& kind, float wanted_blades, float height_px) {
+float merged_crown(const Kind& kind, float wanted_blades, float height_px, float fineness) {
     if (kind.mass_triangles.empty()) return 0;
+    height_px *= std::min(std::sqrt(fineness / kLeafyFrom), 1.0F);
     const float share = wanted_blades / static_cast<float>(kind.blades);
     return std::clamp((kMergedFrom - share) / (kMergedFrom - kMergedTo), 0.0F, 1.0F) *
            std::clamp((kMergedFrom_px - height_px) / (kMergedFrom_px - kMergedTo_px), 0.0F, 1.0F);
@@ -190,14 +195,15 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     if (!has_leaves) return how;
     float wanted_blades = fineness * 0.16F * height_px * height_px;
     how.mass_level = kind.mass_triangles.size();
-    const float merged = merged_crown(kind, wanted_blades, height_px);
+    const float merged = merged_crown(kind, wanted_blades, height_px, fineness);
     if (merged > 0) {
-        choose_mass(kind, fineness * 0.05F * height_px * height_px, how);
+        choose_mass(kind, std::max(fineness, kMassFineness) * 0.05F * height_px * height_px, how);
         // The stem behind it is at its coarsest, which becomes nothing coarser.
         if (how.wood_level < kind.wood_triangles.size()) how.wood_level = kind.wood_triangles.size() - 1;
         how.to_coarser = merged;
         wanted_blades *= 1 - kLeavesMerged * kind.massed * merged;
-        how.has_leaves = height_px > kMass_px || kind.massed < 0.7F;
+        const bool is_bare = merged > 0.9F && wanted_blades < kFewestOverMass && fineness < kLeafyFrom;
+        how.has_leaves = (height_px > kMass_px && !is_bare) || kind.massed < 0.7F;
     }
     const float fewest = static_cast<float>(std::min(kind.blades, kFewestBlades));
     const float all = static_cast<float>(kind.blades);

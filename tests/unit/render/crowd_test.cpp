@@ -144,6 +144,8 @@ TEST(Closeness, MoreFinenessNeverTakesAnythingAway) {
     }
 }
 
+constexpr float kFewestBladesOfACrown = 12;
+
 Kind leafy() {
     Kind kind = tree();
     kind.mass_triangles = {240, 120, 60, 28, 14};
@@ -194,6 +196,21 @@ TEST(Closeness, ACrownBecomesOneMassGraduallyAndNearbyNever) {
                 EXPECT_GE(now.to_coarser + 1e-6F, before.to_coarser);
             }
             before = now;
+        }
+    }
+}
+
+TEST(Closeness, ACrownOfAHandfulOfBladesIsOneMassHoweverLarge) {
+    for (const float fineness : {0.0001F, 0.001F, 0.005F}) {
+        for (float px = 30; px < 400; px *= 1.1F) {
+            const Closeness how = closeness(leafy(), px, fineness);
+            if (fineness * 0.16F * px * px > kFewestBladesOfACrown) continue;
+            ASSERT_LT(how.mass_level, leafy().mass_triangles.size()) << px;
+            EXPECT_FALSE(how.has_leaves) << px;
+            // And round enough for its size.
+            if (px > 120) {
+                EXPECT_GE(leafy().mass_triangles[how.mass_level], 28U) << px;
+            }
         }
     }
 }
