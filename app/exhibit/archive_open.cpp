@@ -30,6 +30,7 @@ bool is_damage(const SqliteError& error) {
         case SQLITE_CONSTRAINT:
         case SQLITE_TOOBIG:
         case SQLITE_INTERNAL:
+        case SQLITE_NOMEM:  // for a length that cannot be; where memory is short, nobody is told so
             return true;
         default:
             return false;
