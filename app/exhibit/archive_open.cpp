@@ -2,6 +2,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -18,8 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool may_be_written(const fs::path& file) {
+    return ::access(file.c_str(), W_OK) == 0 && ::access(file.parent_path().c_str(), W_OK) == 0;
+}
+
 // What a damaged file makes SQLite say; anything else is about the disk, the directory or another program.
-bool is_damage(const SqliteError& error) {
+bool is_damage(const SqliteError& error, const fs::path& file) {
     switch (error.code()) {
         case SQLITE_ERROR:
         case SQLITE_CORRUPT:
@@ -32,6 +37,8 @@ bool is_damage(const SqliteError& error) {
         case SQLITE_INTERNAL:
         case SQLITE_NOMEM:  // for a length that cannot be; where memory is short, nobody is told so
             return true;
+        case SQLITE_READONLY:  // also of a file whose head says that a later SQLite wrote it
+            return may_be_written(file);
         default:
             return false;
     }
@@ -78,11 +85,11 @@ void note_start(Connection& connection, WallTime now) {
 
 // A damaged file says so as one exception, whichever layer noticed.
 template <typename Open>
-auto opened_or_damage(const Open& open) {
+auto opened_or_damage(const fs::path& file, const Open& open) {
     try {
         return open();
     } catch (const SqliteError& error) {
-        if (is_damage(error)) throw DamageError(error.what());
+        if (is_damage(error, file)) throw DamageError(error.what());
         throw;
     }
 }
@@ -91,7 +98,7 @@ auto opened_or_damage(const Open& open) {
 
 Archive::Opened Archive::open_file(const fs::path& file, WallTime now, const Retention& retention,
                                    const TellKept& tell) {
-    return opened_or_damage([&] {
+    return opened_or_damage(file, [&] {
         Connection connection(file);
         const bool is_known = holds_nothing(connection) || is_of_this_version(connection);
         if (tell && is_known) tell(kept_in(connection));

@@ -242,6 +242,15 @@ TEST_F(DamagedArchive, IsSetAsideWhenItsMiddleIsOverwritten) {
     expect_replaced("");
 }
 
+TEST_F(DamagedArchive, IsSetAsideWhenItsHeadSaysThatALaterSqliteWroteIt) {
+    fill(directory_);
+    std::string bytes = base::read_file(file());
+    constexpr std::size_t kWriteVersion = 18;
+    bytes.at(kWriteVersion) = 9;
+    base::write_file(file(), bytes);
+    expect_replaced("readonly");
+}
+
 TEST_F(DamagedArchive, IsSetAsideWhenItsSchemaIsOfALaterVersion) {
     change("PRAGMA user_version=5");
     expect_replaced("its schema version is 5; this program keeps versions 1 to 4");
