@@ -2,18 +2,21 @@
 #include "kiosk/ahead.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace quadrat::kiosk {
 namespace {
 
-// Of a map, what some candidate of these orders has the key of.
-template <typename Map, typename KeyOf>
-void keep_only(Map& map, const std::vector<Order>& orders, const KeyOf& key_of_candidate) {
-    std::vector<typename Map::key_type> wanted;
-    for (const Order& order : orders)
-        for (const genome::Candidate& candidate : order.candidates)
-            wanted.push_back(key_of_candidate(candidate, order.flight));
-    std::erase_if(map, [&](const auto& entry) { return std::ranges::find(wanted, entry.first) == wanted.end(); });
+std::vector<Ahead::Wanted> wanted_by(const std::vector<Order>& orders) {
+    std::vector<Ahead::Wanted> all;
+    for (const Order& order : orders) {
+        for (const genome::Candidate& candidate : order.candidates) {
+            SceneKey key = scene_key_of(candidate, order.flight);
+            if (std::ranges::find(all, key, &Ahead::Wanted::key) == all.end())
+                all.push_back({std::move(key), candidate, order.flight});
+        }
+    }
+    return all;
 }
 
 template <typename Map>
@@ -24,27 +27,35 @@ typename Map::mapped_type found_in(const Map& map, const typename Map::key_type&
 
 }  // namespace
 
-void Ahead::want_layouts(Order wanted) {
-    keep_only(layouts_, {wanted}, layout_key_of);
-    wanted_ = std::move(wanted);
+void Ahead::want_layouts(const Order& wanted) {
+    to_lay_out_ = wanted_by({wanted});
+    forget_unwanted();
 }
 
-void Ahead::want_light(std::vector<Order> possible) {
-    keep_only(lit_, possible, scene_key_of);
-    possible_ = std::move(possible);
+void Ahead::want_light(const std::vector<Order>& possible) {
+    to_light_ = wanted_by(possible);
+    forget_unwanted();
 }
 
+void Ahead::forget_unwanted() {
+    std::erase_if(layouts_, [this](const auto& entry) {
+        return std::ranges::find(to_lay_out_, entry.first, &Wanted::layout_key) == to_lay_out_.end();
+    });
+    std::erase_if(lit_, [this](const auto& entry) {
+        return std::ranges::find(to_light_, entry.first, &Wanted::key) == to_light_.end();
+    });
+}
+
+// What was worked on while it ceased to be wanted goes at once.
 void Ahead::keep(const LayoutKey& key, std::shared_ptr<const synthesis::Layout> layout) {
     layouts_[key] = std::move(layout);
-    if (wanted_) keep_only(layouts_, {*wanted_}, layout_key_of);
+    forget_unwanted();
 }
 
 void Ahead::keep(const SceneKey& key, std::shared_ptr<const scene::Scene> lit) {
     lit_[key] = std::move(lit);
-    keep_only(lit_, possible_, scene_key_of);
+    forget_unwanted();
 }
-
-void Ahead::forget() { *this = {}; }
 
 std::shared_ptr<const synthesis::Layout> Ahead::layout(const LayoutKey& key) const { return found_in(layouts_, key); }
 

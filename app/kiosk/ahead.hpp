@@ -29,12 +29,20 @@ struct HeadStart {
 // What is made before it is ordered, and what for. What no order that may come asks for is forgotten.
 class Ahead {
   public:
-    void want_layouts(Order wanted);
-    void want_light(std::vector<Order> possible);  // one of which will come
-    void forget();
+    // Its keys are worked out once: what is still to be made is asked for every frame.
+    struct Wanted {
+        SceneKey key;
+        genome::Candidate candidate;
+        base::Seed flight;
+        const LayoutKey& layout_key() const { return std::get<0>(key); }
+    };
 
-    const std::optional<Order>& wanted() const { return wanted_; }
-    const std::vector<Order>& possible() const { return possible_; }
+    void want_layouts(const Order& wanted);
+    void want_light(const std::vector<Order>& possible);  // one of which will come
+    void forget() { *this = {}; }
+
+    const std::vector<Wanted>& to_lay_out() const { return to_lay_out_; }
+    const std::vector<Wanted>& to_light() const { return to_light_; }  // each once
 
     void keep(const LayoutKey& key, std::shared_ptr<const synthesis::Layout> layout);
     void keep(const SceneKey& key, std::shared_ptr<const scene::Scene> lit);
@@ -44,9 +52,11 @@ class Ahead {
     Scenes lit() const;                                                  // all of them
 
   private:
-    std::optional<Order> wanted_;
+    void forget_unwanted();
+
+    std::vector<Wanted> to_lay_out_;
+    std::vector<Wanted> to_light_;
     std::map<LayoutKey, std::shared_ptr<const synthesis::Layout>> layouts_;
-    std::vector<Order> possible_;
     std::map<SceneKey, std::shared_ptr<const scene::Scene>> lit_;
 };
 

@@ -71,18 +71,13 @@ struct Grower::Parts {
     void on_all(std::size_t count, std::unique_lock<std::mutex>& lock, const std::stop_token& stop, const Work& work);
     Plot plot_of(const genome::Candidate& candidate, base::Seed flight) const;
     std::vector<Plot> plots_of(const Order& order) const;
-    bool stands(const genome::Candidate& candidate) const;
+    bool stands(const LayoutKey& key) const;
     void note_standing();
-    std::vector<genome::Candidate> to_lay_out(std::size_t most) const;
+    std::vector<Ahead::Wanted> not_laid_out(std::size_t most) const;
     void lay_out_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
-    struct Dark {
-        SceneKey key;
-        genome::Candidate candidate;
-        Plot plot;
-    };
-    std::vector<Dark> to_light(std::size_t most) const;
+    std::vector<Ahead::Wanted> dark(std::size_t most) const;
     void light_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
-    bool is_ahead_done() const { return to_lay_out(1).empty() && to_light(1).empty(); }
+    bool is_ahead_done() const { return not_laid_out(1).empty() && dark(1).empty(); }
     void forget_ahead();
     void take_lit(const Order& wanted);
     void work_out_head_start(std::unique_lock<std::mutex>& lock);
@@ -171,17 +166,15 @@ void Grower::Parts::grow_batch(std::unique_lock<std::mutex>& lock, const std::st
     progress = std::min(0.9F, progress + share);
 }
 
-bool Grower::Parts::stands(const genome::Candidate& candidate) const {
-    return kept.contains(key_of(Aspect::Trees, candidate)) && kept.contains(key_of(Aspect::Land, candidate));
+bool Grower::Parts::stands(const LayoutKey& key) const {
+    return kept.contains(std::get<0>(key)) && kept.contains(std::get<1>(key));
 }
 
 void Grower::Parts::note_standing() {
     standing.clear();
-    if (!ahead.wanted()) return;
-    for (const genome::Candidate& candidate : ahead.wanted()->candidates)
-        if (stands(candidate))
-            standing.push_back(
-                {kept.flora(key_of(Aspect::Trees, candidate)), kept.land(key_of(Aspect::Land, candidate))});
+    for (const Ahead::Wanted& wanted : ahead.to_lay_out())
+        if (const LayoutKey& key = wanted.layout_key(); stands(key))
+            standing.push_back({kept.flora(std::get<0>(key)), kept.land(std::get<1>(key))});
 }
 
 // It stands.
@@ -218,56 +211,48 @@ void Grower::Parts::forget_ahead() {
     standing.clear();
 }
 
-std::vector<genome::Candidate> Grower::Parts::to_lay_out(std::size_t most) const {
-    std::vector<genome::Candidate> found;
-    if (!ahead.wanted()) return found;
-    for (const genome::Candidate& candidate : ahead.wanted()->candidates)
-        if (found.size() < most && stands(candidate) && !ahead.layout(layout_key_of(candidate, ahead.wanted()->flight)))
-            found.push_back(candidate);
+std::vector<Ahead::Wanted> Grower::Parts::not_laid_out(std::size_t most) const {
+    std::vector<Ahead::Wanted> found;
+    for (const Ahead::Wanted& wanted : ahead.to_lay_out())
+        if (found.size() < most && stands(wanted.layout_key()) && !ahead.layout(wanted.layout_key()))
+            found.push_back(wanted);
     return found;
 }
 
 void Grower::Parts::lay_out_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
-    const base::Seed flight = ahead.wanted()->flight;
-    std::vector<LayoutKey> keys;
+    const std::vector<Ahead::Wanted> batch = not_laid_out(at_once());
     std::vector<Plot> plots;
-    for (const genome::Candidate& candidate : to_lay_out(at_once())) {
-        keys.push_back(layout_key_of(candidate, flight));
-        plots.push_back(plot_of(candidate, flight));
-    }
+    for (const Ahead::Wanted& wanted : batch) plots.push_back(plot_of(wanted.candidate, wanted.flight));
     on_all(plots.size(), lock, stop, [&](std::size_t i) { lay_out(plots[i]); });
     if (stop.stop_requested()) return;
-    for (std::size_t i = 0; i < plots.size(); ++i) ahead.keep(keys[i], plots[i].layout);
+    for (std::size_t i = 0; i < plots.size(); ++i) ahead.keep(batch[i].layout_key(), plots[i].layout);
 }
 
 // Laid out, and still without light. Most have no sky either: there are four of each, for four answers.
-std::vector<Grower::Parts::Dark> Grower::Parts::to_light(std::size_t most) const {
-    std::vector<Dark> found;
-    for (const Order& order : ahead.possible()) {
-        for (const genome::Candidate& candidate : order.candidates) {
-            if (found.size() == most) return found;
-            const SceneKey key = scene_key_of(candidate, order.flight);
-            const bool is_dark = stands(candidate) && ahead.layout(std::get<0>(key)) && !ahead.lit(key);
-            if (is_dark && std::ranges::find(found, key, &Dark::key) == found.end())
-                found.push_back({key, candidate, plot_of(candidate, order.flight)});
-        }
-    }
+std::vector<Ahead::Wanted> Grower::Parts::dark(std::size_t most) const {
+    std::vector<Ahead::Wanted> found;
+    for (const Ahead::Wanted& wanted : ahead.to_light())
+        if (found.size() < most && stands(wanted.layout_key()) && ahead.layout(wanted.layout_key()) &&
+            !ahead.lit(wanted.key))
+            found.push_back(wanted);
     return found;
 }
 
 void Grower::Parts::light_batch(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
-    std::vector<Dark> dark = to_light(at_once());
-    Scenes made(dark.size());
+    const std::vector<Ahead::Wanted> batch = dark(at_once());
+    std::vector<Plot> plots;
+    for (const Ahead::Wanted& wanted : batch) plots.push_back(plot_of(wanted.candidate, wanted.flight));
+    Scenes made(plots.size());
     const scene::Fineness first = first_light(options.fineness);
-    on_all(dark.size(), lock, stop, [&](std::size_t i) {
-        auto& [key, candidate, plot] = dark[i];
-        if (!plot.sky)
-            plot.sky =
+    on_all(plots.size(), lock, stop, [&](std::size_t i) {
+        const genome::Candidate& candidate = batch[i].candidate;
+        if (!plots[i].sky)
+            plots[i].sky =
                 std::get<2>(grow_aspect(Aspect::Sky, candidate.values, candidate.seeds[Aspect::Sky], options.fineness));
-        made[i] = illuminated(plot, first);
+        made[i] = illuminated(plots[i], first);
     });
     if (stop.stop_requested()) return;
-    for (std::size_t i = 0; i < dark.size(); ++i) ahead.keep(dark[i].key, made[i]);
+    for (std::size_t i = 0; i < batch.size(); ++i) ahead.keep(batch[i].key, made[i]);
 }
 
 void Grower::Parts::compose_order(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
@@ -317,14 +302,14 @@ void Grower::Parts::work_out_head_start(std::unique_lock<std::mutex>& lock) {
     const auto work_out = std::exchange(to_work_out, nullptr);
     is_working_out = true;
     lock.unlock();
-    HeadStart start = work_out();
+    const HeadStart start = work_out();
     lock.lock();
     is_working_out = false;
     if (number != head_start_number) return;
     for (const Aspect aspect : start.known) enqueue(aspect, start.coming.candidates);
     const auto is_known = [&](Aspect aspect) { return std::ranges::find(start.known, aspect) != start.known.end(); };
-    if (is_known(Aspect::Trees) && is_known(Aspect::Land)) ahead.want_layouts(std::move(start.coming));
-    ahead.want_light(std::move(start.possible));
+    if (is_known(Aspect::Trees) && is_known(Aspect::Land)) ahead.want_layouts(start.coming);
+    ahead.want_light(start.possible);
     note_standing();
 }
 
@@ -344,9 +329,9 @@ void Grower::Parts::work(const std::stop_token& stop) {
             refine(lock, stop);
         } else if (!jobs.empty()) {
             grow_batch(lock, stop);
-        } else if (!to_lay_out(1).empty()) {
+        } else if (!not_laid_out(1).empty()) {
             lay_out_batch(lock, stop);
-        } else if (!to_light(1).empty()) {
+        } else if (!dark(1).empty()) {
             light_batch(lock, stop);
         } else {
             changed.wait(lock, stop, [this] { return has_work(); });

@@ -228,7 +228,8 @@ class Loop {
         if (is_seen) round_ = parts_.show.state().rounds + 1;
         // Whoever answers before its light is refined still finds it in the album.
         const bool is_worth_it = (is_seen && parts_.show.is_refined()) || screen == Screen::Breed;
-        if (parts_.album == nullptr || !is_worth_it || act.number == photographed_ || act.recipes.empty()) return;
+        // Acts come one after another; what is still on stage when a visit begins is of the visit before.
+        if (parts_.album == nullptr || !is_worth_it || act.number <= photographed_ || act.recipes.empty()) return;
         photographed_ = act.number;
         const Picture picture = picture_of(act, canvas, parts_.configuration);
         const bool is_finale = screen == Screen::Finale;
@@ -334,7 +335,7 @@ class Loop {
     Instant framed_at_{0};
     Instant shown_at_{0};  // the last frame, where the screen tells
     std::optional<Instant> remembered_at_;
-    int photographed_ = 0;  // an act
+    int photographed_ = 0;  // the last act that was
     int round_ = 1;         // that is or was seen last
     int generations_ = 0;
     int finales_ = 0;

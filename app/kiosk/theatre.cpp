@@ -94,10 +94,10 @@ bool Theatre::bring(const std::shared_ptr<const scene::Scene>& scene, OnGpu& to,
 
 void Theatre::prepare_ahead(const Prospect& prospect, const Haste& haste) {
     if (!has_gpu()) return;
-    if (!prepare_grounds(prospect.grounds, haste)) return;
     std::erase_if(uploaded_ahead_, [&](const auto& entry) {
         return std::ranges::find(prospect.lit, entry.second.scene) == prospect.lit.end();
     });
+    if (!prepare_grounds(prospect.grounds, haste)) return;
     begin_uploads(prospect.lit, haste.may_wait);
     for (const auto& scene : prospect.lit)
         if (!uploaded_.contains(scene.get()) && !uploaded_ahead_.contains(scene.get())) {

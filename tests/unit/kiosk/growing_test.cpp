@@ -59,6 +59,7 @@ TEST(Threads, AnOrderReplacesTheOneBeforeAndHeadStartsAreShared) {
     Grower grower({2, kCoarse});
     const auto first = candidates(1);
     grower.begin([&] { return HeadStart{{first, base::Seed{1}}, {genome::Aspect::Trees}, {}}; });
+    while (grower.stock().kept < first.size()) std::this_thread::yield();
     grower.order({candidates(2), base::Seed{2}});
     grower.order({first, base::Seed{1}});
     grower.wait();

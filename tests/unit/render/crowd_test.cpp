@@ -144,8 +144,6 @@ TEST(Closeness, MoreFinenessNeverTakesAnythingAway) {
     }
 }
 
-constexpr float kFewestBladesOfACrown = 12;
-
 Kind leafy() {
     Kind kind = tree();
     kind.mass_triangles = {240, 120, 60, 28, 14};
@@ -201,10 +199,11 @@ TEST(Closeness, ACrownBecomesOneMassGraduallyAndNearbyNever) {
 }
 
 TEST(Closeness, ACrownOfAHandfulOfBladesIsOneMassHoweverLarge) {
+    constexpr float kHandful = 12;
     for (const float fineness : {0.0001F, 0.001F, 0.005F}) {
         for (float px = 30; px < 400; px *= 1.1F) {
             const Closeness how = closeness(leafy(), px, fineness);
-            if (fineness * 0.16F * px * px > kFewestBladesOfACrown) continue;
+            if (fineness * 0.16F * px * px > kHandful) continue;
             ASSERT_LT(how.mass_level, leafy().mass_triangles.size()) << px;
             EXPECT_FALSE(how.has_leaves) << px;
             // And round enough for its size.
