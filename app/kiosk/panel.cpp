@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -23,6 +24,8 @@ constexpr Instant kWink = std::chrono::milliseconds{150};
 bool is_everyday(firmware_io::Ailment ailment) {
     return ailment == firmware_io::Ailment::PressedTogether || ailment == firmware_io::Ailment::AllPressed;
 }
+
+bool is_of_chord(Button button) { return button == Panel::kChord[0] || button == Panel::kChord[1]; }
 
 }  // namespace
 
@@ -60,7 +63,8 @@ Panel::Panel(firmware_io::ButtonSource& buttons, firmware_io::HealthMemory memor
 std::vector<ButtonEdge> Panel::poll(Instant now) {
     const auto edges = buttons_.poll(now);
     std::vector<ButtonEdge> heard = health_.hear(edges, buttons_.contacts(), now);
-    follow_chord(heard, now);
+    time_chord(edges, now);
+    keep_chord_from(heard, now);
     for (const ButtonEdge& edge : heard) {
         if (edge.motion == Motion::Up) continue;
         ++presses_;
@@ -70,30 +74,37 @@ std::vector<ButtonEdge> Panel::poll(Instant now) {
     return heard;
 }
 
-void Panel::follow_chord(std::vector<ButtonEdge>& heard, Instant now) {
-    const auto& contacts = buttons_.contacts();
-    const bool is_held = contacts[index_of(kChord[0])].is_down && contacts[index_of(kChord[1])].is_down;
-    std::vector<ButtonEdge> rest;
-    for (const ButtonEdge& edge : heard) {
-        const bool is_of_chord = edge.button == kChord[0] || edge.button == kChord[1];
-        const bool is_down = edge.motion == Motion::Down;
-        // The Up of a button that already counts as let go is no news.
-        if (is_of_chord && !is_down && !is_heard_down_[index_of(edge.button)]) continue;
-        is_heard_down_[index_of(edge.button)] = is_down;
-        rest.push_back(edge);
+// From when the buttons went down, not from when a frame heard of it: a frame may come late.
+void Panel::time_chord(const std::vector<ButtonEdge>& edges, Instant now) {
+    const auto tell_if_due = [&](Instant at) {
+        if (!is_chord_held() || is_chord_told_) return;
+        is_chord_told_ = at - std::max(*chord_down_at_[0], *chord_down_at_[1]) >= kChordHeld;
+        is_chord_due_ = is_chord_due_ || is_chord_told_;
+    };
+    for (const ButtonEdge& edge : edges) {
+        if (!is_of_chord(edge.button)) continue;
+        tell_if_due(edge.at);
+        auto& down_at = chord_down_at_[edge.button == kChord[0] ? 0 : 1];
+        down_at = edge.motion == Motion::Down ? std::optional{edge.at} : std::nullopt;
+        is_chord_told_ = is_chord_told_ && is_chord_held();
     }
-    if (is_held && !chord_since_) {
-        chord_since_ = now;
-        for (const Button button : kChord)
-            if (std::exchange(is_heard_down_[index_of(button)], false)) rest.push_back({button, Motion::Up, now});
-    }
-    if (!is_held) {
-        chord_since_.reset();
-        is_chord_told_ = false;
-    }
-    if (is_held && !is_chord_told_ && now - *chord_since_ >= kChordHeld) is_chord_told_ = is_chord_due_ = true;
-    heard = std::move(rest);
+    tell_if_due(now);
 }
+
+void Panel::keep_chord_from(std::vector<ButtonEdge>& heard, Instant now) {
+    // The Up of a button that already counts as let go is no news.
+    std::erase_if(heard, [&](const ButtonEdge& edge) {
+        if (!is_of_chord(edge.button)) return false;
+        const bool is_down = edge.motion == Motion::Down;
+        const bool was_down = std::exchange(is_heard_down_[index_of(edge.button)], is_down);
+        return !is_down && !was_down;
+    });
+    if (!is_chord_held()) return;
+    for (const Button button : kChord)
+        if (std::exchange(is_heard_down_[index_of(button)], false)) heard.push_back({button, Motion::Up, now});
+}
+
+bool Panel::is_chord_held() const { return chord_down_at_[0] && chord_down_at_[1]; }
 
 bool Panel::take_chord() { return std::exchange(is_chord_due_, false); }
 

@@ -33,7 +33,9 @@ class Panel {
     std::uint64_t presses() const { return presses_; }  // that were heard
 
   private:
-    void follow_chord(std::vector<firmware_io::ButtonEdge>& heard, firmware_io::Instant now);
+    void time_chord(const std::vector<firmware_io::ButtonEdge>& edges, firmware_io::Instant now);
+    void keep_chord_from(std::vector<firmware_io::ButtonEdge>& heard, firmware_io::Instant now);
+    bool is_chord_held() const;
     void tell();
 
     firmware_io::ButtonSource& buttons_;
@@ -41,7 +43,7 @@ class Panel {
     firmware_io::SourceStatus status_;
     std::array<firmware_io::Instant, firmware_io::kButtons.size()> pressed_at_;
     std::array<bool, firmware_io::kButtons.size()> is_heard_down_{};
-    std::optional<firmware_io::Instant> chord_since_;
+    std::array<std::optional<firmware_io::Instant>, 2> chord_down_at_;  // of kChord's buttons that are down
     bool is_chord_told_ = false;
     bool is_chord_due_ = false;
     std::uint64_t presses_ = 0;

@@ -62,6 +62,25 @@ TEST(Panel, TheChordOpensOnceAndNoVisitHearsItAsALongPress) {
     EXPECT_EQ(it.count(Button::Back, Motion::Down), it.count(Button::Back, Motion::Up));
 }
 
+TEST(Panel, TheChordIsTimedByItsPressesHoweverLateAFrameHearsOfThem) {
+    APanel late{ScriptWriter{}.at(1s).chord({Button::A, Button::Back}, 6s)};
+    late.run(500ms);
+    late.now = 3s;
+    late.run(6200ms);
+    EXPECT_EQ(late.chords, 1) << "held since the first second";
+    APanel very_late{ScriptWriter{}.at(1s).chord({Button::A, Button::Back}, 6s).wait(2s)};
+    very_late.run(500ms);
+    very_late.now = 8s;
+    very_late.run(8100ms);
+    EXPECT_EQ(very_late.chords, 1) << "held and let go between two frames";
+    EXPECT_EQ(very_late.count(Button::A, Motion::Down), very_late.count(Button::A, Motion::Up));
+    APanel short_one{ScriptWriter{}.at(1s).chord({Button::A, Button::Back}, 4s).wait(2s)};
+    short_one.run(500ms);
+    short_one.now = 7s;
+    short_one.run(12s);
+    EXPECT_EQ(short_one.chords, 0) << "let go before its time, whenever that was heard";
+}
+
 TEST(Panel, AStuckButtonIsLeftOutOfTheVisitAndSaid) {
     base::open_log(base::LogDetail::Quiet);
     const std::size_t warnings = base::recent_warnings().count;
