@@ -54,8 +54,8 @@ struct Land {
 
     std::vector<Road> roads;
     std::optional<Site> site;
-    mesh::Field kept_clear_m;  // from each sample to the edge of the nearest road or site, at most kFarFromRoads_m,
-                               // less than 0 on them; empty: none
+    mesh::Image kept_clear;  // a byte a sample: how far the edge of the nearest road or site is, see kept_clear_of();
+                             // empty: none
     Stone stone;
 
     float side_m() const { return cell_m * static_cast<float>(height_m.columns - 1); }
@@ -63,6 +63,10 @@ struct Land {
 
 inline constexpr float kNoWater = -1.0e6F;
 inline constexpr float kFarFromRoads_m = 24.0F;
+
+// Land::kept_clear of metres from each sample to that edge, less than 0 on roads and sites: in eighths of a metre,
+// rounded toward the road, 255 for kFarFromRoads_m and more.
+mesh::Image kept_clear_of(const mesh::Field& to_edge_m);
 
 // How far a place lies from the edge of the nearest road or site, so that nothing is planted on it; less than 0: on it.
 float to_road_m(const Land& land, glm::vec2 at_m);

@@ -137,7 +137,8 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     if (p.road_share > 0 || land.site)
         land.roads = make_roads(land.height_m, water.surface_m, land.cell_m, land.site,
                                 {.width_m = p.road_width_m, .grade = p.road_grade, .goes_on = p.road_share > 0}, seed);
-    land.kept_clear_m = distance_to_roads_m(fineness.land_samples, land.cell_m, land.roads, land.site);
+    land.kept_clear =
+        scene::kept_clear_of(distance_to_roads_m(fineness.land_samples, land.cell_m, land.roads, land.site));
     const mesh::Field over_water_m = height_over_water_m(land.height_m, water);
     land.water_m = std::move(water.surface_m);
     land.fresh_water = std::move(water.mesh);

@@ -27,7 +27,7 @@ std::vector<scene::Road> make_roads(mesh::Field& height_m, const mesh::Field& su
                                     const std::optional<scene::Site>& site, const RoadOptions& options,
                                     base::Seed seed);
 
-// See scene::Land::kept_clear_m.
+// To the edge of the nearest road or site, see scene::kept_clear_of().
 mesh::Field distance_to_roads_m(int samples, float cell_m, const std::vector<scene::Road>& roads,
                                 const std::optional<scene::Site>& site);
 

@@ -99,6 +99,24 @@ TEST(Colour, WhiteIsOnTheGreyAxisOfOklab) {
     EXPECT_NEAR(lab.z, 0, 1e-4);
 }
 
+TEST(Land, KnowsTheWayToARoadToAnEighthOfAMetreAndNeverTooFar) {
+    scene::Land land = sloping_land();
+    EXPECT_EQ(scene::to_road_m(land, {3, 4}), scene::kFarFromRoads_m) << "none";
+    const auto away_m = [](float x_m) { return 1.3F * x_m; };
+    mesh::Field to_edge_m(17, 17);
+    for (int row = 0; row < 17; ++row)
+        for (int column = 0; column < 17; ++column)
+            to_edge_m.at(column, row) = away_m(2.0F * static_cast<float>(column - 8));
+    land.kept_clear = scene::kept_clear_of(to_edge_m);
+    for (float x_m = -4; x_m <= 15; x_m += 0.37F) {
+        const float read_m = scene::to_road_m(land, {x_m, 16.5F - x_m});
+        EXPECT_LE(read_m, away_m(x_m) + 1e-3F) << x_m;
+        EXPECT_GE(read_m, away_m(x_m) - 0.126F) << x_m;
+    }
+    EXPECT_LT(scene::to_road_m(land, {-16, 0}), -7.8F) << "deep within it";
+    EXPECT_LE(scene::to_road_m(land, {100, 100}), scene::kFarFromRoads_m) << "outside, as at the edge";
+}
+
 TEST(Colour, OfNoNumberIsABlackByte) { EXPECT_EQ(scene::srgb_byte(std::nanf("")), 0); }
 
 TEST(Colour, MixesBetweenItsEnds) {

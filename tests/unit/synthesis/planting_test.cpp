@@ -108,11 +108,12 @@ TEST(Planting, ThinsOutOnSteepSlopes) {
 TEST(Planting, KeepsOffRoads) {
     scene::Land land = land_of([](float, float) { return 30.0F; });
     land.roads.push_back({{{0, 30, -250}, {0, 30, 250}}, 6, 0.1F});
-    land.kept_clear_m = mesh::Field(kSamples, kSamples);
+    mesh::Field to_edge_m(kSamples, kSamples);
     for (int row = 0; row < kSamples; ++row)
         for (int column = 0; column < kSamples; ++column)
-            land.kept_clear_m.at(column, row) =
+            to_edge_m.at(column, row) =
                 std::min(std::abs(kCell_m * static_cast<float>(column - kSamples / 2)) - 3, scene::kFarFromRoads_m);
+    land.kept_clear = scene::kept_clear_of(to_edge_m);
     const auto plants = planted(land, wood_of(tree()));
     EXPECT_GT(plants.size(), 800U);
     for (const scene::Plant& plant : plants) EXPECT_GT(std::abs(plant.root_m.x), 3.5F);
