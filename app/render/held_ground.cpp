@@ -49,7 +49,7 @@ void HeldGround::drop() {
 }
 
 void HeldGround::sort_by_level(const GpuScene& scene) {
-    const auto columns = static_cast<std::uint32_t>(2 * scene.country->land.land.middle_column) + 1;
+    const auto columns = static_cast<std::uint32_t>(scene.country->land.land.columns);
     std::map<std::uint32_t, std::vector<std::uint32_t>> by_step;
     for (std::size_t i = land_.first; i < land_.first + land_.count; i += 3) {
         const auto [low, high] =

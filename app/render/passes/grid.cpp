@@ -23,9 +23,7 @@ std::vector<GridPlace> places_of(const GridOnGpu& grid, const mesh::Field& heigh
             const Blocks::Leaving leaving = grid.blocks->leaving(height_m, column, row);
             // Rounded up: it has moved before the level can change. None divides by nothing.
             const float units = std::clamp(std::ceil(leaving.error_m / kErrorUnit_m), 1.0F, 65535.0F);
-            GridPlace place{static_cast<std::int16_t>(column),
-                            static_cast<std::int16_t>(row),
-                            share_of(height_m.at(column, row), grid.lowest_m, grid.range_m),
+            GridPlace place{share_of(height_m.at(column, row), grid.lowest_m, grid.range_m),
                             share_of(leaving.coarser_m, grid.lowest_m, grid.range_m),
                             static_cast<std::uint16_t>(units),
                             {255, 0}};
@@ -44,7 +42,7 @@ std::vector<GridPlace> places_of(const GridOnGpu& grid, const mesh::Field& heigh
 void add_grid(gl::Slices& slices, GridOnGpu& grid, const std::shared_ptr<const mesh::Field>& height_m,
               const std::shared_ptr<const mesh::Image>& kinds, const GridShape& shape) {
     grid.cell_m = shape.cell_m;
-    grid.middle_column = static_cast<float>(height_m->columns - 1) / 2;
+    grid.columns = height_m->columns;
     const auto places = std::make_shared<std::vector<GridPlace>>();
     slices.prepare([&grid, height_m, kinds, shape, places] {
         const auto [lowest, highest] = std::ranges::minmax(height_m->samples);
@@ -64,8 +62,9 @@ float ease_of(const Blocks::Wish& wish, float error_px) {
 }
 
 void set_grid(const GridOnGpu& grid, const IndexRange& range) {
-    glUniform4f(0, grid.cell_m, grid.middle_column, grid.lowest_m, grid.range_m);
-    glUniform2f(2, range.ease, Blocks::kEaseFrom / (1 - Blocks::kEaseFrom));
+    const auto columns = static_cast<float>(grid.columns);
+    glUniform4f(0, grid.cell_m, columns, grid.lowest_m, grid.range_m);
+    glUniform4f(2, range.ease, Blocks::kEaseFrom / (1 - Blocks::kEaseFrom), 1 / columns, (columns - 1) / 2);
 }
 
 gl::Work draw_indices(const gl::VertexArray& vertices, const gl::StreamBuffer& indices, std::size_t first,

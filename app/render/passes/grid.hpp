@@ -16,10 +16,8 @@
 
 namespace quadrat::render::passes {
 
-// A sample as shaders/common/grid.glsl reads it.
+// A sample as shaders/common/grid.glsl reads it; its number tells where it lies.
 struct GridPlace {
-    std::int16_t column;
-    std::int16_t row;
     std::uint16_t height;   // share of the heights' range
     std::uint16_t coarser;  // the same, on the next coarser level (Blocks::Leaving)
     std::uint16_t error;    // in kErrorUnit_m
@@ -33,7 +31,7 @@ struct GridOnGpu {
     gl::Buffer places;  // GridPlace a sample
     std::optional<Blocks> blocks;
     float cell_m = 1;
-    float middle_column = 0;
+    int columns = 1;
     float lowest_m = 0;
     float range_m = 1;  // of the heights
 };
@@ -65,7 +63,6 @@ float ease_of(const Blocks::Wish& wish, float error_px);
 void set_grid(const GridOnGpu& grid, const IndexRange& range);
 
 inline const std::initializer_list<gl::Attribute> kPlaceAttributes{
-    {0, 2, GL_SHORT, gl::Numbers::AsTheyAre, offsetof(GridPlace, column)},
     {1, 2, GL_UNSIGNED_SHORT, gl::Numbers::Normalised, offsetof(GridPlace, height)},
     {3, 2, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(GridPlace, kinds)},
     {5, 1, GL_UNSIGNED_SHORT, gl::Numbers::AsTheyAre, offsetof(GridPlace, error)}};
