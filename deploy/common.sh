@@ -54,7 +54,7 @@ install_packages() {
 
 # configure_and_build FOLDER TARGET... -- CMAKE_ARGUMENT...
 configure_and_build() {
-    local folder=$1 targets=() log
+    local folder=$1 targets=() log lock
     shift
     while [ $# -gt 0 ] && [ "$1" != -- ]; do
         targets+=("$1")
@@ -62,6 +62,12 @@ configure_and_build() {
     done
     [ $# -gt 0 ] && shift
     mkdir -p "$folder"
+    # Two builds at a time in one folder spoil each other's files.
+    exec {lock}>"$folder/building.lock"
+    if ! flock --nonblock "$lock"; then
+        say "Another build is at work in $folder: waiting for it."
+        flock "$lock"
+    fi
     log=$folder/configure.log
     if ! cmake -S "$root" -B "$folder" -G Ninja "$@" >"$log" 2>&1; then
         tail -n 25 "$log" >&2
@@ -70,4 +76,5 @@ configure_and_build() {
     local status='[%f/%t] '
     [ -t 1 ] || status='[%p] '
     NINJA_STATUS=$status cmake --build "$folder" --parallel "$jobs" ${targets[@]+--target "${targets[@]}"}
+    exec {lock}>&-
 }
