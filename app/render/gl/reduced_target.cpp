@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/gl/reduced_target.hpp"
 
+#include <glm/common.hpp>
+#include <initializer_list>
+
 namespace quadrat::render::gl {
 namespace {
 
@@ -9,32 +12,51 @@ TextureName attachment(GLenum format, glm::ivec2 size) {
     glGenTextures(1, &name);
     glBindTexture(GL_TEXTURE_2D, name);
     glTexStorage2D(GL_TEXTURE_2D, 1, format, size.x, size.y);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
     return TextureName{name};
 }
 
 }  // namespace
+
+ReducedTarget::ReducedTarget() : spread_("spread.vert", "spread.frag") {}
 
 GLuint ReducedTarget::of(glm::ivec2 size) {
     const bool is_large_enough = size.x <= size_.x && size.y <= size_.y;
     if (is_large_enough) return is_whole_ ? framebuffer_ : 0;
     size_ = size;
     colour_ = attachment(GL_RGBA8, size);
-    depth_ = attachment(GL_DEPTH_COMPONENT24, size);
+    depth_ = attachment(GL_DEPTH24_STENCIL8, size);  // as displays have it: what drivers compile for one serves both
     if (framebuffer_ == 0) glGenFramebuffers(1, &framebuffer_);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.get(), 0);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.get(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depth_.get(), 0);
     is_whole_ = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     return is_whole_ ? framebuffer_ : 0;
 }
 
 void ReducedTarget::show(glm::ivec2 drawn, GLuint framebuffer, glm::ivec2 size) const {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
-    const GLenum depth = GL_DEPTH_ATTACHMENT;
-    glInvalidateFramebuffer(GL_READ_FRAMEBUFFER, 1, &depth);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    glBlitFramebuffer(0, 0, drawn.x, drawn.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    const GLenum depth = GL_DEPTH_STENCIL_ATTACHMENT;
+    glInvalidateFramebuffer(GL_FRAMEBUFFER, 1, &depth);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    // All of it is drawn over: a tiler need not fetch what was there.
+    const GLenum old = framebuffer == 0 ? GL_COLOR : GL_COLOR_ATTACHMENT0;
+    glInvalidateFramebuffer(GL_FRAMEBUFFER, 1, &old);
+    glViewport(0, 0, size.x, size.y);
+    for (const GLenum test : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_BLEND, GL_CULL_FACE}) glDisable(test);
+    spread_.use();
+    const glm::vec2 shown{size};
+    // From the middle of the first pixel to that of the last one, and half a pixel of what is shown beyond.
+    const glm::vec2 step = (glm::vec2{drawn} - 1.0F) / glm::max(shown - 1.0F, glm::vec2{1});
+    const glm::vec2 begin = (0.5F - 0.5F * step) / glm::vec2{size_};
+    const glm::vec2 span = step * shown / glm::vec2{size_};
+    glUniform4f(0, begin.x, begin.y, span.x, span.y);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, colour_.get());
+    glBindVertexArray(0);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 }  // namespace quadrat::render::gl

@@ -3,19 +3,22 @@
 #include <glm/vec2.hpp>
 
 #include "render/gl/handles.hpp"
+#include "render/gl/program.hpp"
 
 namespace quadrat::render::gl {
 
 // Where views are drawn smaller than they are shown: for GPUs that cannot shade every pixel in time. Made when it is
-// first needed; colour and depth, no stencil.
+// first needed.
 class ReducedTarget {
   public:
+    ReducedTarget();
     // The framebuffer to draw to, at least this large; 0 where this GPU makes none.
     GLuint of(glm::ivec2 size);
-    // Its lower left corner, spread over all of that framebuffer, smoothly.
+    // Its lower left corner, spread over all of that framebuffer, smoothly. Leaves no test enabled.
     void show(glm::ivec2 drawn, GLuint framebuffer, glm::ivec2 size) const;
 
   private:
+    Program spread_;
     // Goes with its context: a display's own framebuffers may have the same name in the context after it.
     GLuint framebuffer_ = 0;
     TextureName colour_;
