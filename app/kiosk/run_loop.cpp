@@ -85,11 +85,11 @@ class Loop {
             if (!is_dark()) draw(canvas, now);
             had_landscapes_ = !parts_.show.on_stage().scenes.empty();
             ++frames_;
-            const bool had_room = has_room(now);
+            const float used = time_used(now);
             wait_for_its_period();
             const display::Presented presented = parts_.display.present();
             report(presented, now);
-            govern(presented, now, had_room);
+            govern(presented, now, used);
             if (const auto end = ending(presented)) return *end;
             pass_time(now, presented);
         }
@@ -128,6 +128,7 @@ class Loop {
 
     void draw(const display::Canvas& canvas, Instant now) {
         if (canvas.context != 0) keep_pictures(canvas, now);
+        if (!parts_.clock.is_simulated()) theatre_.rehearse(canvas);  // or no frame can come late
         Theatre::Over over;
         if (parts_.caretaker != nullptr) over.board = parts_.caretaker->board();
         if (parts_.keepsakes != nullptr && shows_earlier_landscapes()) over.backdrop = parts_.keepsakes->at(now);
@@ -154,14 +155,16 @@ class Loop {
         return presented.period.count() > 0 ? presented.period : kFrame;
     }
 
-    // Whether the frame is drawn when a good part of its time is still left.
-    bool has_room(Instant began) {
-        if (parts_.governor == nullptr) return true;
-        const Instant until = (period_ * parts_.governor->periods() * 7) / 10;
-        return theatre_.is_drawn_within(until - (parts_.clock.now() - began));
+    // Of the frame's time, until it was drawn; waits no longer than governing needs to know.
+    float time_used(Instant began) {
+        if (parts_.governor == nullptr) return 1;
+        const std::chrono::duration<float> all = period_ * parts_.governor->periods();
+        const auto until = std::chrono::duration_cast<Instant>(all * DetailGovernor::kRoom);
+        if (!theatre_.is_drawn_within(until - (parts_.clock.now() - began))) return 1;
+        return std::min((parts_.clock.now() - began) / all, 1.0F);
     }
 
-    void govern(const display::Presented& presented, Instant now, bool had_room) {
+    void govern(const display::Presented& presented, Instant now, float used) {
         if (parts_.governor == nullptr) return;
         period_ = period_of(presented);
         shown_at_ = presented.period.count() > 0 ? presented.shown_at : Instant{0};
@@ -171,7 +174,7 @@ class Loop {
         if (!is_shown || took > kLongestFrame) return;  // the screen was away
         DetailGovernor& governor = *parts_.governor;
         governor.follow(static_cast<float>(parts_.configuration.picture.alpha));
-        governor.frame({now, took, period_, had_room, parts_.show.is_growing()});
+        governor.frame({now, took, period_, used, parts_.show.is_growing()});
         theatre_.set_detail({alpha_for(governor.level()), scale_for(governor.level())});
         if (const auto why = governor.take_reason()) {
             base::log::info("{}", *why);

@@ -17,6 +17,7 @@ void Theatre::enter(const display::Canvas& canvas) {
     uploaded_.clear();
     stage_.reset();
     renderer_.reset();
+    is_rehearsed_ = false;
     context_ = canvas.context;
     if (context_ == 0) return;
     renderer_ = std::make_unique<render::Renderer>();
@@ -154,6 +155,13 @@ render::Drawn Theatre::draw(const Show& show, float growing_progress, Instant no
     if (detail_) frame.detail = *detail_;
     drawn_ = {frame.size, frame.hanging, frame.framebuffer, frame.seconds, {}, {}, frame.detail, {}};
     return renderer_->draw(frame);
+}
+
+void Theatre::rehearse(const display::Canvas& canvas) {
+    if (is_rehearsed_ || !has_gpu() || drawn_.size.x == 0) return;
+    drawn_.framebuffer = canvas.framebuffer;
+    renderer_->rehearse(drawn_);
+    is_rehearsed_ = true;
 }
 
 mesh::Image Theatre::read_back() {

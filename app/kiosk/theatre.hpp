@@ -57,6 +57,9 @@ class Theatre {
     bool is_drawn_within(std::chrono::nanoseconds patience) {
         return !has_gpu() || renderer_->is_done_within(patience);
     }
+    // What the canvas's context has not drawn yet it draws once, to be drawn over. Not before there was a frame: the
+    // first one is not to wait for it.
+    void rehearse(const display::Canvas& canvas);
     // The act as a picture, grown, without words: drawn over the canvas, before the frame itself is.
     mesh::Image photograph(const Act& act, const Picture& picture, const display::Canvas& canvas);
 
@@ -67,6 +70,7 @@ class Theatre {
     std::uint32_t context_ = 0;
     std::unique_ptr<render::Renderer> renderer_;
     std::unique_ptr<Stage> stage_;
+    bool is_rehearsed_ = false;
     std::optional<render::Detail> detail_;
     render::Frame drawn_;  // last, without its views and signs
     // A scene is held as long as what was made of it: its address stays its own.

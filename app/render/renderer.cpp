@@ -20,6 +20,7 @@
 #include "render/passes/falling.hpp"
 #include "render/passes/signs.hpp"
 #include "render/passes/water.hpp"
+#include "render/rehearsal.hpp"
 #include "render/upload.hpp"
 #include "render/view.hpp"
 
@@ -248,6 +249,8 @@ void Renderer::Parts::draw_signs(const Frame& frame) {
 Renderer::Renderer() {
     require_gles_31();
     parts_ = std::make_unique<Parts>();
+    // Some megabytes; whatever is compiled later, wires, calls for it again.
+    glReleaseShaderCompiler();
 }
 
 Renderer::~Renderer() = default;
@@ -292,6 +295,25 @@ Drawn Renderer::draw(const Frame& frame) {
     glBindVertexArray(0);
     parts.last_drawn.set();
     drawn.objects = gl::LiveObjects::count();
+    return drawn;
+}
+
+Drawn Renderer::rehearse(const Frame& like) {
+    const auto upload = begin_upload(std::make_shared<scene::Scene>(rehearsal_scene()));
+    while (!upload->advance(std::size_t{1} << 22U)) continue;
+    Frame frame;
+    frame.framebuffer = like.framebuffer;
+    frame.hanging = like.hanging;
+    frame.size = glm::min(like.size, glm::ivec2{480, 270});
+    View view;
+    view.scene = upload->take();
+    view.camera = rehearsal_camera();
+    view.viewport = {0, 0, frame.size.x, frame.size.y};
+    frame.views.push_back(std::move(view));
+    const Drawn drawn = draw(frame);
+    frame.detail.scale = 0.5F;
+    draw(frame);
+    parts_->grounds.clear();  // another scene may get the address of this one
     return drawn;
 }
 

@@ -111,6 +111,9 @@ class Renderer {
     std::unique_ptr<Upload> begin_upload(const scene::Ground& ground);
     std::shared_ptr<const Texture> texture(const mesh::Image& premultiplied_rgba);  // with mipmaps
     Drawn draw(const Frame& frame);
+    // Draws a little of everything into a corner of the framebuffer, to be drawn over: much of what a driver compiles
+    // it compiles when it is first drawn, and the first rain is no moment for that.
+    Drawn rehearse(const Frame& like);
     // Waits so long at most for what draw() asked of the GPU last; true when it is done.
     bool is_done_within(std::chrono::nanoseconds patience);
     void finish();                                // waits until everything is drawn; for measuring, never in the show

@@ -14,13 +14,19 @@ using namespace std::chrono_literals;
 
 constexpr std::size_t kTooManyLate = 3;  // of a window's frames
 constexpr float kOneMore = 1.12F;        // of the level: too little to be seen
+constexpr float kMuchMore = 1.4F;        // far from what it could be: seen, and welcome
 constexpr auto kSettling = 400ms;        // until a change can be judged
 constexpr auto kBlame = 5s;              // lateness so soon after a raise is the raise's
 constexpr auto kLongestPatience = std::chrono::nanoseconds{10min};
 constexpr auto kHopeless = 3s;  // late with the least detail: a frame in two periods
+constexpr float kGrowing = 0.4F;
 constexpr float kLeastGrowing = 0.25F;
 constexpr float kSofterFrom = 0.3F;  // level
 constexpr float kRoomShare = 0.95F;  // of the frames must have had room before more is tried
+constexpr float kLeastRoom = 0.5F;
+constexpr float kLateTakes = 0.95F;   // a late frame, of that room
+constexpr float kCalmGives = 1.005F;  // frames in time, each time more might be tried
+constexpr float kMuchRoom = 0.6F;     // of that room: a frame drawn so early leaves room for much more detail
 
 float seconds(std::chrono::nanoseconds t) { return std::chrono::duration<float>(t).count(); }
 
@@ -39,6 +45,7 @@ DetailGovernor::DetailGovernor(const GovernorOptions& options)
     : most_(options.most),
       target_(std::clamp(options.start, std::min(GovernorOptions::kLeast, options.most), options.most)),
       shown_(target_),
+      growing_share_(kGrowing),
       periods_(options.periods) {}
 
 void DetailGovernor::follow(float most) {
@@ -60,10 +67,12 @@ void DetailGovernor::frame(const FrameTold& told) {
     if (late_[0]) {
         late_took_ = std::max(late_took_, told.took);
         calm_since_ = told.now;
-        frames_calm_ = frames_with_room_ = 0;
+        frames_calm_ = frames_with_room_ = frames_with_much_room_ = 0;
+        room_ = std::max(room_ * kLateTakes, kLeastRoom);
     }
     ++frames_calm_;
-    frames_with_room_ += told.had_room;
+    frames_with_room_ += told.used <= room_;
+    frames_with_much_room_ += told.used <= kMuchRoom * room_;
     if (late_[0])
         give_way(told);
     else
@@ -98,6 +107,8 @@ void DetailGovernor::give_way(const FrameTold& told) {
         say("late", before, told);
     } else if (periods_ == 1 && told.now - at_least_since_ > kHopeless) {
         periods_ = 2;
+        room_ = kRoom;
+        growing_share_ = kGrowing;
         say("late with the least detail: from now on a frame in two of the screen's periods", before, told);
     } else {
         return;
@@ -108,21 +119,24 @@ void DetailGovernor::give_way(const FrameTold& told) {
 
 void DetailGovernor::try_more(const FrameTold& told) {
     if (told.is_growing || target_ >= most_ || told.now - calm_since_ < patience_) return;
-    const bool had_room = static_cast<float>(frames_with_room_) >= kRoomShare * static_cast<float>(frames_calm_);
+    const auto most_of_them = static_cast<int>(kRoomShare * static_cast<float>(frames_calm_));
+    const bool had_room = frames_with_room_ >= most_of_them;
+    const bool had_much_room = frames_with_much_room_ >= most_of_them;
     calm_since_ = told.now;
-    frames_calm_ = frames_with_room_ = 0;
+    frames_calm_ = frames_with_room_ = frames_with_much_room_ = 0;
+    room_ = std::min(room_ * kCalmGives, kRoom);
     if (!had_room) return;
     before_raise_ = target_;
-    target_ = std::min(target_ * kOneMore, most_);
+    target_ = std::min(target_ * (had_much_room ? kMuchMore : kOneMore), most_);
     raised_at_ = told.now;
-    say("in time, with room", before_raise_, told);
+    say(had_much_room ? "in time, with much room" : "in time, with room", before_raise_, told);
 }
 
 void DetailGovernor::begin_anew(Instant now) {
     late_.reset();
     late_took_ = 0ns;
     changed_at_ = calm_since_ = now;
-    frames_calm_ = frames_with_room_ = 0;
+    frames_calm_ = frames_with_room_ = frames_with_much_room_ = 0;
 }
 
 void DetailGovernor::say(const char* why, float before, const FrameTold& told) {

@@ -26,13 +26,16 @@ class DetailGovernor {
   public:
     using Instant = std::chrono::nanoseconds;
 
+    // Of a frame's time: drawn so early, it leaves room for more detail, where frames have not been late of late.
+    static constexpr float kRoom = 0.7F;
+
     explicit DetailGovernor(const GovernorOptions& options);
 
     struct FrameTold {
         Instant now{0};
         Instant took{0};          // since the frame before it
         Instant period{0};        // the screen's
-        bool had_room = false;    // its drawing was done well before its time
+        float used = 1;           // of its time until it was drawn; 1: more than kRoom of it
         bool is_growing = false;  // landscapes grow meanwhile, on the same cores
     };
     void frame(const FrameTold& told);
@@ -59,9 +62,9 @@ class DetailGovernor {
 
     float most_;
     float target_;
-    float shown_;                 // follows target_
-    float growing_share_ = 0.6F;  // of it, while landscapes grow
-    float recovered_ = 1;         // comes back from growing_share_
+    float shown_;          // follows target_
+    float growing_share_;  // of it, while landscapes grow
+    float recovered_ = 1;  // comes back from growing_share_
     bool is_growing_ = false;
     int periods_ = 1;
     std::bitset<kWindow> late_;  // the last frames, the newest first
@@ -69,7 +72,9 @@ class DetailGovernor {
     std::optional<Instant> last_now_;
     Instant calm_since_{0};
     Instant changed_at_{0};
+    float room_ = kRoom;  // less where what comes between, landscapes that grow beside it, makes frames late
     int frames_with_room_ = 0;
+    int frames_with_much_room_ = 0;
     int frames_calm_ = 0;
     std::optional<Instant> raised_at_;
     float before_raise_ = 1;

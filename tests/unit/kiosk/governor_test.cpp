@@ -32,6 +32,11 @@ struct Machine {
     }
 };
 
+float used_of(Instant work, const DetailGovernor& governor) {
+    const float used = std::chrono::duration<float>(work) / std::chrono::duration<float>(kPeriod * governor.periods());
+    return used < DetailGovernor::kRoom ? used : 1;
+}
+
 struct Watched {
     int frames = 0;
     int late = 0;
@@ -60,7 +65,7 @@ Watched watch(DetailGovernor& governor, Machine& machine, Instant from, Instant 
         ++seen.frames;
         seen.late += is_late;
         now += took;
-        governor.frame({now, took, kPeriod, work < kPeriod * governor.periods() * 7 / 10, is_growing(now)});
+        governor.frame({now, took, kPeriod, used_of(work, governor), is_growing(now)});
         seen.least = std::min(seen.least, governor.level());
         seen.most = std::max(seen.most, governor.level());
         if (governor.settled() == settled) continue;
@@ -143,7 +148,7 @@ TEST(Governor, NeverStepsSoThatItShows) {
         const Instant work = machine.work(governor.level(), 1);
         const Instant took = work > kPeriod ? 2 * kPeriod : kPeriod;
         now += took;
-        governor.frame({now, took, kPeriod, work < kPeriod * 7 / 10, false});
+        governor.frame({now, took, kPeriod, used_of(work, governor), false});
         EXPECT_LT(governor.level(), before * 1.02F);
         EXPECT_GT(governor.level(), before * 0.82F);
         before = governor.level();

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/rehearsal.hpp"
+
+#include "render/gl/limits.hpp"
+#include "render/renderer.hpp"
+#include "unit/render/gpu_fixture.hpp"
+
+namespace quadrat::render {
+namespace {
+
+class Rehearsal : public Gpu {};
+
+TEST_F(Rehearsal, DrawsSomethingOfEveryKind) {
+    Renderer renderer;
+    Frame like;
+    like.size = {1280, 720};
+    like.framebuffer = canvas_.framebuffer;
+    const Drawn drawn = renderer.rehearse(like);
+    const auto of = [&](Kind kind) { return drawn.of[static_cast<std::size_t>(kind)]; };
+    for (std::size_t kind = 0; kind < kKinds; ++kind) EXPECT_GT(drawn.of[kind].triangles, 0U) << kind;
+    EXPECT_GE(of(Kind::Leaves).draws, 3U) << "with their picture, plain, and as masses";
+    EXPECT_GE(of(Kind::Ground).draws, 4U) << "stone, near, far, around";
+    EXPECT_GE(of(Kind::Water).draws, 2U) << "sea and river";
+    EXPECT_GE(of(Kind::Sky).draws, 4U) << "dome and clouds, stars, disc, rainbow";
+    EXPECT_EQ(gl::limits::breaches(), std::vector<std::string>{});
+}
+
+TEST_F(Rehearsal, LeavesNothingBehind) {
+    Renderer renderer;
+    Frame frame;
+    frame.size = {64, 64};
+    frame.framebuffer = canvas_.framebuffer;
+    const Drawn before = renderer.draw(frame);
+    const mesh::Image empty = renderer.read_pixels(frame);
+    renderer.rehearse(frame);
+    const Drawn after = renderer.draw(frame);
+    EXPECT_EQ(renderer.read_pixels(frame), empty);
+    EXPECT_LE(after.objects, before.objects + 4) << "views drawn smaller keep what they are drawn to";
+}
+
+}  // namespace
+}  // namespace quadrat::render
