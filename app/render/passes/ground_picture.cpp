@@ -31,7 +31,7 @@ void light_grain_row(const scene::Land& land, glm::vec3 to_sun, mesh::Image& lit
 // one of the grain.
 constexpr float kReliefTiles = 0.107F;
 
-constexpr int kBandRows = 256;
+constexpr int kBandRows = 64;
 constexpr int kPixelsOfLight = 4;  // a side, to one of the light's, at most
 // What a GPU does while it paints a pixel, in bytes it could have been brought instead.
 constexpr std::size_t kPaintedBytes = 8;
