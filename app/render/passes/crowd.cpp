@@ -26,7 +26,7 @@ constexpr float kLeavesMerged = 0.55F;  // of the blades are not needed then
 constexpr float kMass_px = 13;          // of a tree so small no more is seen
 // With less fineness than this larger crowns merge too: four blades that stand for thousands are shards.
 constexpr float kLeafyFrom = 0.125F;
-constexpr float kMassFineness = 0.06F;  // a mass is never coarser than with this
+constexpr float kMassFineness = 0.12F;  // a mass is never coarser than with this
 constexpr float kFewestOverMass = 12;   // blades; fewer are left out
 constexpr float kLeaving = 1.5F;        // a level begins to become the next with so many times the triangles asked for
 constexpr float kShape_px = 11;         // a shorter blade shows no more than that it is one

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
+#include <map>
 #include <span>
 
 #include "mesh/isosurface.hpp"
+#include "mesh/pieces.hpp"
 #include "mesh/progressive.hpp"
 #include "mesh/sparse_field.hpp"
 
@@ -22,6 +25,8 @@ constexpr float kDense = 0.50F;            // leaf area in a cell, in areas of t
 constexpr std::size_t kFewestInside = 10;  // samples; less is no mass
 constexpr std::size_t kFinest = 130;       // vertices
 constexpr std::size_t kCoarsest = 7;
+constexpr std::size_t kFewestTriangles = 8;
+constexpr float kMostLarger = 2.2F;  // a clump that stands for those left out
 
 // What the leaves about a sample are, weighted by their area.
 struct Sample {
@@ -199,6 +204,71 @@ float volume_of(const mesh::Mesh& mesh) {
     return sum;
 }
 
+using Clump = std::vector<std::uint32_t>;  // the first indices of its triangles
+
+glm::vec3 corner_of(const mesh::Mesh& mesh, std::uint32_t index) { return mesh.positions_m[mesh.indices[index]]; }
+
+float area_m2(const mesh::Mesh& mesh, const Clump& clump) {
+    float sum = 0;
+    for (const std::uint32_t i : clump)
+        sum += 0.5F * glm::length(glm::cross(corner_of(mesh, i + 1) - corner_of(mesh, i),
+                                             corner_of(mesh, i + 2) - corner_of(mesh, i)));
+    return sum;
+}
+
+glm::vec3 middle_m(const mesh::Mesh& mesh, const Clump& clump) {
+    glm::vec3 sum{0};
+    for (const std::uint32_t first : clump)
+        for (std::uint32_t k = 0; k < 3; ++k) sum += corner_of(mesh, first + k);
+    return sum / static_cast<float>(3 * clump.size());
+}
+
+float reach_m(const mesh::Mesh& mesh) {
+    float reach = 0;
+    for (const glm::vec3& at_m : mesh.positions_m) reach = std::max(reach, glm::length(at_m));
+    return reach;
+}
+
+// The first so many of these clumps, each so much larger, but no further from the root than the crown was.
+mesh::Mesh enlarged(const mesh::Mesh& crown, std::span<const Clump> clumps, float larger) {
+    const float most_m = reach_m(crown);
+    mesh::Mesh made;
+    for (const Clump& clump : clumps) {
+        const glm::vec3 about_m = middle_m(crown, clump);
+        std::map<std::uint32_t, std::uint32_t> now;
+        for (const std::uint32_t first : clump) {
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const std::uint32_t was = crown.indices[first + k];
+                const auto [at, is_new] = now.try_emplace(was, static_cast<std::uint32_t>(made.positions_m.size()));
+                made.indices.push_back(at->second);
+                if (!is_new) continue;
+                const glm::vec3 at_m = glm::mix(about_m, crown.positions_m[was], larger);
+                made.positions_m.push_back(at_m * std::min(most_m / glm::length(at_m), 1.0F));
+            }
+        }
+    }
+    return made;
+}
+
+// What is left of a crown of many clumps when all but the largest are left out, so many triangles at most but one
+// clump at least. They are larger for it, so that as much is covered as may be.
+mesh::Mesh largest_clumps(const mesh::Mesh& crown, std::size_t most_triangles) {
+    auto clumps = mesh::pieces_of(crown);
+    const auto area = [&](const Clump& clump) { return area_m2(crown, clump); };
+    std::ranges::stable_sort(clumps, std::greater{}, area);
+    float all_m2 = 0;
+    for (const Clump& clump : clumps) all_m2 += area(clump);
+    float kept_m2 = 0;
+    std::size_t kept = 0;
+    for (std::size_t triangles = 0; kept < clumps.size(); ++kept) {
+        triangles += clumps[kept].size();
+        if (kept > 0 && triangles > most_triangles) break;
+        kept_m2 += area(clumps[kept]);
+    }
+    const float larger = std::min(std::sqrt(all_m2 / std::max(kept_m2, 1e-9F)), kMostLarger);
+    return enlarged(crown, std::span{clumps}.first(kept), larger);
+}
+
 }  // namespace
 
 std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves) {
@@ -225,6 +295,14 @@ std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves) {
         if (level.positions_m.size() > kFinest && !(is_last && masses.empty())) continue;
         if (volume_of(level) < kLeastVolume * whole_volume) break;
         masses.push_back(coloured(level, density, share));
+    }
+    if (masses.empty()) return masses;
+    // Where clumps cannot be any simpler, there are fewer of them.
+    const mesh::Mesh simplest = masses.back().mesh;
+    for (std::size_t most = simplest.triangle_count() / 2; most >= kFewestTriangles; most /= 2) {
+        const mesh::Mesh fewer = largest_clumps(simplest, most);
+        if (fewer.triangle_count() >= masses.back().mesh.triangle_count()) break;
+        masses.push_back(coloured(fewer, density, share));
     }
     return masses;
 }

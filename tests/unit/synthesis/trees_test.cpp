@@ -8,6 +8,7 @@
 
 #include "genome/recipe.hpp"
 #include "mesh/nearness.hpp"
+#include "mesh/pieces.hpp"
 #include "support/effort.hpp"
 #include "support/manifold.hpp"
 #include "synthesis/grow.hpp"
@@ -320,6 +321,43 @@ TEST(CrownMass, StandsWhereLeavesAreDenseInTheirColours) {
         const glm::vec3 out = masses.front().mesh.positions_m[i] - glm::vec3{0, 5, 0};
         EXPECT_GT(glm::dot(masses.front().mesh.normals[i], glm::normalize(out)), 0.3F);
     }
+}
+
+float area_of(const mesh::Mesh& mesh) {
+    float sum = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const auto corner = [&](std::size_t k) { return mesh.positions_m[mesh.indices[i + k]]; };
+        sum += 0.5F * glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+    }
+    return sum;
+}
+
+TEST(CrownMass, OfManyClumpsHasFewerAndLargerOnesFarAway) {
+    scene::Leaves clumps;
+    for (int i = 0; i < 9; ++i) {
+        const scene::Leaves one = blades_on_a_ball(900);
+        const auto first = static_cast<std::uint32_t>(clumps.vertices.size());
+        const glm::vec3 aside{5.5F * static_cast<float>(i % 3), 0, 5.5F * static_cast<float>(i / 3)};
+        for (scene::Leaves::Vertex v : one.vertices) {
+            v.site_m += aside;
+            clumps.vertices.push_back(v);
+        }
+        for (const std::uint32_t index : one.indices) clumps.indices.push_back(first + index);
+        clumps.blades += one.blades;
+    }
+    const auto masses = crown_masses(clumps);
+    ASSERT_GE(masses.size(), 3U);
+    EXPECT_GE(mesh::pieces_of(masses.front().mesh).size(), 5U);
+    EXPECT_LE(masses.back().mesh.triangle_count(), 24U);
+    int fewer = 0;
+    for (std::size_t i = 1; i < masses.size(); ++i) {
+        EXPECT_LE(masses[i].mesh.triangle_count(), (3 * masses[i - 1].mesh.triangle_count()) / 4) << i;
+        const std::size_t left = mesh::pieces_of(masses[i].mesh).size();
+        if (left == mesh::pieces_of(masses[i - 1].mesh).size()) continue;  // each of them is simpler
+        EXPECT_GT(area_of(masses[i].mesh), 0.5F * area_of(masses[i - 1].mesh)) << i;
+        ++fewer;
+    }
+    EXPECT_GE(fewer, 1);
 }
 
 TEST(CrownMass, IsNotThereWhereTheSkyShinesThrough) {
