@@ -24,7 +24,7 @@ constexpr float kLeastGrowing = 0.25F;
 constexpr float kSofterFrom = 0.3F;  // level
 constexpr float kRoomShare = 0.95F;  // of the frames must have had room before more is tried
 constexpr float kLeastRoom = 0.5F;
-constexpr float kLateTakes = 0.95F;   // a late frame, of that room
+constexpr float kLateTakes = 0.85F;   // a late frame, of that room
 constexpr float kCalmGives = 1.005F;  // frames in time, each time more might be tried
 constexpr float kMuchRoom = 0.6F;     // of that room: a frame drawn so early leaves room for much more detail
 
