@@ -31,8 +31,10 @@ struct Grid {
 using Field = Grid<float>;
 
 // Bilinear, in sample coordinates; outside: the nearest edge. An empty field gives 0.
-inline float sample(const Field& field, float column, float row) {
+template <typename Number>
+float sample(const Grid<Number>& field, float column, float row) {
     if (field.samples.empty()) return 0.0F;
+    const auto at = [&field](int c, int r) { return static_cast<float>(field.at(c, r)); };
     const float x = std::clamp(column, 0.0F, static_cast<float>(field.columns - 1));
     const float y = std::clamp(row, 0.0F, static_cast<float>(field.rows - 1));
     const int x0 = static_cast<int>(x);
@@ -41,8 +43,8 @@ inline float sample(const Field& field, float column, float row) {
     const int y1 = std::min(y0 + 1, field.rows - 1);
     const float tx = x - static_cast<float>(x0);
     const float ty = y - static_cast<float>(y0);
-    const float above = field.at(x0, y0) + tx * (field.at(x1, y0) - field.at(x0, y0));
-    const float below = field.at(x0, y1) + tx * (field.at(x1, y1) - field.at(x0, y1));
+    const float above = at(x0, y0) + tx * (at(x1, y0) - at(x0, y0));
+    const float below = at(x0, y1) + tx * (at(x1, y1) - at(x0, y1));
     return above + ty * (below - above);
 }
 

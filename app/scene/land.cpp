@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace quadrat::scene {
 namespace {
 
-float sample_at(const mesh::Field& field, float cell_m, glm::vec2 at_m) {
+template <typename Number>
+float sample_at(const mesh::Grid<Number>& field, float cell_m, glm::vec2 at_m) {
     const float half_columns = 0.5F * static_cast<float>(field.columns - 1);
     const float half_rows = 0.5F * static_cast<float>(field.rows - 1);
     return mesh::sample(field, at_m.x / cell_m + half_columns, at_m.y / cell_m + half_rows);
@@ -39,27 +39,18 @@ float water_depth_m(const Land& land, glm::vec2 at_m) {
     return std::max(surface_m - ground_height_m(land, at_m), 0.0F);
 }
 
-mesh::Image kept_clear_of(const mesh::Field& to_edge_m) {
-    mesh::Image image(to_edge_m.columns, to_edge_m.rows, 1);
-    std::ranges::transform(to_edge_m.samples, image.bytes.begin(), [](float away_m) {
+mesh::Grid<std::uint8_t> kept_clear_of(const mesh::Field& to_edge_m) {
+    mesh::Grid<std::uint8_t> kept_clear(to_edge_m.columns, to_edge_m.rows);
+    std::ranges::transform(to_edge_m.samples, kept_clear.samples.begin(), [](float away_m) {
         const float short_by = std::ceil((kFarFromRoads_m - away_m) * kKeptClearSteps);
         return static_cast<std::uint8_t>(255 - std::clamp(short_by, 0.0F, 255.0F));
     });
-    return image;
+    return kept_clear;
 }
 
 float to_road_m(const Land& land, glm::vec2 at_m) {
-    const mesh::Image& image = land.kept_clear;
-    if (image.bytes.empty()) return kFarFromRoads_m;
-    const glm::vec2 most{static_cast<float>(image.width - 1), static_cast<float>(image.height - 1)};
-    const glm::vec2 at = glm::clamp(at_m / land.cell_m + 0.5F * most, glm::vec2{0}, most);
-    const glm::ivec2 first = glm::min(glm::ivec2{at}, glm::ivec2{image.width - 2, image.height - 2});
-    const glm::vec2 share = at - glm::vec2{first};
-    const auto row = [&](int y) {
-        const std::uint8_t* pair = image.pixel(first.x, y);
-        return glm::mix(static_cast<float>(pair[0]), static_cast<float>(pair[1]), share.x);
-    };
-    return kFarFromRoads_m - (255 - glm::mix(row(first.y), row(first.y + 1), share.y)) / kKeptClearSteps;
+    if (land.kept_clear.samples.empty()) return kFarFromRoads_m;
+    return kFarFromRoads_m - (255 - sample_at(land.kept_clear, land.cell_m, at_m)) / kKeptClearSteps;
 }
 
 glm::vec3 ground_normal(const Land& land, glm::vec2 at_m) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -54,8 +55,8 @@ struct Land {
 
     std::vector<Road> roads;
     std::optional<Site> site;
-    mesh::Image kept_clear;  // a byte a sample: how far the edge of the nearest road or site is, see kept_clear_of();
-                             // empty: none
+    mesh::Grid<std::uint8_t> kept_clear;  // a byte a sample: how far the edge of the nearest road or site is, see
+                                          // kept_clear_of(); empty: none
     Stone stone;
 
     float side_m() const { return cell_m * static_cast<float>(height_m.columns - 1); }
@@ -66,7 +67,7 @@ inline constexpr float kFarFromRoads_m = 24.0F;
 
 // Land::kept_clear of metres from each sample to that edge, less than 0 on roads and sites: in eighths of a metre,
 // rounded toward the road, 255 for kFarFromRoads_m and more.
-mesh::Image kept_clear_of(const mesh::Field& to_edge_m);
+mesh::Grid<std::uint8_t> kept_clear_of(const mesh::Field& to_edge_m);
 
 // How far a place lies from the edge of the nearest road or site, so that nothing is planted on it; less than 0: on it.
 float to_road_m(const Land& land, glm::vec2 at_m);
