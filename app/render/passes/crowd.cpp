@@ -170,6 +170,12 @@ float merged_crown(const Kind& kind, float wanted_blades, float height_px, float
            std::clamp((kMergedFrom_px - height_px) / (kMergedFrom_px - kMergedTo_px), 0.0F, 1.0F);
 }
 
+// Of plants so high on the screen: near by none is left out, and none larger than it is for those that are.
+float least_stand(float height_px) {
+    const float near = std::clamp((height_px - kMergedTo_px) / (kMergedFrom_px - kMergedTo_px), 0.0F, 1.0F);
+    return kLeastStand + (1 - kLeastStand) * near;
+}
+
 void choose_mass(const Kind& kind, float wanted, Closeness& how) {
     how.mass_level = 0;
     while (how.mass_level + 1 < kind.mass_triangles.size() &&
@@ -208,7 +214,7 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     const float fewest = static_cast<float>(std::min(kind.blades, kFewestBlades));
     const float all = static_cast<float>(kind.blades);
     how.share = std::clamp(wanted_blades, fewest, all) / all;
-    how.stand = std::clamp(wanted_blades / fewest, kLeastStand, 1.0F);
+    how.stand = std::clamp(wanted_blades / fewest, least_stand(height_px), 1.0F);
     const float blade_px = kind.blade_m * height_px / (std::max(kind.height_m, 0.1F) * std::sqrt(how.share));
     how.is_plain = kind.triangles_per_plain_blade > 0 && blade_px * std::sqrt(fineness) < kShape_px;
     return how;

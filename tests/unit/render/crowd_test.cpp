@@ -214,6 +214,12 @@ TEST(Closeness, ACrownOfAHandfulOfBladesIsOneMassHoweverLarge) {
     }
 }
 
+TEST(Closeness, APlantNearByStandsForItselfAlone) {
+    for (const float fineness : {0.0F, 0.0001F, 0.01F, 1.0F})
+        for (float px = 45; px < 1000; px *= 1.1F) EXPECT_EQ(closeness(leafy(), px, fineness).stand, 1) << px;
+    EXPECT_LT(closeness(leafy(), 10, 0).stand, 0.5F);
+}
+
 TEST(Crowd, FewOfTheFarthestStandForAllAndCoverAsMuch) {
     std::vector<scene::Plant> plants;
     for (int i = 0; i < 4000; ++i) {
