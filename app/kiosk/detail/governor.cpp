@@ -24,9 +24,9 @@ constexpr float kLeastGrowing = 0.25F;
 constexpr float kSofterFrom = 0.3F;  // level
 constexpr float kRoomShare = 0.95F;  // of the frames must have had room before more is tried
 constexpr float kLeastRoom = 0.5F;
-constexpr float kLateTakes = 0.85F;   // a late frame, of that room
-constexpr float kCalmGives = 1.005F;  // frames in time, each time more might be tried
-constexpr float kMuchRoom = 0.6F;     // of that room: a frame drawn so early leaves room for much more detail
+constexpr float kLateTakes = 0.85F;    // a late frame, of that room
+constexpr float kRoomGrows = 0.0018F;  // octaves a second: it comes back within minutes
+constexpr float kMuchRoom = 0.6F;      // of that room: a frame drawn so early leaves room for much more detail
 
 float seconds(std::chrono::nanoseconds t) { return std::chrono::duration<float>(t).count(); }
 
@@ -66,8 +66,7 @@ void DetailGovernor::frame(const FrameTold& told) {
     late_[0] = is_late(told);
     if (late_[0]) {
         late_took_ = std::max(late_took_, told.took);
-        calm_since_ = told.now;
-        frames_calm_ = frames_with_room_ = frames_with_much_room_ = 0;
+        begin_calm(told.now);
         room_ = std::max(room_ * kLateTakes, kLeastRoom);
     }
     ++frames_calm_;
@@ -86,6 +85,7 @@ void DetailGovernor::glide(const FrameTold& told) {
     const float ratio = target_ / shown_;
     shown_ *= std::clamp(ratio, std::exp2(-7.0F * passed_s), std::exp2(0.4F * passed_s));
     is_growing_ = told.is_growing;
+    room_ = std::min(room_ * std::exp2(kRoomGrows * passed_s), kRoom);
     recovered_ = is_growing_ ? growing_share_ : std::min(recovered_ * std::exp2(0.4F * passed_s), 1.0F);
 }
 
@@ -119,12 +119,12 @@ void DetailGovernor::give_way(const FrameTold& told) {
 
 void DetailGovernor::try_more(const FrameTold& told) {
     if (told.is_growing || target_ >= most_ || told.now - calm_since_ < patience_) return;
-    const auto most_of_them = static_cast<int>(kRoomShare * static_cast<float>(frames_calm_));
-    const bool had_room = frames_with_room_ >= most_of_them;
-    const bool had_much_room = frames_with_much_room_ >= most_of_them;
-    calm_since_ = told.now;
-    frames_calm_ = frames_with_room_ = frames_with_much_room_ = 0;
-    room_ = std::min(room_ * kCalmGives, kRoom);
+    const auto are_most = [this](int frames) {
+        return static_cast<float>(frames) >= kRoomShare * static_cast<float>(frames_calm_);
+    };
+    const bool had_room = are_most(frames_with_room_);
+    const bool had_much_room = are_most(frames_with_much_room_);
+    begin_calm(told.now);
     if (!had_room) return;
     before_raise_ = target_;
     target_ = std::min(target_ * (had_much_room ? kMuchMore : kOneMore), most_);
@@ -135,7 +135,12 @@ void DetailGovernor::try_more(const FrameTold& told) {
 void DetailGovernor::begin_anew(Instant now) {
     late_.reset();
     late_took_ = 0ns;
-    changed_at_ = calm_since_ = now;
+    changed_at_ = now;
+    begin_calm(now);
+}
+
+void DetailGovernor::begin_calm(Instant now) {
+    calm_since_ = now;
     frames_calm_ = frames_with_room_ = frames_with_much_room_ = 0;
 }
 

@@ -59,6 +59,7 @@ class DetailGovernor {
     void try_more(const FrameTold& told);
     void say(const char* why, float before, const FrameTold& told);
     void begin_anew(Instant now);
+    void begin_calm(Instant now);
 
     float most_;
     float target_;

@@ -140,6 +140,30 @@ TEST(Governor, ShowsAFrameInTwoPeriodsWhereOneIsHopeless) {
     EXPECT_GT(governor.settled(), 0.06F);
 }
 
+TEST(Governor, AsksForMoreRoomWhereSingleFramesComeLateUntilTheyNoLongerDo) {
+    Machine machine{4, 16};
+    DetailGovernor alone({1, 0.1F});
+    watch(alone, machine, 0s, 5min, kSteady, kNothingGrows);
+    // Single frames, a few a minute, take more than twice as long.
+    const auto disturbed = [](Instant now) { return now % 7s < 17ms ? 2.2F : 1.0F; };
+    DetailGovernor governor({1, 0.1F});
+    watch(governor, machine, 0s, 5min, disturbed, kNothingGrows);
+    EXPECT_LT(governor.settled(), 0.8F * alone.settled());
+    watch(governor, machine, 5min, 20min, kSteady, kNothingGrows);
+    EXPECT_GT(governor.settled(), 0.95F * alone.settled());
+}
+
+TEST(Governor, CatchesUpFasterWhereThereIsMuchRoom) {
+    const auto raised_in_half_a_minute = [](float for_detail_ms) {
+        DetailGovernor governor({1, 0.05F});
+        Machine machine{4, for_detail_ms};
+        watch(governor, machine, 0s, 30s, kSteady, kNothingGrows);
+        return governor.settled() / 0.05F;
+    };
+    EXPECT_GT(raised_in_half_a_minute(5), 4);
+    EXPECT_LT(raised_in_half_a_minute(70), 3);
+}
+
 TEST(Governor, NeverStepsSoThatItShows) {
     DetailGovernor governor({});
     Machine machine{5, 30};
