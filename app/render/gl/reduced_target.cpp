@@ -5,34 +5,23 @@
 #include <initializer_list>
 
 namespace quadrat::render::gl {
-namespace {
-
-TextureName attachment(GLenum format, glm::ivec2 size) {
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    glBindTexture(GL_TEXTURE_2D, name);
-    glTexStorage2D(GL_TEXTURE_2D, 1, format, size.x, size.y);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
-    return TextureName{name};
-}
-
-}  // namespace
 
 ReducedTarget::ReducedTarget() : spread_("spread.vert", "spread.frag") {}
 
 GLuint ReducedTarget::of(glm::ivec2 size) {
-    const bool is_large_enough = size.x <= size_.x && size.y <= size_.y;
-    if (is_large_enough) return is_whole_ ? framebuffer_ : 0;
-    size_ = size;
-    colour_ = attachment(GL_RGBA8, size);
-    depth_ = attachment(GL_DEPTH24_STENCIL8, size);  // as displays have it: what drivers compile for one serves both
+    const bool is_large_enough = size.x <= colour_.shape().width && size.y <= colour_.shape().height;
+    if (is_large_enough && colour_.name() != 0) return is_whole_ ? framebuffer_ : 0;
+    colour_ = Texture2D{{.width = size.x, .height = size.y, .sampling = Sampling::Flat}};
+    GLuint depth = 0;
+    glGenTextures(1, &depth);
+    depth_.reset(depth);
+    glBindTexture(GL_TEXTURE_2D, depth);
+    // As displays have it: what drivers compile for one serves both.
+    glTexStorage2D(GL_TEXTURE_2D, 1, GL_DEPTH24_STENCIL8, size.x, size.y);
     if (framebuffer_ == 0) glGenFramebuffers(1, &framebuffer_);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.get(), 0);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depth_.get(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.name(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
     is_whole_ = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     return is_whole_ ? framebuffer_ : 0;
 }
@@ -48,13 +37,13 @@ void ReducedTarget::show(glm::ivec2 drawn, GLuint framebuffer, glm::ivec2 size) 
     for (const GLenum test : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_BLEND, GL_CULL_FACE}) glDisable(test);
     spread_.use();
     const glm::vec2 shown{size};
+    const glm::vec2 all{colour_.shape().width, colour_.shape().height};
     // From the middle of the first pixel to that of the last one, and half a pixel of what is shown beyond.
     const glm::vec2 step = (glm::vec2{drawn} - 1.0F) / glm::max(shown - 1.0F, glm::vec2{1});
-    const glm::vec2 begin = (0.5F - 0.5F * step) / glm::vec2{size_};
-    const glm::vec2 span = step * shown / glm::vec2{size_};
+    const glm::vec2 begin = (0.5F - 0.5F * step) / all;
+    const glm::vec2 span = step * shown / all;
     glUniform4f(0, begin.x, begin.y, span.x, span.y);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, colour_.get());
+    colour_.bind(0);
     glBindVertexArray(0);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }

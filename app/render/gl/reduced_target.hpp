@@ -4,6 +4,7 @@
 
 #include "render/gl/handles.hpp"
 #include "render/gl/program.hpp"
+#include "render/gl/texture.hpp"
 
 namespace quadrat::render::gl {
 
@@ -21,9 +22,8 @@ class ReducedTarget {
     Program spread_;
     // Goes with its context: a display's own framebuffers may have the same name in the context after it.
     GLuint framebuffer_ = 0;
-    TextureName colour_;
+    Texture2D colour_;
     TextureName depth_;
-    glm::ivec2 size_{0};
     bool is_whole_ = false;
 };
 

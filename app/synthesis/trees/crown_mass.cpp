@@ -250,12 +250,10 @@ mesh::Mesh enlarged(const mesh::Mesh& crown, std::span<const Clump> clumps, floa
     return made;
 }
 
-// What is left of a crown of many clumps when all but the largest are left out, so many triangles at most but one
-// clump at least. They are larger for it, so that as much is covered as may be.
-mesh::Mesh largest_clumps(const mesh::Mesh& crown, std::size_t most_triangles) {
-    auto clumps = mesh::pieces_of(crown);
+// What is left of a crown when all but the first of its clumps are left out, so many triangles at most but one clump
+// at least. They are larger for it, so that as much is covered as may be.
+mesh::Mesh first_clumps(const mesh::Mesh& crown, std::span<const Clump> clumps, std::size_t most_triangles) {
     const auto area = [&](const Clump& clump) { return area_m2(crown, clump); };
-    std::ranges::stable_sort(clumps, std::greater{}, area);
     float all_m2 = 0;
     for (const Clump& clump : clumps) all_m2 += area(clump);
     float kept_m2 = 0;
@@ -266,7 +264,19 @@ mesh::Mesh largest_clumps(const mesh::Mesh& crown, std::size_t most_triangles) {
         kept_m2 += area(clumps[kept]);
     }
     const float larger = std::min(std::sqrt(all_m2 / std::max(kept_m2, 1e-9F)), kMostLarger);
-    return enlarged(crown, std::span{clumps}.first(kept), larger);
+    return enlarged(crown, clumps.first(kept), larger);
+}
+
+// Where clumps cannot be any simpler, there are fewer of them, the largest.
+void add_fewer_clumps(std::vector<scene::CrownMass>& masses, const Density& density, float share) {
+    const mesh::Mesh simplest = masses.back().mesh;
+    auto clumps = mesh::pieces_of(simplest);
+    std::ranges::stable_sort(clumps, std::greater{}, [&](const Clump& clump) { return area_m2(simplest, clump); });
+    for (std::size_t most = simplest.triangle_count() / 2; most >= kFewestTriangles; most /= 2) {
+        const mesh::Mesh fewer = first_clumps(simplest, clumps, most);
+        if (fewer.triangle_count() >= masses.back().mesh.triangle_count()) return;
+        masses.push_back(coloured(fewer, density, share));
+    }
 }
 
 }  // namespace
@@ -296,14 +306,7 @@ std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves) {
         if (volume_of(level) < kLeastVolume * whole_volume) break;
         masses.push_back(coloured(level, density, share));
     }
-    if (masses.empty()) return masses;
-    // Where clumps cannot be any simpler, there are fewer of them.
-    const mesh::Mesh simplest = masses.back().mesh;
-    for (std::size_t most = simplest.triangle_count() / 2; most >= kFewestTriangles; most /= 2) {
-        const mesh::Mesh fewer = largest_clumps(simplest, most);
-        if (fewer.triangle_count() >= masses.back().mesh.triangle_count()) break;
-        masses.push_back(coloured(fewer, density, share));
-    }
+    if (!masses.empty()) add_fewer_clumps(masses, density, share);
     return masses;
 }
 

@@ -8,14 +8,19 @@
 namespace quadrat::render {
 namespace {
 
-class Rehearsal : public Gpu {};
+class Rehearsal : public Gpu {
+  protected:
+    Frame frame_of(glm::ivec2 size) const {
+        Frame frame;
+        frame.size = size;
+        frame.framebuffer = canvas_.framebuffer;
+        return frame;
+    }
+};
 
 TEST_F(Rehearsal, DrawsSomethingOfEveryKind) {
     Renderer renderer;
-    Frame like;
-    like.size = {1280, 720};
-    like.framebuffer = canvas_.framebuffer;
-    const Drawn drawn = renderer.rehearse(like);
+    const Drawn drawn = renderer.rehearse(frame_of({1280, 720}));
     const auto of = [&](Kind kind) { return drawn.of[static_cast<std::size_t>(kind)]; };
     for (std::size_t kind = 0; kind < kKinds; ++kind) EXPECT_GT(drawn.of[kind].triangles, 0U) << kind;
     EXPECT_GE(of(Kind::Leaves).draws, 3U) << "with their picture, plain, and as masses";
@@ -27,9 +32,7 @@ TEST_F(Rehearsal, DrawsSomethingOfEveryKind) {
 
 TEST_F(Rehearsal, LeavesNothingBehind) {
     Renderer renderer;
-    Frame frame;
-    frame.size = {64, 64};
-    frame.framebuffer = canvas_.framebuffer;
+    const Frame frame = frame_of({64, 64});
     const Drawn before = renderer.draw(frame);
     const mesh::Image empty = renderer.read_pixels(frame);
     renderer.rehearse(frame);
