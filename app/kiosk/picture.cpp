@@ -132,7 +132,16 @@ Picture picture_from_json(const std::string& json, const std::string& source) {
     return picture;
 }
 
+void check_picture_name(const std::filesystem::path& path) {
+    if (path.extension() != ".png" && path.extension() != ".exr")
+        refuse(path.string(), "a picture is written as .png or .exr");
+    const std::filesystem::path folder = path.parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+        refuse(path.string(), fmt::format("there is no folder {}", folder.string()));
+}
+
 void write_picture(const std::filesystem::path& path, const mesh::Image& pixels, const std::string& json) {
+    check_picture_name(path);
     base::write_file_by(path, [&](const std::filesystem::path& temporary) {
         write_image_file(temporary, path.string(), pixels, json);
     });

@@ -34,6 +34,8 @@ std::string to_json(const Picture& picture);
 // A picture's or a scene's JSON. Throws InputError naming source and what is wrong.
 Picture picture_from_json(const std::string& json, const std::string& source);
 
+// Throws InputError unless a picture can be written under this name: to be asked before it is drawn.
+void check_picture_name(const std::filesystem::path& path);
 // PNG or EXR by the name's ending, with the JSON inside; whole or not at all. Throws InputError naming the file.
 void write_picture(const std::filesystem::path& path, const mesh::Image& pixels, const std::string& json);
 // Without a scene inside.

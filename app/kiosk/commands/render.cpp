@@ -38,6 +38,7 @@ scene::Camera camera_from(const std::string& text) {
 }
 
 int draw(const Options& options) {
+    check_picture_name(options.output);
     Picture picture = read_scene(options.scene);
     if (!options.size.empty()) {
         const display::Size size = display::size_from(options.size, "--size");

@@ -61,9 +61,7 @@ bool is_of_one_tree(genome::WordId id) {
 // A row a word, from one end to the other, all other words left free, on one land under one sky.
 int draw_sheet(const Options& options) {
     const display::Size size = display::size_from(options.size, "--size");
-    const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder))
-        throw base::InputError(fmt::format("--output: there is no folder {}", folder.string()));
+    check_picture_name(options.output);
     Picture picture;
     picture.width = size.width;
     picture.height = size.height;
