@@ -152,6 +152,7 @@ render::Drawn Theatre::draw(const Show& show, float growing_progress, Instant no
     render::Frame frame = stage_->frame({show.state(), show.timings(), cast, flash, growing_progress, now,
                                          show.caption(), asked ? &*asked : nullptr, over.board, over.backdrop},
                                         canvas);
+    frame.is_one_of_many = true;
     if (detail_) frame.detail = *detail_;
     drawn_ = {frame.size, frame.hanging, frame.framebuffer, frame.seconds, {}, {}, frame.detail, {}};
     return renderer_->draw(frame);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "base/error.hpp"
 #include "render/gl/fence.hpp"
@@ -15,6 +16,7 @@
 #include "render/gl/wires.hpp"
 #include "render/gpu_scene.hpp"
 #include "render/held_ground.hpp"
+#include "render/held_sky.hpp"
 #include "render/passes/cloud_shadow.hpp"
 #include "render/passes/crowd.hpp"
 #include "render/passes/falling.hpp"
@@ -75,6 +77,7 @@ struct Selection {
     passes::Frustum frustum;
     passes::ViewBlock block;
     std::vector<passes::Batch> batches;
+    std::optional<glm::mat3> held_sky_from_view;  // where the sky is a picture of some frames ago
 };
 
 }  // namespace
@@ -90,6 +93,9 @@ struct Renderer::Parts {
     passes::SignsPass signs;
     gl::StreamBuffer blocks{GL_UNIFORM_BUFFER};
     std::vector<HeldGround> grounds;  // one a view
+    std::vector<HeldSky> skies;       // one a view, where frames follow each other
+    gl::TextureTarget sky_target;
+    std::size_t frames = 0;
     gl::StreamBuffer instances{GL_ARRAY_BUFFER};
     std::shared_ptr<Shelves> shelves = std::make_shared<Shelves>();
     gl::ReducedTarget reduced;
@@ -98,6 +104,7 @@ struct Renderer::Parts {
 
     Selection select(const Frame& frame, std::size_t slot);
     void fill(const std::vector<Selection>& selections);
+    gl::Work hold_skies(const Frame& frame, std::vector<Selection>& selections);
     Drawn draw_views(const Frame& frame, const std::vector<Selection>& selections, float scale);
     void draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot,
                    const Rect& place, Drawn& drawn);
@@ -107,9 +114,7 @@ struct Renderer::Parts {
 Selection Renderer::Parts::select(const Frame& frame, std::size_t slot) {
     const View& view = frame.views[slot];
     const GpuScene& scene = *view.scene;
-    const float aspect =
-        static_cast<float>(view.viewport.width) / static_cast<float>(std::max(view.viewport.height, 1));
-    const glm::mat4 clip_from_world = scene::clip_from_view(view.camera, aspect) * scene::view_from_world(view.camera);
+    const glm::mat4 clip_from_world = clip_from_world_of(view);
     Selection s(clip_from_world);
     s.block = block_of(view, turned(clip_from_world, frame.hanging), frame.seconds);
     const float alpha = std::max(frame.detail.alpha, 0.01F);
@@ -117,7 +122,7 @@ Selection Renderer::Parts::select(const Frame& frame, std::size_t slot) {
     const auto views = static_cast<float>(frame.views.size());
     HeldGround& held = grounds[slot];
     if (frame.measured.ground)
-        held.update(view, clip_from_world, {alpha, scale, aspect, views});
+        held.update(view, clip_from_world, {alpha, scale, aspect_ratio(view), views});
     else
         held.drop();
     if (!frame.measured.leaves && !frame.measured.wood) return s;
@@ -144,6 +149,26 @@ void Renderer::Parts::fill(const std::vector<Selection>& selections) {
         std::memcpy(bytes.data() + i * passes::kViewBlockBytes, &selections[i].block, sizeof(passes::ViewBlock));
     blocks.fill<std::byte>(bytes);
     instances.fill<passes::Instance>(frame_instances);
+}
+
+// A view's sky takes its turn every few frames, or when the one it has no longer serves.
+gl::Work Renderer::Parts::hold_skies(const Frame& frame, std::vector<Selection>& selections) {
+    gl::Work work;
+    ++frames;
+    if (!frame.is_one_of_many || !frame.measured.sky || frame.measured.is_counted || gl::Wires::are_on()) {
+        skies.clear();
+        return work;
+    }
+    skies.resize(frame.views.size());
+    for (std::size_t slot = 0; slot < skies.size(); ++slot) {
+        const View& view = frame.views[slot];
+        const passes::ViewBlock& now = selections[slot].block;
+        const bool is_its_turn = frames % HeldSky::kFrames == slot % HeldSky::kFrames;
+        if (is_its_turn || !skies[slot].serves(view, now))
+            work += skies[slot].hold(view, frame.seconds, sky, sky_target);
+        selections[slot].held_sky_from_view = skies[slot].from_view(view, now);
+    }
+    return work;
 }
 
 // On the framebuffer that is bound, from its lower left corner.
@@ -227,7 +252,12 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
                                             country.fresh_water.levels.seen(frustum, view.camera.eye_m, nearness));
     }
     if (!what.sky || gl::Wires::are_on()) return;
-    of(Kind::Sky) += sky.draw(*scene.sky, frustum, view.camera.eye_m, place.height);
+    if (selection.held_sky_from_view)
+        of(Kind::Sky) +=
+            sky.draw_held(skies[slot].picture(), *selection.held_sky_from_view, skies[slot].kept(selection.block));
+    else
+        of(Kind::Sky) += sky.draw_dome(*scene.sky, frustum, view.camera.eye_m);
+    of(Kind::Sky) += sky.draw_lights(*scene.sky, place.height);
     of(Kind::Falling) += falling.draw(scene.air.sky.precipitation, selection.block, pixels_per_radian(view));
 }
 
@@ -279,6 +309,7 @@ Drawn Renderer::draw(const Frame& frame) {
     parts.grounds.resize(frame.views.size());
     std::vector<Selection> selections;
     for (std::size_t slot = 0; slot < frame.views.size(); ++slot) selections.push_back(parts.select(frame, slot));
+    const gl::Work held = parts.hold_skies(frame, selections);
     parts.fill(selections);
 
     const glm::ivec2 size = turned_size(frame.size, frame.hanging);
@@ -286,6 +317,9 @@ Drawn Renderer::draw(const Frame& frame) {
     const GLuint smaller = drawn_size == size ? 0 : parts.reduced.of(size);
     glBindFramebuffer(GL_FRAMEBUFFER, smaller != 0 ? smaller : frame.framebuffer);
     Drawn drawn = parts.draw_views(frame, selections, smaller != 0 ? std::clamp(frame.detail.scale, 0.25F, 1.0F) : 1);
+    drawn.of[static_cast<std::size_t>(Kind::Sky)] += held;
+    drawn.triangles += held.triangles;
+    drawn.draws += held.draws;
     if (smaller != 0) parts.reduced.show(drawn_size, frame.framebuffer, size);
     parts.draw_signs(frame);
     const bool is_window = frame.framebuffer == 0;
@@ -310,10 +344,12 @@ Drawn Renderer::rehearse(const Frame& like) {
     view.camera = rehearsal_camera();
     view.viewport = {0, 0, frame.size.x, frame.size.y};
     frame.views.push_back(std::move(view));
+    frame.is_one_of_many = true;
     const Drawn drawn = draw(frame);
     frame.detail.scale = 0.5F;
     draw(frame);
     parts_->grounds.clear();  // another scene may get the address of this one
+    parts_->skies.clear();
     return drawn;
 }
 

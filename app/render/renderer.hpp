@@ -73,6 +73,9 @@ struct Measured {
     bool is_counted = false;  // plants and ground leave their picture out and add 1 to alpha for every pixel shaded
 };
 
+// Of the pixels of a frame that is one of many, those of sky that are drawn for frames to come, on average.
+extern const float kSkyDrawnAnew;
+
 struct Frame {
     glm::ivec2 size{0};  // of the upright picture, pixels: views and signs are laid out in it
     Hanging hanging;     // the target has turned_size(size, hanging)
@@ -83,6 +86,9 @@ struct Frame {
     Detail detail;
     Measured measured;
     bool is_wired = false;  // with the edges of all triangles, coloured by level; slow
+    // One of many that follow each other: what hardly changes may come from those before it. A single picture is drawn
+    // whole and depends on nothing else.
+    bool is_one_of_many = false;
 };
 
 // What a frame asked of the GPU, signs left out.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
@@ -111,6 +112,14 @@ passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, f
     set_water(b, air, left, seconds);
     set_clouds(b, view, left, seconds);
     return b;
+}
+
+float aspect_ratio(const View& view) {
+    return static_cast<float>(view.viewport.width) / static_cast<float>(std::max(view.viewport.height, 1));
+}
+
+glm::mat4 clip_from_world_of(const View& view) {
+    return scene::clip_from_view(view.camera, aspect_ratio(view)) * scene::view_from_world(view.camera);
 }
 
 float pixels_per_radian(const View& view) {

@@ -10,6 +10,7 @@ FourViews::FourViews(const Options& options, std::uint64_t seed)
     const display::Size size = display::size_from(options.size, "--size");
     picture.size = {size.width, size.height};
     picture.detail.alpha = options.alpha;
+    picture.is_one_of_many = true;  // as the exhibit's are
     grow(seed);
     keep_within(options);
 }

@@ -24,6 +24,9 @@ struct ShaderCosts {
 using ChipCosts = std::array<ShaderCosts, render::kKinds>;
 extern const ChipCosts kPi4Costs;
 extern const ChipCosts kPi5Costs;
+// Where a sky is drawn for frames to come, sky.frag's costs; each of those fetches it, at the costs of its kind.
+extern const ShaderCosts kPi4Dome;
+extern const ShaderCosts kPi5Dome;
 
 // What a picture of four views would take on a Raspberry Pi, with everything that is assumed as rows of its own.
 void estimate(Results& results, const std::string& profile, Easel& easel, const render::Frame& picture);

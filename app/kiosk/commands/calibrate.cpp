@@ -62,6 +62,7 @@ int calibrate(const Configuration& configuration, const std::filesystem::path& s
     std::printf("%s\n", screen->description().c_str());
 
     render::Frame frame;
+    frame.is_one_of_many = true;  // as the exhibit's are
     frame.size = {canvas.size.width, canvas.size.height};
     const auto places = quarters(frame.size.x, frame.size.y);
     double upload_ms = 0;

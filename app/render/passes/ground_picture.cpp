@@ -59,20 +59,13 @@ void add_material(gl::Slices& slices, MaterialOnGpu& material, const std::shared
     gl::add_picture(slices, material.kinds, kinds, flat);
 }
 
-GroundPainter::GroundPainter() : program_("paint_ground.vert", "paint_ground.frag") {
-    glGenFramebuffers(1, &framebuffer_);
-}
+GroundPainter::GroundPainter() : program_("paint_ground.vert", "paint_ground.frag") {}
 
 void GroundPainter::paint(const Sheet& sheet, const GroundPictureOnGpu& picture, int first_row, int rows) const {
-    GLint bound = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
     const gl::TextureShape& shape = picture.lit.shape();
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
-    glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture.lit.name(), 0);
-    glViewport(0, 0, shape.width, shape.height);
+    const auto drawing = target_.onto(picture.lit);
     glScissor(0, first_row, shape.width, rows);
     glEnable(GL_SCISSOR_TEST);
-    for (const GLenum test : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE}) glDisable(test);
     program_.use();
     glUniform1f(0, sheet.relief_tiles);
     const float rim = 1 - 2 / static_cast<float>(std::min(shape.width, shape.height));
@@ -86,9 +79,6 @@ void GroundPainter::paint(const Sheet& sheet, const GroundPictureOnGpu& picture,
     glBindVertexArray(0);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_SCISSOR_TEST);
-    // A picture that stays attached would not be freed.
-    glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
 }
 
 void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture,

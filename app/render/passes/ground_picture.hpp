@@ -4,6 +4,7 @@
 
 #include "render/gl/picture_upload.hpp"
 #include "render/gl/program.hpp"
+#include "render/gl/texture_target.hpp"
 #include "scene/scene.hpp"
 
 namespace quadrat::render::passes {
@@ -38,7 +39,7 @@ class GroundPainter {
 
   private:
     gl::Program program_;
-    GLuint framebuffer_ = 0;  // goes with its context
+    gl::TextureTarget target_;
 };
 
 // Adds the slices that paint picture, which must stay where it is until they are done.

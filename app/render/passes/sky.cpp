@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -175,6 +176,7 @@ void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scen
 
 SkyPass::SkyPass()
     : program_("sky.vert", "sky.frag"),
+      held_("held_sky.vert", "held_sky.frag"),
       disc_("disc.vert", "disc.frag"),
       stars_("stars.vert", "stars.frag"),
       bow_("bow.vert", "lit.frag"),
@@ -207,7 +209,7 @@ SkyPass::SkyPass()
     bow_index_count_ = bow.size();
 }
 
-gl::Work SkyPass::draw(const SkyOnGpu& sky, const Frustum& frustum, glm::vec3 eye_m, int height_px) const {
+gl::Work SkyPass::draw_dome(const SkyOnGpu& sky, const Frustum& frustum, glm::vec3 eye_m) const {
     glDepthMask(GL_FALSE);  // it lies where depth was cleared to
     program_.use();
     sky.clouds[0].bind(0);
@@ -216,18 +218,32 @@ gl::Work SkyPass::draw(const SkyOnGpu& sky, const Frustum& frustum, glm::vec3 ey
     vertices_.feed(0, directions_.name());
     vertices_.feed(1, sky.dome.name());
     vertices_.feed_indices(indices_.name());
-    gl::Work work = draw_ranges(sectors_.seen(frustum, eye_m), GL_UNSIGNED_SHORT);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
-    glDisable(GL_CULL_FACE);
-    work += draw_lights(sky, height_px);
-    glEnable(GL_CULL_FACE);
-    glDisable(GL_BLEND);
+    const gl::Work work = draw_ranges(sectors_.seen(frustum, eye_m), GL_UNSIGNED_SHORT);
     glDepthMask(GL_TRUE);
     return work;
 }
 
+gl::Work SkyPass::draw_held(const gl::Texture2D& held, const glm::mat3& held_from_view, float kept) const {
+    glDepthMask(GL_FALSE);
+    glDisable(GL_CULL_FACE);  // whichever way the panel hangs
+    held_.use();
+    glUniformMatrix3fv(0, 1, GL_FALSE, glm::value_ptr(held_from_view));
+    glUniform1f(1, kept);
+    held.bind(3);
+    glBindVertexArray(0);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glEnable(GL_CULL_FACE);
+    glDepthMask(GL_TRUE);
+    return {1, 1, 3};
+}
+
 gl::Work SkyPass::draw_lights(const SkyOnGpu& sky, int height_px) const {
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glDisable(GL_CULL_FACE);
+    sky.clouds[0].bind(0);
+    sky.clouds[1].bind(1);
     gl::Work work;
     if (sky.star_count > 0) {
         stars_.use();
@@ -253,6 +269,9 @@ gl::Work SkyPass::draw_lights(const SkyOnGpu& sky, int height_px) const {
         glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(bow_index_count_), GL_UNSIGNED_SHORT, nullptr);
         work += gl::work_of_mesh(bow_index_count_);
     }
+    glEnable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
     return work;
 }
 

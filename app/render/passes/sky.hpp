@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <array>
+#include <glm/mat3x3.hpp>
 #include <memory>
 
 #include "render/gl/buffer.hpp"
@@ -33,12 +34,16 @@ void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scen
 class SkyPass {
   public:
     SkyPass();
-    gl::Work draw(const SkyOnGpu& sky, const Frustum& frustum, glm::vec3 eye_m, int height_px) const;
-
-  private:
+    // The dome and the clouds. Leaves depth as it is.
+    gl::Work draw_dome(const SkyOnGpu& sky, const Frustum& frustum, glm::vec3 eye_m) const;
+    // The same from a picture of them: from clip xy and 1 to its coordinates; so much of its light is kept.
+    gl::Work draw_held(const gl::Texture2D& held, const glm::mat3& held_from_view, float kept) const;
+    // What is too small or too bright to be held in a picture, added to either.
     gl::Work draw_lights(const SkyOnGpu& sky, int height_px) const;
 
+  private:
     gl::Program program_;
+    gl::Program held_;
     gl::Program disc_;
     gl::Program stars_;
     gl::Program bow_;

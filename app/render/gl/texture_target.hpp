@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "render/gl/texture.hpp"
+
+namespace quadrat::render::gl {
+
+// A framebuffer for drawing into textures, one after another.
+class TextureTarget {
+  public:
+    TextureTarget() { glGenFramebuffers(1, &framebuffer_); }
+
+    // While it lives, what is drawn goes into the texture's finest level, all of it the viewport; no test is enabled.
+    class Drawing {
+      public:
+        Drawing(GLuint framebuffer, const Texture2D& texture);
+        ~Drawing();
+        Drawing(const Drawing&) = delete;
+        Drawing& operator=(const Drawing&) = delete;
+
+      private:
+        GLint before_ = 0;
+    };
+    [[nodiscard]] Drawing onto(const Texture2D& texture) const { return {framebuffer_, texture}; }
+
+  private:
+    // Goes with its context: a display's own framebuffers may have the same name in the context after it.
+    GLuint framebuffer_ = 0;
+};
+
+}  // namespace quadrat::render::gl

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/held_sky.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <span>
+
+#include "render/gpu_scene.hpp"
+#include "render/view.hpp"
+
+namespace quadrat::render {
+namespace {
+
+constexpr float kWider = 1.06F;      // than the view, in what of the picture plane it sees
+constexpr float kFineness = 0.45F;   // pixels a pixel of the view, a side
+constexpr float kMostShear = 0.03F;  // of the clouds' height: two degrees overhead
+
+// From a direction to clip x, y and w: where it ends does not depend on how long it is.
+glm::mat3 clip_from_direction(const glm::mat4& clip_from_world) {
+    glm::mat3 m;
+    for (int column = 0; column < 3; ++column)
+        m[column] = {clip_from_world[column].x, clip_from_world[column].y, clip_from_world[column].w};
+    return m;
+}
+
+// The layer that is seen most of.
+const scene::CloudLayer& leading(const GpuScene& scene) {
+    const auto& layers = scene.air.sky.clouds;
+    return layers[0].opacity > 0 ? layers[0] : layers[1];
+}
+
+// From where the layer's clouds are seen now to where they were seen then: what is over the eye at height 1.
+glm::mat3 drift(const scene::CloudLayer& layer, const glm::vec4& eye_seconds, const glm::vec4& then) {
+    const auto above_m = [&](const glm::vec4& eye) { return std::max(layer.height_m - eye.y, 60.0F); };
+    const glm::vec2 wind = layer.wind_m_s * (eye_seconds.w - then.w);
+    const glm::vec2 moved{eye_seconds.x - then.x - wind.x, eye_seconds.z - then.z - wind.y};
+    const float nearer = above_m(eye_seconds) / above_m(then);
+    glm::mat3 shear{1};
+    shear[0].x = shear[2].z = nearer;
+    shear[1] = {moved.x / above_m(then), 1, moved.y / above_m(then)};
+    return shear;
+}
+
+constexpr float kMostDimmed = 0.1F;  // cloud, air and dome do not dim by quite the same factor
+
+}  // namespace
+
+const float kSkyDrawnAnew = kWider * kWider * kFineness * kFineness / HeldSky::kFrames;
+
+bool HeldSky::serves(const View& view, const passes::ViewBlock& now) const {
+    if (scene_.lock() != view.scene || viewport_ != view.viewport || fov_deg_ != view.camera.vertical_fov_deg)
+        return false;
+    const glm::mat3 shear = drift(leading(*view.scene), now.eye_seconds, held_.eye_seconds);
+    if (std::abs(shear[1].x) > kMostShear || std::abs(shear[1].z) > kMostShear) return false;
+    if (std::abs(kept(now) - 1) > kMostDimmed) return false;
+    const glm::mat3 m = from_view(view, now);
+    constexpr std::array<glm::vec2, 4> kCorners{glm::vec2{-1, -1}, glm::vec2{1, -1}, glm::vec2{-1, 1}, glm::vec2{1, 1}};
+    return std::ranges::all_of(kCorners, [&](glm::vec2 corner) {
+        const glm::vec3 at = m * glm::vec3{corner, 1};
+        const glm::vec2 over = glm::vec2{at} / at.z;
+        return at.z > 0 && over.x >= 0 && over.x <= 1 && over.y >= 0 && over.y <= 1;
+    });
+}
+
+gl::Work HeldSky::hold(const View& view, float seconds, const passes::SkyPass& sky, const gl::TextureTarget& target) {
+    scene_ = view.scene;
+    viewport_ = view.viewport;
+    fov_deg_ = view.camera.vertical_fov_deg;
+    const glm::ivec2 size =
+        glm::max(glm::ivec2(glm::ceil(glm::vec2{view.viewport.width, view.viewport.height} * (kWider * kFineness))), 1);
+    if (picture_.name() == 0 || glm::ivec2{picture_.shape().width, picture_.shape().height} != size)
+        picture_ = gl::Texture2D{{.width = size.x, .height = size.y, .sampling = gl::Sampling::Flat}};
+    glm::mat4 clip_from_world = clip_from_world_of(view);
+    for (int column = 0; column < 4; ++column) {
+        clip_from_world[column].x /= kWider;
+        clip_from_world[column].y /= kWider;
+    }
+    held_ = block_of(view, clip_from_world, seconds);
+    block_.fill<std::byte>(std::as_bytes(std::span(&held_, 1)));
+    const auto drawing = target.onto(picture_);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);  // a tiler need not fetch what was there
+    gl::bind_uniforms(block_, passes::kViewBinding, 0, sizeof(passes::ViewBlock));
+    return sky.draw_dome(*view.scene->sky, passes::Frustum(clip_from_world), view.camera.eye_m);
+}
+
+glm::mat3 HeldSky::from_view(const View& view, const passes::ViewBlock& now) const {
+    const glm::mat3 half{{0.5F, 0, 0}, {0, 0.5F, 0}, {0.5F, 0.5F, 1}};
+    return half * clip_from_direction(held_.clip_from_world) *
+           drift(leading(*view.scene), now.eye_seconds, held_.eye_seconds) *
+           glm::inverse(clip_from_direction(now.clip_from_world));
+}
+
+}  // namespace quadrat::render

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <glm/mat3x3.hpp>
+#include <memory>
+
+#include "render/gl/buffer.hpp"
+#include "render/gl/texture_target.hpp"
+#include "render/passes/sky.hpp"
+#include "render/passes/view_block.hpp"
+#include "render/renderer.hpp"
+
+namespace quadrat::render {
+
+// One view's dome and clouds as a picture that serves some frames: a little wider than the view and coarser, for clouds
+// are soft. In between it moves with the lower clouds: a layer that drifts over an eye that moves shears the directions
+// in which it is seen, which is a matrix, exact for that layer; the upper one and the dome stay back by less than a
+// pixel.
+class HeldSky {
+  public:
+    static constexpr std::size_t kFrames = 4;  // from one turn of a view to its next
+
+    // now: the view's block of this frame. False: what is held would leave a corner of the view bare, or is of another
+    // scene, or too old for its dome.
+    bool serves(const View& view, const passes::ViewBlock& now) const;
+    // Draws it anew. Leaves the framebuffer that was bound bound, and no test enabled.
+    gl::Work hold(const View& view, float seconds, const passes::SkyPass& sky, const gl::TextureTarget& target);
+
+    const gl::Texture2D& picture() const { return picture_; }
+    // From the view's clip xy and 1 to coordinates of picture(), times depth.
+    glm::mat3 from_view(const View& view, const passes::ViewBlock& now) const;
+    // Of its light, where the view has been dimmed since.
+    float kept(const passes::ViewBlock& now) const { return now.to_sun.w / held_.to_sun.w; }
+
+  private:
+    std::weak_ptr<const GpuScene> scene_;
+    Rect viewport_;
+    float fov_deg_ = 0;
+    passes::ViewBlock held_;
+    gl::StreamBuffer block_{GL_UNIFORM_BUFFER};
+    gl::Texture2D picture_;
+};
+
+}  // namespace quadrat::render

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sky of frames that follow each other is a picture of some frames ago, moved: it looks as if it were drawn anew.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "kiosk/easel.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+constexpr glm::ivec2 kSize{640, 360};
+
+using SceneOf = std::shared_ptr<const scene::Scene>;
+
+// Nothing but sky, the eye 30 m above the land.
+scene::Camera looking_up(const scene::Scene& scene, float seconds) {
+    scene::Camera camera = scene::camera_at(scene.track, seconds);
+    camera.eye_m.y += 30;
+    camera.target_m.y += 30 + 0.2F * glm::distance(camera.eye_m, camera.target_m);
+    return camera;
+}
+
+struct Moment {
+    SceneOf scene;
+    scene::Camera camera;
+    float seconds = 0;
+    float dim = 0;
+};
+
+struct Shown {
+    mesh::Image pixels;
+    std::size_t triangles = 0;
+};
+
+std::vector<Shown> shown(const std::vector<Moment>& moments, const render::Hanging& hanging, bool is_one_of_many) {
+    Easel easel(kSize.x, kSize.y);
+    std::map<SceneOf, std::shared_ptr<const render::GpuScene>> uploaded;
+    std::vector<Shown> all;
+    for (const Moment& moment : moments) {
+        auto& scene = uploaded[moment.scene];
+        if (!scene) scene = upload_now(easel.renderer(), moment.scene);
+        const display::Canvas canvas = easel.display().begin_frame();
+        render::Frame frame;
+        frame.framebuffer = canvas.framebuffer;
+        frame.size = render::turned_size(kSize, hanging);
+        frame.hanging = hanging;
+        frame.measured = {false, false, false, false, true};
+        frame.seconds = moment.seconds;
+        frame.is_one_of_many = is_one_of_many;
+        frame.views.push_back({scene, moment.camera, {0, 0, frame.size.x, frame.size.y}, 1, moment.dim});
+        const std::size_t triangles = easel.renderer().draw(frame).triangles;
+        all.push_back({easel.renderer().read_pixels(frame), triangles});
+        easel.display().present();
+    }
+    return all;
+}
+
+// Mean over colours and pixels, in steps of 255.
+double difference(const Shown& a, const Shown& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.pixels.bytes.size(); ++i) sum += std::abs(a.pixels.bytes[i] - b.pixels.bytes[i]);
+    return sum / static_cast<double>(a.pixels.bytes.size());
+}
+
+constexpr double kUnseen = 0.7;  // clouds are held coarser than they are shown
+
+TEST(HeldSky, LooksAsIfItWereDrawnAnew) {
+    for (const std::uint64_t seed : {5, 21}) {
+        const SceneOf scene = grow(genome::random_recipe(base::Seed{seed}), {65, 64, 128});
+        std::vector<Moment> moments;
+        for (int n = 0; n < 12; ++n) {
+            const float seconds = 20 + static_cast<float>(n) / 15;
+            moments.push_back({scene, looking_up(*scene, seconds), seconds});
+        }
+        for (const render::Hanging hanging : {render::Hanging{0, false}, render::Hanging{2, true}}) {
+            const auto held = shown(moments, hanging, true);
+            const auto whole = shown(moments, hanging, false);
+            std::size_t reused = 0;
+            for (std::size_t n = 0; n < moments.size(); ++n) {
+                EXPECT_LT(difference(held[n], whole[n]), kUnseen) << seed << " after " << n;
+                if (held[n].triangles < whole[n].triangles) ++reused;
+            }
+            EXPECT_GE(reused, moments.size() / 2) << seed;
+        }
+    }
+}
+
+TEST(HeldSky, IsDrawnAnewWhereTheEyeTurnsAwayTimeJumpsOrAnotherSceneComes) {
+    const SceneOf scene = grow(genome::random_recipe(base::Seed{3}), {65, 64, 128});
+    const SceneOf next = grow(genome::random_recipe(base::Seed{4}), {65, 64, 128});
+    Moment moment{scene, looking_up(*scene, 0)};
+    std::vector<Moment> moments{moment};
+    const glm::vec3 ahead = moment.camera.target_m - moment.camera.eye_m;
+    moment.camera.target_m = moment.camera.eye_m + glm::vec3{-ahead.x, ahead.y, -ahead.z};
+    moments.push_back(moment);
+    moment.seconds = 600;
+    moments.push_back(moment);
+    moment.scene = next;
+    moments.push_back(moment);
+    moment.dim = 1;
+    moments.push_back(moment);
+    const auto held = shown(moments, {}, true);
+    const auto whole = shown(moments, {}, false);
+    for (std::size_t n = 0; n < moments.size(); ++n) EXPECT_LT(difference(held[n], whole[n]), kUnseen) << n;
+    for (std::size_t n = 1; n + 1 < moments.size(); ++n)
+        EXPECT_GT(difference(whole[n - 1], whole[n]), 4 * kUnseen) << n;
+}
+
+}  // namespace
+}  // namespace quadrat::kiosk
