@@ -4,7 +4,7 @@ precision highp float;
 layout(binding = 3) uniform sampler2D held;
 layout(location = 1) uniform float kept;  // of its light, where the view has been dimmed since
 
-in vec3 over_held;
+in vec2 over_held;
 layout(location = 0) out vec4 pixel;
 
-void main() { pixel = vec4(textureProj(held, over_held).rgb * kept, 1.0); }
+void main() { pixel = vec4(texture(held, over_held).rgb * kept, 1.0); }

@@ -64,13 +64,13 @@ const ChipCosts kPi4Costs{{{"leaves.frag", 17, 173, 101},
                            {"wood.frag", 29, 183, 71},
                            {"near_ground.frag", 27, 191, 81},
                            {"running_water.frag", 58, 191, 42},
-                           {"held_sky.frag", 18, 39, 25},
+                           {"held_sky.frag", 14, 158, 146},
                            {"falling.frag", 15, 170, 155}}};
 const ChipCosts kPi5Costs{{{"leaves.frag", 18, 151, 93},
                            {"wood.frag", 29, 161, 64},
                            {"near_ground.frag", 26, 174, 73},
                            {"running_water.frag", 51, 157, 34},
-                           {"held_sky.frag", 17, 32, 17},
+                           {"held_sky.frag", 14, 133, 123},
                            {"falling.frag", 12, 132, 141}}};
 const ShaderCosts kPi4Dome{"sky.frag", 47, 150, 57};
 const ShaderCosts kPi5Dome{"sky.frag", 45, 140, 50};

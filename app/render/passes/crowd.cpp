@@ -104,6 +104,7 @@ float fitting_fineness(const std::vector<Seen>& seen, std::span<const Kind> kind
         return sum;
     };
     if (total(g.fineness) <= g.triangle_budget) return g.fineness;
+    if (total(0) >= g.triangle_budget) return 0;
     float fits = 0;
     float too_fine = g.fineness;
     for (int i = 0; i < 9; ++i) {

@@ -229,12 +229,15 @@ gl::Work SkyPass::draw_held(const gl::Texture2D& held, const glm::mat3& held_fro
     held_.use();
     glUniformMatrix3fv(0, 1, GL_FALSE, glm::value_ptr(held_from_view));
     glUniform1f(1, kept);
+    constexpr int kSide =
+        6;  // squares: a twentieth of a pixel off in their middles where the view has turned by a degree
+    glUniform1i(2, kSide);
     held.bind(3);
     glBindVertexArray(0);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDrawArrays(GL_TRIANGLES, 0, 6 * kSide * kSide);
     glEnable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
-    return {1, 1, 3};
+    return {1, 2 * kSide * kSide, 6 * kSide * kSide};
 }
 
 gl::Work SkyPass::draw_lights(const SkyOnGpu& sky, int height_px) const {
