@@ -214,8 +214,9 @@ Blocks::Selected Blocks::select(const Frustum& frustum, const Wish& wish, std::v
         if (level == kUnknown) level = level_of(block, affordable);
         return level;
     };
-    std::ranges::sort(seen, [](const Near& a, const Near& b) {
-        return a.distance_m != b.distance_m ? a.distance_m < b.distance_m : a.block < b.block;
+    // No distance is negative: as a number its bits are in the same order.
+    std::ranges::sort(seen, {}, [](const Near& near) {
+        return std::uint64_t{std::bit_cast<std::uint32_t>(near.distance_m)} << 32U | static_cast<unsigned>(near.block);
     });
     const std::size_t before = indices.size();
     Selected selected;
