@@ -20,13 +20,14 @@ constexpr auto kBlame = 5s;              // lateness so soon after a raise is th
 constexpr auto kLongestPatience = std::chrono::nanoseconds{10min};
 constexpr auto kHopeless = 3s;  // late with the least detail: a frame in two periods
 constexpr float kGrowing = 0.4F;
-constexpr float kLeastGrowing = 0.25F;
+constexpr float kLeastGrowing = 0.12F;
 constexpr float kSofterFrom = 0.3F;  // level
 constexpr float kRoomShare = 0.95F;  // of the frames must have had room before more is tried
 constexpr float kLeastRoom = 0.5F;
-constexpr float kLateTakes = 0.85F;    // a late frame, of that room
-constexpr float kRoomGrows = 0.0018F;  // octaves a second: it comes back within minutes
-constexpr float kMuchRoom = 0.6F;      // of that room: a frame drawn so early leaves room for much more detail
+constexpr float kLateTakes = 0.85F;     // a late frame, of that room
+constexpr float kLateTakesNow = 0.95F;  // of the level
+constexpr float kRoomGrows = 0.0018F;   // octaves a second: it comes back within minutes
+constexpr float kMuchRoom = 0.6F;       // of that room: a frame drawn so early leaves room for much more detail
 
 float seconds(std::chrono::nanoseconds t) { return std::chrono::duration<float>(t).count(); }
 
@@ -68,10 +69,17 @@ void DetailGovernor::frame(const FrameTold& told) {
         late_took_ = std::max(late_took_, told.took);
         begin_calm(told.now);
         room_ = std::max(room_ * kLateTakes, kLeastRoom);
+        // One of many is soon forgiven; it costs what cannot be seen.
+        if (told.is_growing)
+            growing_share_ = std::max(growing_share_ * kLateTakes, kLeastGrowing);
+        else
+            target_ = std::max(target_ * kLateTakesNow, std::min(GovernorOptions::kLeast, most_));
     }
     ++frames_calm_;
-    frames_with_room_ += told.used <= room_;
-    frames_with_much_room_ += told.used <= kMuchRoom * room_;
+    // What it would have used with all the detail that is aimed at: about half of a frame's time follows the level.
+    const float whole = told.used * std::sqrt(std::max(target_ / level(), 1.0F));
+    frames_with_room_ += whole <= room_;
+    frames_with_much_room_ += whole <= kMuchRoom * room_;
     if (late_[0])
         give_way(told);
     else
@@ -85,7 +93,9 @@ void DetailGovernor::glide(const FrameTold& told) {
     const float ratio = target_ / shown_;
     shown_ *= std::clamp(ratio, std::exp2(-7.0F * passed_s), std::exp2(0.4F * passed_s));
     is_growing_ = told.is_growing;
-    room_ = std::min(room_ * std::exp2(kRoomGrows * passed_s), kRoom);
+    const float back = std::exp2(kRoomGrows * passed_s);
+    room_ = std::min(room_ * back, kRoom);
+    growing_share_ = std::min(growing_share_ * back, kGrowing);
     recovered_ = is_growing_ ? growing_share_ : std::min(recovered_ * std::exp2(0.4F * passed_s), 1.0F);
 }
 

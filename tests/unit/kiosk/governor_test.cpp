@@ -153,6 +153,22 @@ TEST(Governor, AsksForMoreRoomWhereSingleFramesComeLateUntilTheyNoLongerDo) {
     EXPECT_GT(governor.settled(), 0.95F * alone.settled());
 }
 
+TEST(Governor, DrawsLessWhileLandscapesGrowWhereSingleFramesComeLateThen) {
+    Machine machine{6, 12};
+    const auto is_growing = [](Instant now) { return now % 20s < 4s; };
+    // What is grown takes the memory's time now and then.
+    const auto disturbed = [&](Instant now) { return is_growing(now) && (now + 500ms) % 1s < 17ms ? 2.2F : 1.0F; };
+    DetailGovernor governor({1, 0.5F});
+    const Watched first = watch(governor, machine, 0s, 2min, disturbed, is_growing);
+    const Watched later = watch(governor, machine, 2min, 4min, disturbed, is_growing);
+    EXPECT_GE(first.late, 3);
+    EXPECT_LE(later.late, first.late / 3);
+    EXPECT_GT(later.most, 0.9F * first.most) << "where nothing grows";
+    watch(governor, machine, 4min, 20min, kSteady, is_growing);
+    const Watched alone = watch(governor, machine, 20min, 21min, kSteady, is_growing);
+    EXPECT_GT(alone.least / alone.most, 1.2F * later.least / later.most) << "it comes back";
+}
+
 TEST(Governor, CatchesUpFasterWhereThereIsMuchRoom) {
     const auto raised_in_half_a_minute = [](float for_detail_ms) {
         DetailGovernor governor({1, 0.05F});
