@@ -20,7 +20,7 @@ out vec2 slant;     // of the light along the bark's two ways: what its relief m
 
 void main() {
     // What leaves is on the coarser level's surface before that takes its place.
-    float leaving = half_tint.a;
+    float leaving = becoming.x;
     vec3 in_plant_m = position_m + to_coarser_m * leaving;
     float sway = mix(age_sways.y, age_sways.z, leaving);
     gl_Position = view.clip_from_world * vec4(planted(in_plant_m * unfolded(age_sways.x), sway), 1.0);
@@ -31,7 +31,7 @@ void main() {
     float facing = max(dot(normal, view.to_sun.xyz) * 0.85 + 0.15, 0.0);
     float foot = min(0.55 + 3.0 * position_m.y * bark.w, 1.0);
     vec3 light = view.sunlight.rgb * (facing * wind_sun_through.z) + ambient_on(normal) * foot;
-    shown = encode(bark.rgb * half_tint.rgb * 2.0 * light) * (1.0 - air.a);
+    shown = encode(bark.rgb * half_tint * 2.0 * light) * (1.0 - air.a);
     veil = air.rgb * air.a;
     on_bark = bark_tile;
     vec3 toward = view.to_sun.xyz * (0.35 + 0.65 * wind_sun_through.z) + vec3(0.0, 0.35, 0.0);

@@ -20,7 +20,8 @@ std::size_t bytes_of(const Species& species) {
                  bytes_in(wood.coarser_m) + bytes_in(wood.coarser_sways);
     for (const CrownMass& mass : species.masses)
         bytes += bytes_in(mass.mesh.positions_m) + bytes_in(mass.mesh.normals) + bytes_in(mass.mesh.indices) +
-                 bytes_in(mass.colours) + bytes_in(mass.shades) + bytes_in(mass.ages) + bytes_in(mass.sways);
+                 bytes_in(mass.colours) + bytes_in(mass.shades) + bytes_in(mass.ages) + bytes_in(mass.sways) +
+                 bytes_in(mass.coarser_m);
     return bytes;
 }
 

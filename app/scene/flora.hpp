@@ -56,7 +56,8 @@ struct CrownMass {
     std::vector<float> shades;       // as of leaves
     std::vector<float> ages;
     std::vector<float> sways;
-    float share = 1;  // of the crown's leaves, by area, that it stands for: those within it
+    std::vector<glm::vec3> coarser_m;  // where each vertex is on the next coarser level; empty: there is none
+    float share = 1;                   // of the crown's leaves, by area, that it stands for: those within it
 };
 
 // Bark pictures: channels 0 and 1 the slope of its relief across and along the limb, 128 level; channel 2 its

@@ -26,10 +26,11 @@ constexpr float kLeavesMerged = 0.55F;  // of the blades are not needed then
 constexpr float kMass_px = 13;          // of a tree so small no more is seen
 // With less fineness than this larger crowns merge too: four blades that stand for thousands are shards.
 constexpr float kLeafyFrom = 0.125F;
-constexpr float kMassFineness = 0.12F;  // a mass is never coarser than with this
-constexpr float kFewestOverMass = 12;   // blades; fewer are left out
-constexpr float kLeaving = 1.5F;        // a level begins to become the next with so many times the triangles asked for
-constexpr float kShape_px = 11;         // a shorter blade shows no more than that it is one
+constexpr float kMassFineness = 0.12F;     // a mass is never coarser than with this
+constexpr float kBladesFineness = 0.012F;  // nor what is never a mass: a handful of its blades are flags
+constexpr float kFewestOverMass = 12;      // blades; fewer are left out
+constexpr float kLeaving = 1.5F;  // a level begins to become the next with so many times the triangles asked for
+constexpr float kShape_px = 11;   // a shorter blade shows no more than that it is one
 
 struct Seen {
     std::uint32_t plant;
@@ -144,22 +145,26 @@ Instance instance_of(const scene::Plant& plant, const Kind& kind, const Seen& se
             {std::sin(plant.yaw_rad), std::cos(plant.yaw_rad), age, how.share},
             {wind.x, wind.y, sun, through},
             bytes_of(haze_at(g.view, middle_m)),
-            bytes_of({0.5F * tint, how.to_coarser})};
+            bytes_of({0.5F * tint, 0}),
+            bytes_of({how.to_coarser, how.mass_to_coarser, how.merged, 0})};
 }
 
+// Of a part's levels, finest first.
+struct Level {
+    std::size_t at = 0;
+    float to_coarser = 0;
+};
+
 // The finest level within so many triangles; it becomes the next one as they dwindle to its own.
-void choose_wood(const Kind& kind, float wanted, Closeness& how) {
-    const auto& levels = kind.wood_triangles;
-    how.wood_level = levels.empty() ? 0 : levels.size() - 1;
-    for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
-        const auto own = static_cast<float>(levels[level]);
+Level level_within(const std::vector<std::size_t>& triangles, float wanted) {
+    for (std::size_t level = 0; level + 1 < triangles.size(); ++level) {
+        const auto own = static_cast<float>(triangles[level]);
         if (own > wanted) continue;
-        how.wood_level = level;
-        const float finer = level > 0 ? static_cast<float>(levels[level - 1]) : own * kLeaving;
+        const float finer = level > 0 ? static_cast<float>(triangles[level - 1]) : own * kLeaving;
         const float begins = std::min(own * kLeaving, finer);
-        how.to_coarser = begins > own ? std::clamp((begins - wanted) / (begins - own), 0.0F, 1.0F) : 0;
-        return;
+        return {level, begins > own ? std::clamp((begins - wanted) / (begins - own), 0.0F, 1.0F) : 0.0F};
     }
+    return {triangles.empty() ? 0 : triangles.size() - 1};
 }
 
 // How far a crown is one mass: none of it while it is large on the screen, or its blades are many.
@@ -177,13 +182,6 @@ float least_stand(float height_px) {
     return kLeastStand + (1 - kLeastStand) * near;
 }
 
-void choose_mass(const Kind& kind, float wanted, Closeness& how) {
-    how.mass_level = 0;
-    while (how.mass_level + 1 < kind.mass_triangles.size() &&
-           static_cast<float>(kind.mass_triangles[how.mass_level]) > wanted)
-        ++how.mass_level;
-}
-
 }  // namespace
 
 float grown(float growth, float delay) {
@@ -196,18 +194,26 @@ float grown(float growth, float delay) {
 Closeness closeness(const Kind& kind, float height_px, float fineness) {
     Closeness how;
     const bool has_leaves = how.has_leaves = kind.blades > 0;
-    choose_wood(kind, std::sqrt(fineness) * (0.030F * height_px * height_px + 2), how);
+    const float wanted_wood = std::sqrt(fineness) * (0.030F * height_px * height_px + 2);
+    const Level wood = level_within(kind.wood_triangles, wanted_wood);
+    how.wood_level = wood.at;
+    how.to_coarser = wood.to_coarser;
     // A stem under half a pixel behind leaves is not missed.
     if (has_leaves && height_px < 14) how.wood_level = kind.wood_triangles.size();
     if (!has_leaves) return how;
-    float wanted_blades = fineness * 0.16F * height_px * height_px;
+    const float least = kind.mass_triangles.empty() ? kBladesFineness : 0;
+    float wanted_blades = std::max(fineness, least) * 0.16F * height_px * height_px;
     how.mass_level = kind.mass_triangles.size();
     const float merged = merged_crown(kind, wanted_blades, height_px, fineness);
     if (merged > 0) {
-        choose_mass(kind, std::max(fineness, kMassFineness) * 0.05F * height_px * height_px, how);
+        const float wanted = std::max(fineness, kMassFineness) * 0.05F * height_px * height_px;
+        const Level mass = level_within(kind.mass_triangles, wanted);
+        how.mass_level = mass.at;
+        how.mass_to_coarser = mass.to_coarser;
+        how.merged = merged;
         // The stem behind it is at its coarsest, which becomes nothing coarser.
         if (how.wood_level < kind.wood_triangles.size()) how.wood_level = kind.wood_triangles.size() - 1;
-        how.to_coarser = merged;
+        how.to_coarser = 0;
         wanted_blades *= 1 - kLeavesMerged * kind.massed * merged;
         const bool is_bare = merged > 0.9F && wanted_blades < kFewestOverMass && fineness < kLeafyFrom;
         how.has_leaves = (height_px > kMass_px && !is_bare) || kind.massed < 0.7F;

@@ -21,6 +21,7 @@ struct Instance {
     glm::vec4 wind_sun_through;
     glm::u8vec4 air;
     glm::u8vec4 half_tint;
+    glm::u8vec4 becoming;
 };
 
 // What choosing the detail of a species needs to know of it.
@@ -49,11 +50,13 @@ struct Batch {
 // How closely a plant of this many pixels is drawn. Finer for more pixels, never coarser.
 struct Closeness {
     std::size_t wood_level = 0;  // the number of levels: none
-    float to_coarser = 0;        // 0 that level to 1 the next one; of a crown that is a mass, how far it is
+    float to_coarser = 0;        // 0 that level to 1 the next one
     bool has_leaves = false;
     float share = 1;             // of the blades
     bool is_plain = false;       // which are too small to show their shape
     std::size_t mass_level = 0;  // the number of levels: none
+    float mass_to_coarser = 0;   // as of the wood
+    float merged = 0;            // how far the crown is that mass, 0 to 1
     float stand = 1;             // of plants so small, the share that stands for all of them, each larger
 };
 Closeness closeness(const Kind& kind, float height_px, float fineness);

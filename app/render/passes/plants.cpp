@@ -48,9 +48,9 @@ struct LeafSurface {
 
 struct MassPlace {
     glm::vec3 position_m;
+    std::uint16_t to_coarser_m[3];  // half floats
     std::uint8_t age;
     std::uint8_t sway;
-    std::uint16_t unused;
 };
 struct MassSurface {
     PackedNormal normal;
@@ -61,14 +61,23 @@ float entry(const std::vector<float>& values, std::size_t i, float missing) {
     return i < values.size() ? values[i] : missing;
 }
 
+void put_halves(const glm::vec3& v, std::uint16_t (&halves)[3]) {
+    for (int axis = 0; axis < 3; ++axis) halves[axis] = glm::packHalf1x16(v[axis]);
+}
+
 WoodPlace place_of(const scene::Wood& wood, std::size_t i) {
     const bool is_coarsest = wood.coarser_m.empty();
     const float sway = entry(wood.sways, i, 0);
     WoodPlace place{wood.mesh.positions_m[i], {}, 0, unsigned_byte(entry(wood.ages, i, 0)), unsigned_byte(sway), 0, 0};
     place.coarser_sway = is_coarsest ? place.sway : unsigned_byte(wood.coarser_sways[i]);
     if (is_coarsest) return place;
-    const glm::vec3 way_m = wood.coarser_m[i] - place.position_m;
-    for (int axis = 0; axis < 3; ++axis) place.to_coarser_m[axis] = glm::packHalf1x16(way_m[axis]);
+    put_halves(wood.coarser_m[i] - place.position_m, place.to_coarser_m);
+    return place;
+}
+
+MassPlace place_of(const scene::CrownMass& mass, std::size_t i) {
+    MassPlace place{mass.mesh.positions_m[i], {}, unsigned_byte(mass.ages[i]), unsigned_byte(mass.sways[i])};
+    if (!mass.coarser_m.empty()) put_halves(mass.coarser_m[i] - place.position_m, place.to_coarser_m);
     return place;
 }
 
@@ -103,10 +112,8 @@ LeafSurface surface_of(const scene::Leaves::Vertex& v) {
 void add_mass(gl::Slices& slices, MassOnGpu& mass, const std::shared_ptr<const scene::CrownMass>& source) {
     const std::size_t vertices = source->mesh.positions_m.size();
     mass.index_count = source->mesh.indices.size();
-    gl::add_made<MassPlace>(slices, mass.places, GL_ARRAY_BUFFER, vertices, [source](std::size_t i) {
-        return MassPlace{source->mesh.positions_m[i], unsigned_byte(source->ages[i]), unsigned_byte(source->sways[i]),
-                         0};
-    });
+    gl::add_made<MassPlace>(slices, mass.places, GL_ARRAY_BUFFER, vertices,
+                            [source](std::size_t i) { return place_of(*source, i); });
     gl::add_made<MassSurface>(slices, mass.surfaces, GL_ARRAY_BUFFER, vertices, [source](std::size_t i) {
         const glm::vec3 colour = source->colours[i];
         return MassSurface{packed_normal(source->mesh.normals[i]), root_byte(colour.r), root_byte(colour.g),
@@ -224,7 +231,8 @@ const std::initializer_list<gl::Attribute> kInstanceAttributes{
     {9, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Instance, turn_grown_share)},
     {10, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Instance, wind_sun_through)},
     {11, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, air)},
-    {12, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, half_tint)}};
+    {12, 3, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, half_tint)},
+    {13, 3, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, becoming)}};
 
 std::size_t halvings(std::size_t all, std::size_t left) {
     std::size_t count = 0;
@@ -284,7 +292,8 @@ PlantsPass::PlantsPass()
                       sizeof(MassPlace),
                       gl::Advance::PerVertex,
                       {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(MassPlace, position_m)},
-                       {2, 2, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(MassPlace, age)}}},
+                       {2, 2, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(MassPlace, age)},
+                       {3, 3, GL_HALF_FLOAT, gl::Numbers::AsTheyAre, offsetof(MassPlace, to_coarser_m)}}},
                      {1,
                       sizeof(MassSurface),
                       gl::Advance::PerVertex,

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <map>
+#include <numeric>
 #include <span>
 
 #include "mesh/isosurface.hpp"
@@ -229,30 +230,42 @@ float reach_m(const mesh::Mesh& mesh) {
     return reach;
 }
 
-// The first so many of these clumps, each so much larger, but no further from the root than the crown was.
-mesh::Mesh enlarged(const mesh::Mesh& crown, std::span<const Clump> clumps, float larger) {
+// What is left of a crown when all but some of its clumps are left out.
+struct Fewer {
+    mesh::Mesh mesh;
+    std::vector<std::uint32_t> sources;  // the crown's vertex that each of these is
+    std::vector<glm::vec3> at_m;         // where each of the crown's is now; of a clump that is left out, in its middle
+};
+
+// The first so many of these clumps are left, each so much larger, but no further from the root than the crown was.
+Fewer enlarged(const mesh::Mesh& crown, std::span<const Clump> clumps, std::size_t kept, float larger) {
     const float most_m = reach_m(crown);
-    mesh::Mesh made;
-    for (const Clump& clump : clumps) {
-        const glm::vec3 about_m = middle_m(crown, clump);
+    Fewer fewer;
+    fewer.at_m = crown.positions_m;
+    for (std::size_t c = 0; c < clumps.size(); ++c) {
+        const glm::vec3 about_m = middle_m(crown, clumps[c]);
         std::map<std::uint32_t, std::uint32_t> now;
-        for (const std::uint32_t first : clump) {
+        for (const std::uint32_t first : clumps[c]) {
             for (std::uint32_t k = 0; k < 3; ++k) {
                 const std::uint32_t was = crown.indices[first + k];
-                const auto [at, is_new] = now.try_emplace(was, static_cast<std::uint32_t>(made.positions_m.size()));
-                made.indices.push_back(at->second);
+                const auto [at, is_new] = now.try_emplace(was, static_cast<std::uint32_t>(fewer.sources.size()));
+                if (is_new) {
+                    const glm::vec3 larger_m = glm::mix(about_m, crown.positions_m[was], larger);
+                    fewer.at_m[was] = c < kept ? larger_m * std::min(most_m / glm::length(larger_m), 1.0F) : about_m;
+                }
+                if (c >= kept) continue;
+                fewer.mesh.indices.push_back(at->second);
                 if (!is_new) continue;
-                const glm::vec3 at_m = glm::mix(about_m, crown.positions_m[was], larger);
-                made.positions_m.push_back(at_m * std::min(most_m / glm::length(at_m), 1.0F));
+                fewer.sources.push_back(was);
+                fewer.mesh.positions_m.push_back(fewer.at_m[was]);
             }
         }
     }
-    return made;
+    return fewer;
 }
 
-// What is left of a crown when all but the first of its clumps are left out, so many triangles at most but one clump
-// at least. They are larger for it, so that as much is covered as may be.
-mesh::Mesh first_clumps(const mesh::Mesh& crown, std::span<const Clump> clumps, std::size_t most_triangles) {
+// With so many triangles at most but one clump at least. They are larger for it, so that as much is covered as may be.
+Fewer first_clumps(const mesh::Mesh& crown, std::span<const Clump> clumps, std::size_t most_triangles) {
     const auto area = [&](const Clump& clump) { return area_m2(crown, clump); };
     float all_m2 = 0;
     for (const Clump& clump : clumps) all_m2 += area(clump);
@@ -264,7 +277,7 @@ mesh::Mesh first_clumps(const mesh::Mesh& crown, std::span<const Clump> clumps, 
         kept_m2 += area(clumps[kept]);
     }
     const float larger = std::min(std::sqrt(all_m2 / std::max(kept_m2, 1e-9F)), kMostLarger);
-    return enlarged(crown, clumps.first(kept), larger);
+    return enlarged(crown, clumps, kept, larger);
 }
 
 // Where clumps cannot be any simpler, there are fewer of them, the largest.
@@ -272,10 +285,14 @@ void add_fewer_clumps(std::vector<scene::CrownMass>& masses, const Density& dens
     const mesh::Mesh simplest = masses.back().mesh;
     auto clumps = mesh::pieces_of(simplest);
     std::ranges::stable_sort(clumps, std::greater{}, [&](const Clump& clump) { return area_m2(simplest, clump); });
+    std::vector<std::uint32_t> sources(simplest.positions_m.size());
+    std::iota(sources.begin(), sources.end(), 0U);
     for (std::size_t most = simplest.triangle_count() / 2; most >= kFewestTriangles; most /= 2) {
-        const mesh::Mesh fewer = first_clumps(simplest, clumps, most);
-        if (fewer.triangle_count() >= masses.back().mesh.triangle_count()) return;
-        masses.push_back(coloured(fewer, density, share));
+        Fewer fewer = first_clumps(simplest, clumps, most);
+        if (fewer.mesh.triangle_count() >= masses.back().mesh.triangle_count()) return;
+        for (const std::uint32_t source : sources) masses.back().coarser_m.push_back(fewer.at_m[source]);
+        sources = std::move(fewer.sources);
+        masses.push_back(coloured(fewer.mesh, density, share));
     }
 }
 
@@ -304,6 +321,7 @@ std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves) {
         const bool is_last = i + 1 == chain.levels.size();
         if (level.positions_m.size() > kFinest && !(is_last && masses.empty())) continue;
         if (volume_of(level) < kLeastVolume * whole_volume) break;
+        if (!masses.empty()) masses.back().coarser_m = mesh::morph_targets_m(chain, i - 1);
         masses.push_back(coloured(level, density, share));
     }
     if (!masses.empty()) add_fewer_clumps(masses, density, share);

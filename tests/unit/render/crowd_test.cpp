@@ -174,6 +174,28 @@ TEST(Closeness, WoodHasBecomeTheNextLevelWhenThatTakesItsPlace) {
     }
 }
 
+TEST(Closeness, AMassHasBecomeTheNextLevelWhenThatTakesItsPlace) {
+    const std::size_t levels = leafy().mass_triangles.size();
+    ASSERT_GE(levels, 2U);
+    for (const float fineness : {0.01F, 1.0F, 2.0F}) {
+        Closeness before = closeness(leafy(), 400, fineness);
+        int changes = 0;
+        for (float px = 400; px > 2; px *= 0.9995F) {
+            const Closeness now = closeness(leafy(), px, fineness);
+            if (before.mass_level < levels && now.mass_level != before.mass_level) {
+                EXPECT_EQ(now.mass_level, before.mass_level + 1);
+                EXPECT_GT(before.mass_to_coarser, 0.98F) << px;
+                EXPECT_LT(now.mass_to_coarser, 0.02F) << px;
+                ++changes;
+            } else if (before.mass_level < levels) {
+                EXPECT_NEAR(now.mass_to_coarser, before.mass_to_coarser, 0.02F) << px;
+            }
+            before = now;
+        }
+        EXPECT_GE(changes, 1) << fineness;
+    }
+}
+
 TEST(Closeness, ACrownBecomesOneMassGraduallyAndNearbyNever) {
     for (const float fineness : {0.1F, 0.5F, 1.0F}) {
         Closeness before = closeness(leafy(), 400, fineness);
@@ -188,10 +210,10 @@ TEST(Closeness, ACrownBecomesOneMassGraduallyAndNearbyNever) {
                 EXPECT_TRUE(is_mass);
             }
             if (is_mass && !was_mass) {
-                EXPECT_LT(now.to_coarser, 0.05F) << px;
+                EXPECT_LT(now.merged, 0.05F) << px;
             }
             if (is_mass && was_mass) {
-                EXPECT_GE(now.to_coarser + 1e-6F, before.to_coarser);
+                EXPECT_GE(now.merged + 1e-6F, before.merged);
             }
             before = now;
         }
@@ -211,6 +233,17 @@ TEST(Closeness, ACrownOfAHandfulOfBladesIsOneMassHoweverLarge) {
                 EXPECT_GE(leafy().mass_triangles[how.mass_level], 28U) << px;
             }
         }
+    }
+}
+
+TEST(Closeness, ACrownThatIsNeverAMassKeepsBladesNearBy) {
+    for (const float fineness : {0.0F, 0.001F, 0.01F}) {
+        const auto blades = [&](float px) {
+            return closeness(tree(), px, fineness).share * static_cast<float>(tree().blades);
+        };
+        EXPECT_GE(blades(400), 200) << fineness;
+        EXPECT_GE(blades(100), 12) << fineness;
+        EXPECT_LE(blades(20), 8) << fineness;
     }
 }
 

@@ -69,7 +69,9 @@ TEST_F(Programs, ReadAnInstanceAsTheStructThatFillsIt) {
     EXPECT_EQ(glGetAttribLocation(leaves.name(), "wind_sun_through"), 10);
     EXPECT_EQ(glGetAttribLocation(leaves.name(), "air"), 11);
     EXPECT_EQ(glGetAttribLocation(leaves.name(), "half_tint"), 12);
-    EXPECT_EQ(sizeof(passes::Instance), 56U);
+    const Program crown("crown.vert", "lit.frag");
+    EXPECT_EQ(glGetAttribLocation(crown.name(), "becoming"), 13);
+    EXPECT_EQ(sizeof(passes::Instance), 60U);
 }
 
 TEST_F(Programs, NameFileAndLineOfAnErrorInAnInclude) {

@@ -332,7 +332,7 @@ float area_of(const mesh::Mesh& mesh) {
     return sum;
 }
 
-TEST(CrownMass, OfManyClumpsHasFewerAndLargerOnesFarAway) {
+scene::Leaves nine_clumps() {
     scene::Leaves clumps;
     for (int i = 0; i < 9; ++i) {
         const scene::Leaves one = blades_on_a_ball(900);
@@ -345,7 +345,11 @@ TEST(CrownMass, OfManyClumpsHasFewerAndLargerOnesFarAway) {
         for (const std::uint32_t index : one.indices) clumps.indices.push_back(first + index);
         clumps.blades += one.blades;
     }
-    const auto masses = crown_masses(clumps);
+    return clumps;
+}
+
+TEST(CrownMass, OfManyClumpsHasFewerAndLargerOnesFarAway) {
+    const auto masses = crown_masses(nine_clumps());
     ASSERT_GE(masses.size(), 3U);
     EXPECT_GE(mesh::pieces_of(masses.front().mesh).size(), 5U);
     EXPECT_LE(masses.back().mesh.triangle_count(), 24U);
@@ -358,6 +362,29 @@ TEST(CrownMass, OfManyClumpsHasFewerAndLargerOnesFarAway) {
         ++fewer;
     }
     EXPECT_GE(fewer, 1);
+}
+
+// What a clump that is left out has become is a point: it has no surface any more.
+TEST(CrownMass, EndsOnTheNextLevelsSurface) {
+    for (const scene::Leaves& leaves : {blades_on_a_ball(3500), nine_clumps()}) {
+        const auto masses = crown_masses(leaves);
+        ASSERT_GE(masses.size(), 3U);
+        for (std::size_t level = 0; level + 1 < masses.size(); ++level) {
+            const scene::CrownMass& mass = masses[level];
+            ASSERT_EQ(mass.coarser_m.size(), mass.mesh.positions_m.size()) << level;
+            mesh::Mesh become = mass.mesh;
+            become.positions_m = mass.coarser_m;
+            const mesh::Nearness next(masses[level + 1].mesh);
+            for (std::size_t i = 0; i < become.indices.size(); i += 3) {
+                const auto corner = [&](std::size_t k) { return become.positions_m[become.indices[i + k]]; };
+                const bool is_point = corner(0) == corner(1) && corner(1) == corner(2);
+                for (std::size_t k = 0; k < 3 && !is_point; ++k)
+                    EXPECT_LT(next.distance_m(corner(k)), 1e-3F) << level << " " << i;
+            }
+            EXPECT_NEAR(area_of(become), area_of(masses[level + 1].mesh), 1e-2F * area_of(become)) << level;
+        }
+        EXPECT_TRUE(masses.back().coarser_m.empty());
+    }
 }
 
 TEST(CrownMass, IsNotThereWhereTheSkyShinesThrough) {
