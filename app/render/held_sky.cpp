@@ -18,6 +18,7 @@ namespace {
 constexpr float kWider = 1.06F;      // than the view, in what of the picture plane it sees
 constexpr float kFineness = 0.45F;   // pixels a pixel of the view, a side
 constexpr float kMostShear = 0.03F;  // of the clouds' height: two degrees overhead
+constexpr float kMostDimmed = 0.1F;  // cloud, air and dome do not dim by quite the same factor
 
 // From a direction to clip x, y and w: where it ends does not depend on how long it is.
 glm::mat3 clip_from_direction(const glm::mat4& clip_from_world) {
@@ -27,10 +28,11 @@ glm::mat3 clip_from_direction(const glm::mat4& clip_from_world) {
     return m;
 }
 
-// The layer that is seen most of.
+// The layer that hides most.
 const scene::CloudLayer& leading(const GpuScene& scene) {
     const auto& layers = scene.air.sky.clouds;
-    return layers[0].opacity > 0 ? layers[0] : layers[1];
+    const auto cover = [](const scene::CloudLayer& layer) { return layer.opacity * layer.mean_density; };
+    return cover(layers[1]) > cover(layers[0]) ? layers[1] : layers[0];
 }
 
 // From where the layer's clouds are seen now to where they were seen then: what is over the eye at height 1.
@@ -45,8 +47,6 @@ glm::mat3 drift(const scene::CloudLayer& layer, const glm::vec4& eye_seconds, co
     return shear;
 }
 
-constexpr float kMostDimmed = 0.1F;  // cloud, air and dome do not dim by quite the same factor
-
 }  // namespace
 
 const float kSkyDrawnAnew = kWider * kWider * kFineness * kFineness / HeldSky::kFrames;
@@ -55,7 +55,8 @@ bool HeldSky::serves(const View& view, const passes::ViewBlock& now) const {
     if (scene_.lock() != view.scene || viewport_ != view.viewport || fov_deg_ != view.camera.vertical_fov_deg)
         return false;
     const glm::mat3 shear = drift(leading(*view.scene), now.eye_seconds, held_.eye_seconds);
-    if (std::abs(shear[1].x) > kMostShear || std::abs(shear[1].z) > kMostShear) return false;
+    for (const float moved : {shear[1].x, shear[1].z, shear[0].x - 1})
+        if (std::abs(moved) > kMostShear) return false;
     if (std::abs(kept(now) - 1) > kMostDimmed) return false;
     const glm::mat3 m = from_view(view, now);
     constexpr std::array<glm::vec2, 4> kCorners{glm::vec2{-1, -1}, glm::vec2{1, -1}, glm::vec2{-1, 1}, glm::vec2{1, 1}};

@@ -155,10 +155,7 @@ void Renderer::Parts::fill(const std::vector<Selection>& selections) {
 gl::Work Renderer::Parts::hold_skies(const Frame& frame, std::vector<Selection>& selections) {
     gl::Work work;
     ++frames;
-    if (!frame.is_one_of_many || !frame.measured.sky || frame.measured.is_counted || gl::Wires::are_on()) {
-        skies.clear();
-        return work;
-    }
+    if (!frame.is_one_of_many || !frame.measured.sky || frame.measured.is_counted || frame.is_wired) return work;
     skies.resize(frame.views.size());
     for (std::size_t slot = 0; slot < skies.size(); ++slot) {
         const View& view = frame.views[slot];
@@ -349,7 +346,7 @@ Drawn Renderer::rehearse(const Frame& like) {
     frame.detail.scale = 0.5F;
     draw(frame);
     parts_->grounds.clear();  // another scene may get the address of this one
-    parts_->skies.clear();
+    parts_->skies.clear();    // of this size they are not needed again
     return drawn;
 }
 

@@ -26,6 +26,7 @@ constexpr float kRoomShare = 0.95F;  // of the frames must have had room before 
 constexpr float kLeastRoom = 0.5F;
 constexpr float kLateTakes = 0.85F;     // a late frame, of that room
 constexpr float kLateTakesNow = 0.95F;  // of the level
+constexpr float kLeastByOnes = 0.8F;    // of the level that was chosen last
 constexpr float kRoomGrows = 0.0018F;   // octaves a second: it comes back within minutes
 constexpr float kMuchRoom = 0.6F;       // of that room: a frame drawn so early leaves room for much more detail
 
@@ -69,11 +70,7 @@ void DetailGovernor::frame(const FrameTold& told) {
         late_took_ = std::max(late_took_, told.took);
         begin_calm(told.now);
         room_ = std::max(room_ * kLateTakes, kLeastRoom);
-        // One of many is soon forgiven; it costs what cannot be seen.
-        if (told.is_growing)
-            growing_share_ = std::max(growing_share_ * kLateTakes, kLeastGrowing);
-        else
-            target_ = std::max(target_ * kLateTakesNow, std::min(GovernorOptions::kLeast, most_));
+        if (told.used > room_) yield_a_little(told);
     }
     ++frames_calm_;
     // What it would have used with all the detail that is aimed at: about half of a frame's time follows the level.
@@ -97,6 +94,17 @@ void DetailGovernor::glide(const FrameTold& told) {
     room_ = std::min(room_ * back, kRoom);
     growing_share_ = std::min(growing_share_ * back, kGrowing);
     recovered_ = is_growing_ ? growing_share_ : std::min(recovered_ * std::exp2(0.4F * passed_s), 1.0F);
+}
+
+// One late frame of many costs what cannot be seen, where it was late for what was drawn. Many together are for
+// give_way(): until then no more than this is taken.
+void DetailGovernor::yield_a_little(const FrameTold& told) {
+    if (told.is_growing) {
+        growing_share_ = std::max(growing_share_ * kLateTakes, kLeastGrowing);
+    } else if (target_ > GovernorOptions::kLeast) {
+        target_ = std::min(target_, std::max({target_ * kLateTakesNow, least_by_ones_, GovernorOptions::kLeast}));
+        if (target_ <= GovernorOptions::kLeast) at_least_since_ = told.now;
+    }
 }
 
 void DetailGovernor::give_way(const FrameTold& told) {
@@ -139,6 +147,7 @@ void DetailGovernor::try_more(const FrameTold& told) {
     before_raise_ = target_;
     target_ = std::min(target_ * (had_much_room ? kMuchMore : kOneMore), most_);
     raised_at_ = told.now;
+    least_by_ones_ = kLeastByOnes * target_;
     say(had_much_room ? "in time, with much room" : "in time, with room", before_raise_, told);
 }
 
@@ -146,6 +155,7 @@ void DetailGovernor::begin_anew(Instant now) {
     late_.reset();
     late_took_ = 0ns;
     changed_at_ = now;
+    least_by_ones_ = kLeastByOnes * target_;
     begin_calm(now);
 }
 

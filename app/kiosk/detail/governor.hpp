@@ -55,6 +55,7 @@ class DetailGovernor {
 
     bool is_late(const FrameTold& told) const;
     void glide(const FrameTold& told);
+    void yield_a_little(const FrameTold& told);
     void give_way(const FrameTold& told);
     void try_more(const FrameTold& told);
     void say(const char* why, float before, const FrameTold& told);
@@ -74,6 +75,7 @@ class DetailGovernor {
     Instant calm_since_{0};
     Instant changed_at_{0};
     float room_ = kRoom;  // less where what comes between, landscapes that grow beside it, makes frames late
+    float least_by_ones_ = 0;  // level: single late frames take no more
     int frames_with_room_ = 0;
     int frames_with_much_room_ = 0;
     int frames_calm_ = 0;

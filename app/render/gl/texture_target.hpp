@@ -8,6 +8,8 @@ namespace quadrat::render::gl {
 class TextureTarget {
   public:
     TextureTarget() { glGenFramebuffers(1, &framebuffer_); }
+    TextureTarget(const TextureTarget&) = delete;
+    TextureTarget& operator=(const TextureTarget&) = delete;
 
     // While it lives, what is drawn goes into the texture's finest level, all of it the viewport; no test is enabled.
     class Drawing {

@@ -229,8 +229,8 @@ gl::Work SkyPass::draw_held(const gl::Texture2D& held, const glm::mat3& held_fro
     held_.use();
     glUniformMatrix3fv(0, 1, GL_FALSE, glm::value_ptr(held_from_view));
     glUniform1f(1, kept);
-    constexpr int kSide =
-        6;  // squares: a twentieth of a pixel off in their middles where the view has turned by a degree
+    // A twentieth of a pixel off in the middle of a square where the view has turned by a degree.
+    constexpr int kSide = 6;
     glUniform1i(2, kSide);
     held.bind(3);
     glBindVertexArray(0);

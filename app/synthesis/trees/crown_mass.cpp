@@ -280,9 +280,25 @@ Fewer first_clumps(const mesh::Mesh& crown, std::span<const Clump> clumps, std::
     return enlarged(crown, clumps, kept, larger);
 }
 
+// These of its vertices, with all that they are but their place.
+scene::CrownMass fewer_of(const scene::CrownMass& from, const Fewer& fewer) {
+    scene::CrownMass mass;
+    mass.share = from.share;
+    mass.mesh = fewer.mesh;
+    for (const std::uint32_t source : fewer.sources) {
+        mass.mesh.normals.push_back(from.mesh.normals[source]);
+        mass.colours.push_back(from.colours[source]);
+        mass.shades.push_back(from.shades[source]);
+        mass.ages.push_back(from.ages[source]);
+        mass.sways.push_back(from.sways[source]);
+    }
+    return mass;
+}
+
 // Where clumps cannot be any simpler, there are fewer of them, the largest.
-void add_fewer_clumps(std::vector<scene::CrownMass>& masses, const Density& density, float share) {
-    const mesh::Mesh simplest = masses.back().mesh;
+void add_fewer_clumps(std::vector<scene::CrownMass>& masses) {
+    const scene::CrownMass whole = masses.back();
+    const mesh::Mesh& simplest = whole.mesh;
     auto clumps = mesh::pieces_of(simplest);
     std::ranges::stable_sort(clumps, std::greater{}, [&](const Clump& clump) { return area_m2(simplest, clump); });
     std::vector<std::uint32_t> sources(simplest.positions_m.size());
@@ -291,8 +307,8 @@ void add_fewer_clumps(std::vector<scene::CrownMass>& masses, const Density& dens
         Fewer fewer = first_clumps(simplest, clumps, most);
         if (fewer.mesh.triangle_count() >= masses.back().mesh.triangle_count()) return;
         for (const std::uint32_t source : sources) masses.back().coarser_m.push_back(fewer.at_m[source]);
+        masses.push_back(fewer_of(whole, fewer));
         sources = std::move(fewer.sources);
-        masses.push_back(coloured(fewer.mesh, density, share));
     }
 }
 
@@ -324,7 +340,7 @@ std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves) {
         if (!masses.empty()) masses.back().coarser_m = mesh::morph_targets_m(chain, i - 1);
         masses.push_back(coloured(level, density, share));
     }
-    if (!masses.empty()) add_fewer_clumps(masses, density, share);
+    if (!masses.empty()) add_fewer_clumps(masses);
     return masses;
 }
 

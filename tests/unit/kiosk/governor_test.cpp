@@ -169,6 +169,21 @@ TEST(Governor, DrawsLessWhileLandscapesGrowWhereSingleFramesComeLateThen) {
     EXPECT_GT(alone.least / alone.most, 1.2F * later.least / later.most) << "it comes back";
 }
 
+TEST(Governor, SingleFramesTakeLittleHoweverManyAndNothingWhereDrawingWasInTime) {
+    for (const float used : {0.4F, 1.0F}) {
+        DetailGovernor governor({1, 0.9F});
+        int frame = 0;
+        for (Instant now{0}; now < 10min; ++frame) {
+            const bool is_late = frame % 180 == 90;
+            const Instant took = is_late ? 2 * kPeriod : kPeriod;
+            now += took;
+            governor.frame({now, took, kPeriod, is_late ? used : 0.4F, false});
+        }
+        EXPECT_GT(governor.settled(), used < 1 ? 0.89F : 0.7F) << used;
+        EXPECT_EQ(governor.periods(), 1);
+    }
+}
+
 TEST(Governor, CatchesUpFasterWhereThereIsMuchRoom) {
     const auto raised_in_half_a_minute = [](float for_detail_ms) {
         DetailGovernor governor({1, 0.05F});

@@ -74,7 +74,7 @@ TEST(HeldSky, LooksAsIfItWereDrawnAnew) {
             const float seconds = 20 + static_cast<float>(n) / 15;
             moments.push_back({scene, looking_up(*scene, seconds), seconds});
         }
-        for (const render::Hanging hanging : {render::Hanging{0, false}, render::Hanging{2, true}}) {
+        for (const render::Hanging hanging : {render::Hanging{0, false}, render::Hanging{1, true}}) {
             const auto held = shown(moments, hanging, true);
             const auto whole = shown(moments, hanging, false);
             std::size_t reused = 0;
@@ -87,25 +87,58 @@ TEST(HeldSky, LooksAsIfItWereDrawnAnew) {
     }
 }
 
+TEST(HeldSky, MovesWithItsClouds) {
+    const SceneOf calm = grow(genome::random_recipe(base::Seed{5}), {65, 64, 128});
+    auto sky = std::make_shared<scene::Sky>(*calm->sky);
+    sky->clouds[0].wind_m_s = {40, 10};
+    sky->clouds[0].height_m = 500;
+    sky->clouds[0].opacity = 0.9F;
+    sky->clouds[1].opacity = 0;
+    mesh::Image squares(64, 64, 1);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) *squares.pixel(x, y) = (x / 8 + y / 8) % 2 == 0 ? 255 : 0;
+    sky->clouds[0].density = sky->clouds[0].lit = squares;
+    sky->clouds[0].mean_density = 0.5F;
+    sky->clouds[0].tile_m = 700;
+    sky->precipitation.kind = scene::Precipitation::Kind::None;
+    auto windy = std::make_shared<scene::Scene>(*calm);
+    windy->sky = sky;
+    scene::Camera up = looking_up(*windy, 0);
+    up.target_m.y += glm::distance(up.eye_m, up.target_m);
+    std::vector<Moment> moments;
+    for (int n = 0; n < 12; ++n) moments.push_back({windy, up, 20 + static_cast<float>(n) / 15});
+    const auto held = shown(moments, {}, true);
+    const auto whole = shown(moments, {}, false);
+    for (std::size_t n = 3; n < moments.size(); ++n) {
+        EXPECT_LT(difference(held[n], whole[n]), kUnseen) << n;
+        EXPECT_GT(difference(whole[n - 3], whole[n]), 2 * kUnseen) << "as it would be, standing still";
+    }
+}
+
 TEST(HeldSky, IsDrawnAnewWhereTheEyeTurnsAwayTimeJumpsOrAnotherSceneComes) {
     const SceneOf scene = grow(genome::random_recipe(base::Seed{3}), {65, 64, 128});
     const SceneOf next = grow(genome::random_recipe(base::Seed{4}), {65, 64, 128});
     Moment moment{scene, looking_up(*scene, 0)};
-    std::vector<Moment> moments{moment};
+    std::vector<Moment> changes{moment};
     const glm::vec3 ahead = moment.camera.target_m - moment.camera.eye_m;
     moment.camera.target_m = moment.camera.eye_m + glm::vec3{-ahead.x, ahead.y, -ahead.z};
-    moments.push_back(moment);
+    changes.push_back(moment);
     moment.seconds = 600;
-    moments.push_back(moment);
+    changes.push_back(moment);
     moment.scene = next;
-    moments.push_back(moment);
+    changes.push_back(moment);
     moment.dim = 1;
-    moments.push_back(moment);
-    const auto held = shown(moments, {}, true);
-    const auto whole = shown(moments, {}, false);
-    for (std::size_t n = 0; n < moments.size(); ++n) EXPECT_LT(difference(held[n], whole[n]), kUnseen) << n;
-    for (std::size_t n = 1; n + 1 < moments.size(); ++n)
-        EXPECT_GT(difference(whole[n - 1], whole[n]), 4 * kUnseen) << n;
+    changes.push_back(moment);
+    // Each of them on every frame between a view's turns.
+    for (std::size_t earlier = 0; earlier < 4; ++earlier) {
+        std::vector<Moment> moments(earlier, changes.front());
+        moments.insert(moments.end(), changes.begin(), changes.end());
+        const auto held = shown(moments, {}, true);
+        const auto whole = shown(moments, {}, false);
+        for (std::size_t n = 0; n < moments.size(); ++n) EXPECT_LT(difference(held[n], whole[n]), kUnseen) << n;
+        for (std::size_t n = earlier + 1; n < moments.size(); ++n)
+            EXPECT_GT(difference(whole[n - 1], whole[n]), 4 * kUnseen) << n;
+    }
 }
 
 }  // namespace
