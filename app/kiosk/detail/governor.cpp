@@ -99,10 +99,12 @@ void DetailGovernor::glide(const FrameTold& told) {
 // One late frame of many costs what cannot be seen, where it was late for what was drawn. Many together are for
 // give_way(): until then no more than this is taken.
 void DetailGovernor::yield_a_little(const FrameTold& told) {
+    const float before = target_;
     if (told.is_growing) {
         growing_share_ = std::max(growing_share_ * kLateTakes, kLeastGrowing);
     } else if (target_ > GovernorOptions::kLeast) {
         target_ = std::min(target_, std::max({target_ * kLateTakesNow, least_by_ones_, GovernorOptions::kLeast}));
+        if (target_ < before) say("late", before, told);
         if (target_ <= GovernorOptions::kLeast) at_least_since_ = told.now;
     }
 }

@@ -179,6 +179,7 @@ TEST(Governor, SingleFramesTakeLittleHoweverManyAndNothingWhereDrawingWasInTime)
             now += took;
             governor.frame({now, took, kPeriod, is_late ? used : 0.4F, false});
         }
+        EXPECT_EQ(governor.take_reason().has_value(), used >= 1) << "what changes is said";
         EXPECT_GT(governor.settled(), used < 1 ? 0.89F : 0.7F) << used;
         EXPECT_EQ(governor.periods(), 1);
     }
