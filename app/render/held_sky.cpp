@@ -51,20 +51,23 @@ glm::mat3 drift(const scene::CloudLayer& layer, const glm::vec4& eye_seconds, co
 
 const float kSkyDrawnAnew = kWider * kWider * kFineness * kFineness / HeldSky::kFrames;
 
-bool HeldSky::serves(const View& view, const passes::ViewBlock& now) const {
+std::optional<glm::mat3> HeldSky::from_view(const View& view, const passes::ViewBlock& now) const {
     if (scene_.lock() != view.scene || viewport_ != view.viewport || fov_deg_ != view.camera.vertical_fov_deg)
-        return false;
+        return std::nullopt;
     const glm::mat3 shear = drift(leading(*view.scene), now.eye_seconds, held_.eye_seconds);
     for (const float moved : {shear[1].x, shear[1].z, shear[0].x - 1})
-        if (std::abs(moved) > kMostShear) return false;
-    if (std::abs(kept(now) - 1) > kMostDimmed) return false;
-    const glm::mat3 m = from_view(view, now);
+        if (std::abs(moved) > kMostShear) return std::nullopt;
+    if (std::abs(kept(now) - 1) > kMostDimmed) return std::nullopt;
+    const glm::mat3 half{{0.5F, 0, 0}, {0, 0.5F, 0}, {0.5F, 0.5F, 1}};
+    const glm::mat3 m = half * clip_from_direction(held_.clip_from_world) * shear *
+                        glm::inverse(clip_from_direction(now.clip_from_world));
     constexpr std::array<glm::vec2, 4> kCorners{glm::vec2{-1, -1}, glm::vec2{1, -1}, glm::vec2{-1, 1}, glm::vec2{1, 1}};
-    return std::ranges::all_of(kCorners, [&](glm::vec2 corner) {
+    const bool covers = std::ranges::all_of(kCorners, [&](glm::vec2 corner) {
         const glm::vec3 at = m * glm::vec3{corner, 1};
         const glm::vec2 over = glm::vec2{at} / at.z;
         return at.z > 0 && over.x >= 0 && over.x <= 1 && over.y >= 0 && over.y <= 1;
     });
+    return covers ? std::optional(m) : std::nullopt;
 }
 
 gl::Work HeldSky::hold(const View& view, float seconds, const passes::SkyPass& sky, const gl::TextureTarget& target) {
@@ -87,13 +90,6 @@ gl::Work HeldSky::hold(const View& view, float seconds, const passes::SkyPass& s
     glClear(GL_COLOR_BUFFER_BIT);  // a tiler need not fetch what was there
     gl::bind_uniforms(block_, passes::kViewBinding, 0, sizeof(passes::ViewBlock));
     return sky.draw_dome(*view.scene->sky, passes::Frustum(clip_from_world), view.camera.eye_m);
-}
-
-glm::mat3 HeldSky::from_view(const View& view, const passes::ViewBlock& now) const {
-    const glm::mat3 half{{0.5F, 0, 0}, {0, 0.5F, 0}, {0.5F, 0.5F, 1}};
-    return half * clip_from_direction(held_.clip_from_world) *
-           drift(leading(*view.scene), now.eye_seconds, held_.eye_seconds) *
-           glm::inverse(clip_from_direction(now.clip_from_world));
 }
 
 }  // namespace quadrat::render

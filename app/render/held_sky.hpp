@@ -2,6 +2,7 @@
 #pragma once
 #include <glm/mat3x3.hpp>
 #include <memory>
+#include <optional>
 
 #include "render/gl/buffer.hpp"
 #include "render/gl/texture_target.hpp"
@@ -19,15 +20,13 @@ class HeldSky {
   public:
     static constexpr std::size_t kFrames = 4;  // from one turn of a view to its next
 
-    // now: the view's block of this frame. False: what is held would leave a corner of the view bare, or is of another
-    // scene, or too old for its dome.
-    bool serves(const View& view, const passes::ViewBlock& now) const;
+    // From the view's clip xy and 1 to coordinates of picture(), times depth. now: the view's block of this frame.
+    // None: what is held would leave a corner of the view bare, or is of another scene, or too old for its dome.
+    std::optional<glm::mat3> from_view(const View& view, const passes::ViewBlock& now) const;
     // Draws it anew. Leaves the framebuffer that was bound bound, and no test enabled.
     gl::Work hold(const View& view, float seconds, const passes::SkyPass& sky, const gl::TextureTarget& target);
 
     const gl::Texture2D& picture() const { return picture_; }
-    // From the view's clip xy and 1 to coordinates of picture(), times depth.
-    glm::mat3 from_view(const View& view, const passes::ViewBlock& now) const;
     // Of its light, where the view has been dimmed since.
     float kept(const passes::ViewBlock& now) const { return now.to_sun.w / held_.to_sun.w; }
 

@@ -105,7 +105,7 @@ struct Renderer::Parts {
     Selection select(const Frame& frame, std::size_t slot);
     void fill(const std::vector<Selection>& selections);
     gl::Work hold_skies(const Frame& frame, std::vector<Selection>& selections);
-    Drawn draw_views(const Frame& frame, const std::vector<Selection>& selections, float scale);
+    void draw_views(const Frame& frame, const std::vector<Selection>& selections, float scale, Drawn& drawn);
     void draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot,
                    const Rect& place, Drawn& drawn);
     void draw_signs(const Frame& frame);
@@ -161,15 +161,18 @@ gl::Work Renderer::Parts::hold_skies(const Frame& frame, std::vector<Selection>&
         const View& view = frame.views[slot];
         const passes::ViewBlock& now = selections[slot].block;
         const bool is_its_turn = frames % HeldSky::kFrames == slot % HeldSky::kFrames;
-        if (is_its_turn || !skies[slot].serves(view, now))
-            work += skies[slot].hold(view, frame.seconds, sky, sky_target);
-        selections[slot].held_sky_from_view = skies[slot].from_view(view, now);
+        std::optional<glm::mat3>& from_view = selections[slot].held_sky_from_view;
+        if (!is_its_turn) from_view = skies[slot].from_view(view, now);
+        if (from_view) continue;
+        work += skies[slot].hold(view, frame.seconds, sky, sky_target);
+        from_view = skies[slot].from_view(view, now);
     }
     return work;
 }
 
-// On the framebuffer that is bound, from its lower left corner.
-Drawn Renderer::Parts::draw_views(const Frame& frame, const std::vector<Selection>& selections, float scale) {
+// On the framebuffer that is bound, from its lower left corner. Adds to drawn, and sums it.
+void Renderer::Parts::draw_views(const Frame& frame, const std::vector<Selection>& selections, float scale,
+                                 Drawn& drawn) {
     // A tiler keeps the whole frame on its chip when colour, depth and stencil are cleared first, in one go.
     glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
@@ -182,13 +185,12 @@ Drawn Renderer::Parts::draw_views(const Frame& frame, const std::vector<Selectio
     glFrontFace(frame.hanging.is_mirrored ? GL_CW : GL_CCW);
     glDepthFunc(GL_LEQUAL);
     if (is_counted) count_fragments();
-    const auto draw_all = [&](Drawn& drawn) {
+    const auto draw_all = [&](Drawn& to) {
         for (std::size_t i = 0; i < frame.views.size(); ++i) {
             const Rect place = scaled(on_panel(frame.views[i].viewport, frame.size, frame.hanging), scale);
-            draw_view(frame.views[i], frame, selections[i], i, place, drawn);
+            draw_view(frame.views[i], frame, selections[i], i, place, to);
         }
     };
-    Drawn drawn;
     drawn.sent_bytes = selections.size() * passes::kViewBlockBytes + frame_instances.size() * sizeof(passes::Instance);
     for (const HeldGround& held : grounds) drawn.sent_bytes += held.sent_bytes();
     if (frame.is_wired) {
@@ -209,7 +211,6 @@ Drawn Renderer::Parts::draw_views(const Frame& frame, const std::vector<Selectio
     }
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
-    return drawn;
 }
 
 void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot,
@@ -306,17 +307,15 @@ Drawn Renderer::draw(const Frame& frame) {
     parts.grounds.resize(frame.views.size());
     std::vector<Selection> selections;
     for (std::size_t slot = 0; slot < frame.views.size(); ++slot) selections.push_back(parts.select(frame, slot));
-    const gl::Work held = parts.hold_skies(frame, selections);
+    Drawn drawn;
+    drawn.of[static_cast<std::size_t>(Kind::Sky)] = parts.hold_skies(frame, selections);
     parts.fill(selections);
 
     const glm::ivec2 size = turned_size(frame.size, frame.hanging);
     const glm::ivec2 drawn_size = scaled(size, frame.detail.scale);
     const GLuint smaller = drawn_size == size ? 0 : parts.reduced.of(size);
     glBindFramebuffer(GL_FRAMEBUFFER, smaller != 0 ? smaller : frame.framebuffer);
-    Drawn drawn = parts.draw_views(frame, selections, smaller != 0 ? std::clamp(frame.detail.scale, 0.25F, 1.0F) : 1);
-    drawn.of[static_cast<std::size_t>(Kind::Sky)] += held;
-    drawn.triangles += held.triangles;
-    drawn.draws += held.draws;
+    parts.draw_views(frame, selections, smaller != 0 ? std::clamp(frame.detail.scale, 0.25F, 1.0F) : 1, drawn);
     if (smaller != 0) parts.reduced.show(drawn_size, frame.framebuffer, size);
     parts.draw_signs(frame);
     const bool is_window = frame.framebuffer == 0;
