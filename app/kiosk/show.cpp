@@ -21,7 +21,6 @@ using Urgency = Keeper::Urgency;
 // that hangs must not end the visit.
 constexpr std::chrono::seconds kDiskPatience{4};
 constexpr std::size_t kMostWordsAsked = 10;  // that the configuration allows
-constexpr std::size_t kGallery = 3;          // landscapes of former visitors that stay on the GPU
 
 std::chrono::milliseconds milliseconds_of(double seconds) {
     return std::chrono::milliseconds(std::llround(seconds * 1000.0));
@@ -110,13 +109,14 @@ void Show::happen(const exhibit::Event& event, Instant now) {
     step(exhibit::next(state_, event, now, timings_), now);
     take_up(now);
     study_at_night();
+    regrow_gallery();
 }
 
 void Show::step(exhibit::Step step, Instant now) {
     const Screen before = state_.screen;
     state_ = std::move(step.state);
     for (const exhibit::Wish& wish : step.wishes) std::visit([&](const auto& one) { carry_out(one, now); }, wish);
-    if (before != state_.screen && state_.screen == Screen::Attract) gallery_.arrived = now;
+    if (before != state_.screen && state_.screen == Screen::Attract) gallery_.open(now);
 }
 
 breeding::Session Show::fresh_session() {
@@ -131,6 +131,7 @@ void Show::grow_offer(int generation, Keeper::Ticket kept) {
         candidates = {session_->favourite()};
     else
         candidates.assign(session_->offer().candidates.begin(), session_->offer().candidates.end());
+    stop_regrowing();
     refined_.reset();
     waiting_.emplace();
     waiting_->generation = generation;
@@ -174,6 +175,8 @@ void Show::carry_out(const exhibit::PrepareVisit& wish, Instant /*now*/) {
 }
 
 void Show::carry_out(const exhibit::BeginVisit& /*wish*/, Instant now) {
+    stop_regrowing();
+    gallery_.make_room();
     offered_.arrived = now;  // the four grow in before the visitor's eyes
     caption_.clear();        // the last visitor's
     visit_ = std::make_shared<std::int64_t>(0);
@@ -328,9 +331,7 @@ void Show::uploaded(Instant now) {
     done.act->arrived = state_.screen == Screen::Slide ? offered_.arrived : now;
     if (done.is_finale) {
         finale_ = *done.act;
-        gallery_.scenes.insert(gallery_.scenes.begin(), finale_.scenes.begin(), finale_.scenes.end());
-        if (gallery_.scenes.size() > kGallery) gallery_.scenes.resize(kGallery);
-        gallery_.number = finale_.number;
+        gallery_.hang(finale_);
     } else {
         offered_ = std::move(*done.act);
         base::log::info("the four of round {} are on the screen", session_->offer().round);
@@ -338,29 +339,11 @@ void Show::uploaded(Instant now) {
     happen(exhibit::GenerationReady{done.generation}, now);
 }
 
-const Act* Show::waiting_to_refine() {
-    if (!waiting_ && !refined_)
-        if (auto scenes = grower_.take_refined()) refined_ = Act{std::move(*scenes), {}, acts_, {}};
-    return refined_ ? &*refined_ : nullptr;
-}
-
-void Show::refined() {
-    if (!refined_) return;
-    for (Act* act : {&offered_, &finale_}) {
-        if (act->number != refined_->number) continue;
-        for (std::size_t i = 0; i < act->scenes.size(); ++i)
-            std::ranges::replace(gallery_.scenes, act->scenes[i], refined_->scenes[i]);
-        act->scenes = refined_->scenes;
-    }
-    refined_.reset();
-}
-
 void Show::finish_growing() {
     keeper_->wait(study_);
     school_->wait();
-    if (!waiting_) return;
-    keeper_->wait(waiting_->kept);
-    if (!waiting_->act) grower_.wait();
+    if (waiting_) keeper_->wait(waiting_->kept);
+    if (is_regrowing_ || (waiting_ && !waiting_->act)) grower_.wait();
 }
 
 void Show::follow(const Configuration& configuration) {
@@ -388,12 +371,12 @@ std::string Show::state_trouble() const {
 
 const Act& Show::on_stage() const {
     if (state_.screen == Screen::Finale || state_.screen == Screen::Describe) return finale_;
-    if (state_.screen == Screen::Attract && !gallery_.scenes.empty()) return gallery_;
+    if (state_.screen == Screen::Attract && !gallery_.act().scenes.empty()) return gallery_.act();
     return offered_;
 }
 
 std::vector<const Act*> Show::in_use() const {
-    return {&offered_, &finale_, &gallery_, refined_ ? &*refined_ : nullptr};
+    return {&offered_, &finale_, &gallery_.act(), refined_ ? &*refined_ : nullptr};
 }
 
 bool Show::can_go_back() const {

@@ -8,9 +8,11 @@
 #include "breeding/session.hpp"
 #include "exhibit/archive.hpp"
 #include "exhibit/visit.hpp"
+#include "kiosk/act.hpp"
 #include "kiosk/asked.hpp"
 #include "kiosk/clock.hpp"
 #include "kiosk/configuration.hpp"
+#include "kiosk/gallery.hpp"
 #include "kiosk/growing.hpp"
 #include "kiosk/keeper.hpp"
 #include "kiosk/school.hpp"
@@ -19,14 +21,6 @@ namespace quadrat::kiosk {
 
 exhibit::Timings timings_of(const Configuration& configuration);
 breeding::BreederOptions breeder_options_of(const Configuration& configuration);
-
-// Landscapes that belong together on the screen: four candidates, or one finale; and what they are grown from.
-struct Act {
-    Scenes scenes;
-    std::vector<genome::Recipe> recipes;
-    int number = 0;      // counts the acts of this run, from 1
-    Instant arrived{0};  // when it was first to be seen
-};
 
 struct ShowOptions {
     base::Seed seed;  // names all chance of this run
@@ -71,8 +65,8 @@ class Show {
     bool is_kept_within(std::chrono::nanoseconds patience);  // or the disk had time enough
     void uploaded(Instant now);
 
-    // The act that was uploaded last, in its own light instead of a first, coarse one; once it is on the GPU too, say
-    // refined(). None where it has grown so already.
+    // The act that was uploaded last, in its own light instead of a first, coarse one, where it has not grown so
+    // already; or what comes back to the gallery. Once it is on the GPU too, say refined().
     const Act* waiting_to_refine();
     void refined();
     bool is_refined() { return !refined_ && !grower_.is_refining(); }  // nothing is shown in a first light
@@ -126,6 +120,8 @@ class Show {
     std::vector<genome::WordId> words_to_ask() const;
     void study();
     void study_at_night();
+    void regrow_gallery();
+    void stop_regrowing();
     bool is_sliding() const { return timings_.asking == exhibit::Asking::Sliders; }
     breeding::Session fresh_session();
     void undo();
@@ -149,7 +145,8 @@ class Show {
     std::optional<Act> refined_;
     Act offered_;  // the four of this round, or of the visit to come
     Act finale_;
-    Act gallery_;  // what the last visitors bred, for Attract
+    Gallery gallery_;
+    bool is_regrowing_ = false;  // what is missing in it; nothing else grows then
     int acts_ = 0;
     int visits_ended_ = 0;
     std::optional<exhibit::Choice> last_press_;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What grows when nobody waits: landscapes that are shown already, in their own light, and those of the gallery.
+#include <utility>
+
+#include "kiosk/show.hpp"
+
+namespace quadrat::kiosk {
+
+using exhibit::Screen;
+
+// What a visit had no room for, when the four of the next stand and nobody has come.
+void Show::regrow_gallery() {
+    if (state_.screen != Screen::Attract || waiting_ || offered_.scenes.empty() || is_regrowing_ || !is_refined())
+        return;
+    const auto recipe = gallery_.missing();
+    if (!recipe) return;
+    is_regrowing_ = true;
+    genome::Candidate candidate;
+    candidate.values = recipe->values;
+    candidate.seeds = recipe->seeds;
+    grower_.order({{std::move(candidate)}, recipe->flight});
+}
+
+// What grows of it is not asked for any more.
+void Show::stop_regrowing() {
+    if (!std::exchange(is_regrowing_, false)) return;
+    refined_.reset();
+}
+
+const Act* Show::waiting_to_refine() {
+    if (!waiting_ && !refined_) {
+        // Nobody waits for what comes back to the gallery: it comes in its own light.
+        auto scenes = !is_regrowing_ ? grower_.take_refined() : is_refined() ? grower_.take() : std::nullopt;
+        if (scenes) refined_ = Act{std::move(*scenes), {}, acts_, {}};
+    }
+    return refined_ ? &*refined_ : nullptr;
+}
+
+void Show::refined() {
+    if (!refined_) return;
+    if (std::exchange(is_regrowing_, false)) {
+        gallery_.bring_back(refined_->scenes.front());
+        refined_.reset();
+        return;
+    }
+    for (Act* act : {&offered_, &finale_}) {
+        if (act->number != refined_->number) continue;
+        for (std::size_t i = 0; i < act->scenes.size(); ++i) gallery_.replace(act->scenes[i], refined_->scenes[i]);
+        act->scenes = refined_->scenes;
+    }
+    refined_.reset();
+}
+
+}  // namespace quadrat::kiosk

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/gallery.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "kiosk/show.hpp"
+#include "support/process.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+using namespace std::chrono_literals;
+using exhibit::Screen;
+
+Act finale(std::uint64_t seed) {
+    Act act;
+    act.scenes = {std::make_shared<const scene::Scene>()};
+    act.recipes = {genome::random_recipe(base::Seed{seed})};
+    act.number = static_cast<int>(seed);
+    return act;
+}
+
+TEST(Gallery, TheNewestComesFirstAndTheOldestGo) {
+    Gallery gallery;
+    std::vector<Act> acts;
+    for (std::uint64_t n = 1; n <= 5; ++n) {
+        acts.push_back(finale(n));
+        gallery.hang(acts.back());
+    }
+    EXPECT_EQ(gallery.act().scenes, (Scenes{acts[4].scenes[0], acts[3].scenes[0], acts[2].scenes[0]}));
+    EXPECT_EQ(gallery.act().number, 5);
+    EXPECT_FALSE(gallery.missing());
+}
+
+TEST(Gallery, WhatWentComesBackInItsOrder) {
+    Gallery gallery;
+    gallery.make_room();
+    EXPECT_TRUE(gallery.act().scenes.empty());
+    EXPECT_FALSE(gallery.missing());
+    const Act first = finale(1);
+    const Act second = finale(2);
+    gallery.hang(first);
+    gallery.hang(second);
+    gallery.make_room();
+    EXPECT_EQ(gallery.act().scenes, second.scenes);
+    const Act third = finale(3);
+    gallery.hang(third);
+    EXPECT_EQ(gallery.act().scenes, (Scenes{third.scenes[0], second.scenes[0]}));
+    ASSERT_TRUE(gallery.missing());
+    EXPECT_EQ(*gallery.missing(), first.recipes[0]);
+    gallery.bring_back(first.scenes[0]);
+    EXPECT_EQ(gallery.act().scenes, (Scenes{third.scenes[0], second.scenes[0], first.scenes[0]}));
+    EXPECT_FALSE(gallery.missing());
+}
+
+// The exhibit without a screen: whatever is grown counts as uploaded a frame later.
+class Visits : public testing::Test {
+  protected:
+    Visits() {
+        configuration_.visit.rounds = 1;
+        configuration_.visit.describe_words = 0;
+        configuration_.visit.finale_s = 10;
+        show_.emplace(configuration_,
+                      ShowOptions{base::Seed{1},
+                                  {1, {65, 64, 128}},
+                                  [] { return exhibit::WallTime{}; },
+                                  [] { return exhibit::WallTime{}; },
+                                  ""},
+                      exhibit::Archive::open(folder_.path(), {}).archive);
+        show_->open(now_);
+        settle();
+    }
+
+    void frame() {
+        now_ += 100ms;
+        show_->happen(exhibit::Tick{}, now_);
+        show_->finish_growing();
+        if (show_->waiting_for_upload() != nullptr)
+            show_->uploaded(now_);
+        else if (show_->waiting_to_refine() != nullptr)
+            show_->refined();
+    }
+    void settle() {
+        for (int i = 0; i < 40; ++i) frame();
+    }
+    void press() {
+        show_->happen(exhibit::Pressed{exhibit::Choice::A}, now_);
+        frame();
+        show_->happen(exhibit::Released{exhibit::Choice::A}, now_);
+        for (int i = 0; i < 10; ++i) frame();
+    }
+    // To the finale of a visit, which is given.
+    std::shared_ptr<const scene::Scene> breed() {
+        press();
+        EXPECT_EQ(show_->state().screen, Screen::Ask);
+        for (int i = 0; i < 100 && show_->state().screen != Screen::Finale; ++i) press();
+        EXPECT_EQ(show_->state().screen, Screen::Finale);
+        settle();
+        return show_->on_stage().scenes.at(0);
+    }
+    std::shared_ptr<const scene::Scene> play() {
+        const auto bred = breed();
+        for (int i = 0; i < 600 && show_->state().screen != Screen::Attract; ++i) frame();
+        EXPECT_EQ(show_->state().screen, Screen::Attract);
+        return bred;
+    }
+    const Act& gallery() const { return *show_->in_use()[2]; }
+
+    tests::TemporaryFolder folder_;
+    Configuration configuration_;
+    Instant now_{0};
+    std::optional<Show> show_;
+};
+
+TEST_F(Visits, MakeRoomAndWhatTheyBredGrowsAgainAfterThem) {
+    Scenes bred;
+    for (int visit = 0; visit < 4; ++visit) {
+        bred.insert(bred.begin(), play());
+        settle();
+        bred.resize(std::min(bred.size(), Gallery::kMost));
+        ASSERT_EQ(show_->on_stage().scenes.size(), bred.size());
+        for (std::size_t i = 0; i < bred.size(); ++i) {
+            const scene::Scene& shown = *show_->on_stage().scenes[i];
+            EXPECT_EQ(shown.light.ground, bred[i]->light.ground) << "the same, in its own light: " << i;
+            EXPECT_EQ(shown.plants.size(), bred[i]->plants.size());
+            EXPECT_EQ(shown.exposure, bred[i]->exposure);
+        }
+        press();
+        EXPECT_EQ(gallery().scenes.size(), 1) << "a visit needs the room";
+        EXPECT_EQ(show_->on_stage().scenes.size(), genome::kCandidates);
+        for (int i = 0; i < 2000 && show_->state().screen != Screen::Attract; ++i) frame();  // they walk away
+    }
+}
+
+TEST_F(Visits, AreNotKeptWaitingByWhatGrowsForTheGallery) {
+    play();
+    play();
+    breed();
+    for (int i = 0; i < 2000 && show_->state().screen != Screen::Attract; ++i) {
+        now_ += 10ms;
+        show_->happen(exhibit::Tick{}, now_);
+    }
+    ASSERT_EQ(gallery().scenes.size(), Gallery::kMost - 1) << "the oldest is not back yet";
+    ASSERT_TRUE(show_->is_growing());
+    const auto bred = play();
+    settle();
+    ASSERT_EQ(show_->on_stage().scenes.size(), Gallery::kMost);
+    EXPECT_EQ(show_->on_stage().scenes[0]->light.ground, bred->light.ground);
+}
+
+}  // namespace
+}  // namespace quadrat::kiosk
