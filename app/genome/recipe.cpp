@@ -28,6 +28,13 @@ void require_scene(const nlohmann::json& root, std::string_view source) {
 
 Recipe recipe_of(const Candidate& candidate, base::Seed flight) { return {candidate.values, candidate.seeds, flight}; }
 
+Candidate candidate_of(const Recipe& recipe) {
+    Candidate candidate;
+    candidate.values = recipe.values;
+    candidate.seeds = recipe.seeds;
+    return candidate;
+}
+
 Recipe random_recipe(base::Seed seed) {
     Recipe recipe;
     for (const Parameter& p : parameter_table()) {

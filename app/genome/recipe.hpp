@@ -21,6 +21,7 @@ struct Recipe {
 };
 
 Recipe recipe_of(const Candidate& candidate, base::Seed flight);
+Candidate candidate_of(const Recipe& recipe);  // grows the same; what it was bred from, bits or words, is not known
 
 // The scene seed:N — every parameter uniform over its range.
 Recipe random_recipe(base::Seed seed);

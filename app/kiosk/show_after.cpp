@@ -15,22 +15,21 @@ void Show::regrow_gallery() {
     const auto recipe = gallery_.missing();
     if (!recipe) return;
     is_regrowing_ = true;
-    genome::Candidate candidate;
-    candidate.values = recipe->values;
-    candidate.seeds = recipe->seeds;
-    grower_.order({{std::move(candidate)}, recipe->flight});
+    grower_.order({{genome::candidate_of(*recipe)}, recipe->flight});
 }
 
 // What grows of it is not asked for any more.
 void Show::stop_regrowing() {
-    if (!std::exchange(is_regrowing_, false)) return;
-    refined_.reset();
+    if (std::exchange(is_regrowing_, false)) refined_.reset();
 }
 
 const Act* Show::waiting_to_refine() {
     if (!waiting_ && !refined_) {
-        // Nobody waits for what comes back to the gallery: it comes in its own light.
-        auto scenes = !is_regrowing_ ? grower_.take_refined() : is_refined() ? grower_.take() : std::nullopt;
+        std::optional<Scenes> scenes;
+        if (!is_regrowing_)
+            scenes = grower_.take_refined();
+        else if (is_refined())  // nobody waits for what comes back to the gallery
+            scenes = grower_.take();
         if (scenes) refined_ = Act{std::move(*scenes), {}, acts_, {}};
     }
     return refined_ ? &*refined_ : nullptr;

@@ -44,12 +44,9 @@ void over_threads(Results& results, const std::string& name, const std::function
 }
 
 std::vector<genome::Candidate> random_candidates(std::uint64_t seed) {
-    std::vector<genome::Candidate> candidates(genome::kCandidates);
-    for (std::size_t i = 0; i < genome::kCandidates; ++i) {
-        const genome::Recipe recipe = genome::random_recipe(base::Seed{seed}.child(i));
-        candidates[i].values = recipe.values;
-        candidates[i].seeds = recipe.seeds;
-    }
+    std::vector<genome::Candidate> candidates;
+    for (std::size_t i = 0; i < genome::kCandidates; ++i)
+        candidates.push_back(genome::candidate_of(genome::random_recipe(base::Seed{seed}.child(i))));
     return candidates;
 }
 

@@ -75,6 +75,7 @@ TEST(Recipe, OfACandidateHasItsValuesItsSeedsAndTheFlight) {
     EXPECT_EQ(recipe.values, candidate.values);
     EXPECT_EQ(recipe.seeds, candidate.seeds);
     EXPECT_EQ(recipe.flight, base::Seed{9});
+    EXPECT_EQ(candidate_of(recipe), candidate);
 }
 
 TEST(Recipe, TakesTheDefaultOfAParameterThatIsLeftOut) {

@@ -18,11 +18,8 @@ const base::Seed kFlight{31};
 
 genome::Offer offer_of(std::uint64_t seed) {
     genome::Offer offer;
-    for (std::size_t i = 0; i < offer.candidates.size(); ++i) {
-        const genome::Recipe recipe = genome::random_recipe(base::Seed{seed}.child(i));
-        offer.candidates[i].values = recipe.values;
-        offer.candidates[i].seeds = recipe.seeds;
-    }
+    for (std::size_t i = 0; i < offer.candidates.size(); ++i)
+        offer.candidates[i] = genome::candidate_of(genome::random_recipe(base::Seed{seed}.child(i)));
     return offer;
 }
 

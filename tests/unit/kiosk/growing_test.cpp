@@ -13,12 +13,9 @@ namespace {
 const scene::Fineness kCoarse{65, 64, 128};
 
 std::vector<genome::Candidate> candidates(std::uint64_t seed) {
-    std::vector<genome::Candidate> all(genome::kCandidates);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const genome::Recipe recipe = genome::random_recipe(base::Seed{seed}.child(i));
-        all[i].values = recipe.values;
-        all[i].seeds = recipe.seeds;
-    }
+    std::vector<genome::Candidate> all;
+    for (std::size_t i = 0; i < genome::kCandidates; ++i)
+        all.push_back(genome::candidate_of(genome::random_recipe(base::Seed{seed}.child(i))));
     return all;
 }
 
