@@ -68,10 +68,14 @@ LightAndAir light_and_air_of(const scene::Scene& scene) {
     const scene::Land& land = *scene.land;
     LightAndAir a;
     a.sky = *scene.sky;
-    a.sky.dome = {};
-    a.sky.stars.clear();
-    a.sky.disc.picture = {};
-    for (scene::CloudLayer& layer : a.sky.clouds) layer.density = layer.lit = {};
+    // Moved from, so that their memory goes too.
+    a.sky.dome = scene::Dome{};
+    a.sky.stars = std::vector<scene::Star>{};
+    a.sky.disc.picture = mesh::Image{};
+    for (scene::CloudLayer& layer : a.sky.clouds) {
+        layer.density = mesh::Image{};
+        layer.lit = mesh::Image{};
+    }
     // Water scatters back what light falls on it from above.
     const glm::vec3 on_water = a.sky.ambient.on({0, 1, 0}) + a.sky.sunlight * std::max(a.sky.sun_direction.y, 0.0F);
     a.shallow_water = land.shallow_colour * on_water;
