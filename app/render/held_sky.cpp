@@ -70,14 +70,15 @@ std::optional<glm::mat3> HeldSky::from_view(const View& view, const passes::View
     return covers ? std::optional(m) : std::nullopt;
 }
 
-gl::Work HeldSky::hold(const View& view, float seconds, const passes::SkyPass& sky, const gl::TextureTarget& target) {
+gl::Work HeldSky::hold(const View& view, float seconds, const passes::SkyPass& sky, Canvas& canvas) {
     scene_ = view.scene;
     viewport_ = view.viewport;
     fov_deg_ = view.camera.vertical_fov_deg;
     const glm::ivec2 size =
         glm::max(glm::ivec2(glm::ceil(glm::vec2{view.viewport.width, view.viewport.height} * (kWider * kFineness))), 1);
-    if (picture_.name() == 0 || glm::ivec2{picture_.shape().width, picture_.shape().height} != size)
-        picture_ = gl::Texture2D{{.width = size.x, .height = size.y, .sampling = gl::Sampling::Flat}};
+    for (gl::Texture2D* picture : {&picture_, &canvas.picture})
+        if (picture->name() == 0 || glm::ivec2{picture->shape().width, picture->shape().height} != size)
+            *picture = gl::Texture2D{{.width = size.x, .height = size.y, .sampling = gl::Sampling::Flat}};
     glm::mat4 clip_from_world = clip_from_world_of(view);
     for (int column = 0; column < 4; ++column) {
         clip_from_world[column].x /= kWider;
@@ -85,11 +86,13 @@ gl::Work HeldSky::hold(const View& view, float seconds, const passes::SkyPass& s
     }
     held_ = block_of(view, clip_from_world, seconds);
     block_.fill<std::byte>(std::as_bytes(std::span(&held_, 1)));
-    const auto drawing = target.onto(picture_);
+    const auto drawing = canvas.target.onto(canvas.picture);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);  // a tiler need not fetch what was there
     gl::bind_uniforms(block_, passes::kViewBinding, 0, sizeof(passes::ViewBlock));
-    return sky.draw_dome(*view.scene->sky, passes::Frustum(clip_from_world), view.camera.eye_m);
+    const gl::Work work = sky.draw_dome(*view.scene->sky, passes::Frustum(clip_from_world), view.camera.eye_m);
+    drawing.copy_to(picture_, 0, 0, size.y);
+    return work;
 }
 
 }  // namespace quadrat::render

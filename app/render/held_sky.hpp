@@ -23,8 +23,13 @@ class HeldSky {
     // From the view's clip xy and 1 to coordinates of picture(), times depth. now: the view's block of this frame.
     // None: what is held would leave a corner of the view bare, or is of another scene, or too old for its dome.
     std::optional<glm::mat3> from_view(const View& view, const passes::ViewBlock& now) const;
+    // Where it is drawn, for all views: what they show is a copy.
+    struct Canvas {
+        gl::TextureTarget target;
+        gl::Texture2D picture;
+    };
     // Draws it anew. Leaves the framebuffer that was bound bound, and no test enabled.
-    gl::Work hold(const View& view, float seconds, const passes::SkyPass& sky, const gl::TextureTarget& target);
+    gl::Work hold(const View& view, float seconds, const passes::SkyPass& sky, Canvas& canvas);
 
     const gl::Texture2D& picture() const { return picture_; }
     // Of its light, where the view has been dimmed since.

@@ -37,7 +37,7 @@ scene::Land shore() {
         for (int column = 0; column < kSamples; ++column)
             land.height_m.at(column, row) = static_cast<float>(column) - 8;
     land.surround_m = mesh::Field(9, 9, 5.0F);
-    land.albedo = picture(4);
+    land.albedo = scene::GroundColours(picture(4));
     land.detail = picture(2);
     land.detail_slopes = picture(4);
     land.kinds = grey(kSamples, kSamples, 2);

@@ -94,7 +94,7 @@ struct Renderer::Parts {
     gl::StreamBuffer blocks{GL_UNIFORM_BUFFER};
     std::vector<HeldGround> grounds;  // one a view
     std::vector<HeldSky> skies;       // one a view, where frames follow each other
-    gl::TextureTarget sky_target;
+    HeldSky::Canvas sky_canvas;
     std::size_t frames = 0;
     gl::StreamBuffer instances{GL_ARRAY_BUFFER};
     std::shared_ptr<Shelves> shelves = std::make_shared<Shelves>();
@@ -164,7 +164,7 @@ gl::Work Renderer::Parts::hold_skies(const Frame& frame, std::vector<Selection>&
         std::optional<glm::mat3>& from_view = selections[slot].held_sky_from_view;
         if (!is_its_turn) from_view = skies[slot].from_view(view, now);
         if (from_view) continue;
-        work += skies[slot].hold(view, frame.seconds, sky, sky_target);
+        work += skies[slot].hold(view, frame.seconds, sky, sky_canvas);
         from_view = skies[slot].from_view(view, now);
     }
     return work;

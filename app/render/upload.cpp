@@ -63,7 +63,7 @@ class WholeUpload final : public SceneUpload {
         made_->plants = source->plants;
         made_->air = light_and_air_of(*source);
         made_->sky = shelved(slices_, shelves, &Shelves::skies, source->sky, passes::add_sky);
-        const std::shared_ptr<const passes::GroundPainter> painter{shelves, &shelves->painter};
+        const std::shared_ptr<passes::GroundPainter> painter{shelves, &shelves->painter};
         passes::add_ground_picture(slices_, made_->ground, painter, ground.material, source);
     }
 

@@ -9,6 +9,7 @@
 #include "mesh/field.hpp"
 #include "mesh/image.hpp"
 #include "mesh/mesh.hpp"
+#include "scene/ground_colours.hpp"
 
 namespace quadrat::scene {
 
@@ -40,7 +41,7 @@ struct Land {
     float surround_cell_m = 64;  // land's own square it lies below the land's surface and is not drawn
     mesh::Field water_m;  // the surface of lakes and rivers at each sample; kNoWater where there is none; may be empty
     mesh::Mesh fresh_water;  // that surface, drawn; it ends under its banks; texcoords: the current, m/s east and south
-    mesh::Image albedo;      // RGBA, colour: what the ground is made of, over the land's square; alpha: wetness
+    GroundColours albedo;    // what the ground is made of, over the land's square
     mesh::Image detail;  // tileable, mean 128: the grain of soft ground (grass, earth) and of stone, a channel each;
                          // one channel: the same for both
     mesh::Image detail_slopes;  // their slopes: soft east, south, stone east, south; 128 is level, 255 is 1; or empty

@@ -68,8 +68,7 @@ void finished_land(benchmark::State& state) {
     const Threads some(Threads::max_allowed_parallelism, static_cast<std::size_t>(state.range(0)));
     const genome::Recipe recipe = genome::random_recipe(base::Seed{4});
     const scene::SceneParameters p = scene::realise(recipe.values);
-    for (auto _ : state)
-        benchmark::DoNotOptimize(grow_land(p.land, recipe.seeds[genome::Aspect::Land]).albedo.bytes.data());
+    for (auto _ : state) benchmark::DoNotOptimize(grow_land(p.land, recipe.seeds[genome::Aspect::Land]).albedo);
 }
 BENCHMARK(finished_land)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -141,16 +141,17 @@ std::shared_ptr<scene::Land> land(Ground ground) {
             l->surround_m.at(column, row) = out < 257 ? near - 6 : std::lerp(near - 6, far, std::min(out / 4000, 1.0F));
         }
     }
-    l->albedo = mesh::Image(256, 256, 4);
+    mesh::Image albedo(256, 256, 4);
     const glm::vec3 low = is_green ? glm::vec3{0.14F, 0.20F, 0.06F} : glm::vec3{0.50F, 0.33F, 0.17F};
     const glm::vec3 high = is_green ? glm::vec3{0.24F, 0.22F, 0.12F} : glm::vec3{0.44F, 0.22F, 0.12F};
     for (int y = 0; y < 256; ++y) {
         for (int x = 0; x < 256; ++x) {
             const float h = hills_m(2.0F * static_cast<float>(x - 128), 2.0F * static_cast<float>(y - 128));
             const glm::vec3 colour = scene::mix_colours(low, high, std::clamp(h / 24, 0.0F, 1.0F));
-            put(l->albedo, x, y, h < 0.8F ? glm::vec3{0.36F, 0.30F, 0.20F} : colour, h < 0.8F ? 1.0F : 0.0F);
+            put(albedo, x, y, h < 0.8F ? glm::vec3{0.36F, 0.30F, 0.20F} : colour, h < 0.8F ? 1.0F : 0.0F);
         }
     }
+    l->albedo = scene::GroundColours(albedo);
     l->detail = mesh::Image(64, 64, 1);
     RandomStream stream{Seed{5}};
     for (std::uint8_t& b : l->detail.bytes) b = static_cast<std::uint8_t>(96 + stream.below(65));
@@ -338,8 +339,8 @@ void bake(scene::Scene& scene) {
         for (int x = 0; x < 256; ++x) {
             const glm::vec2 at{2.0F * (static_cast<float>(x) - 127.5F), 2.0F * (static_cast<float>(y) - 127.5F)};
             const glm::vec3 normal = scene::ground_normal(*scene.land, at);
-            const glm::vec3 light = s.sunlight * std::max(glm::dot(normal, s.sun_direction), 0.0F) +
-                                    0.95F * s.ambient.on({0, 1, 0});
+            const glm::vec3 light =
+                s.sunlight * std::max(glm::dot(normal, s.sun_direction), 0.0F) + 0.95F * s.ambient.on({0, 1, 0});
             std::uint8_t* p = scene.light.ground.pixel(x, y);
             for (int c = 0; c < 3; ++c) p[c] = byte_of(light[c] / 2);
             p[3] = byte_of(-scene::ground_height_m(*scene.land, at) / 24);

@@ -47,17 +47,11 @@ Texture2D::Texture2D(const TextureShape& shape) : shape_(shape) {
 }
 
 void Texture2D::write_rows(int level, int first_row, int rows, std::span<const std::uint8_t> bytes) {
-    const int width = std::max(shape_.width >> level, 1);
-    assert(bytes.size() >= static_cast<std::size_t>(width * rows * shape_.channels));
+    assert(bytes.size() >= static_cast<std::size_t>(width(level) * rows * shape_.channels));
     glBindTexture(GL_TEXTURE_2D, name_.get());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexSubImage2D(GL_TEXTURE_2D, level, 0, first_row, width, rows, pixel_format(shape_.channels), GL_UNSIGNED_BYTE,
-                    bytes.data());
-}
-
-void Texture2D::fill_levels() {
-    glBindTexture(GL_TEXTURE_2D, name_.get());
-    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexSubImage2D(GL_TEXTURE_2D, level, 0, first_row, width(level), rows, pixel_format(shape_.channels),
+                    GL_UNSIGNED_BYTE, bytes.data());
 }
 
 void Texture2D::bind(GLuint unit) const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -32,11 +33,11 @@ class Texture2D {
 
     // rows of one level, from the top, tightly packed.
     void write_rows(int level, int first_row, int rows, std::span<const std::uint8_t> bytes);
-    // All coarser levels from the finest, by the GPU.
-    void fill_levels();
     void bind(GLuint unit) const;
     GLuint name() const { return name_.get(); }
     const TextureShape& shape() const { return shape_; }
+    int width(int level) const { return std::max(shape_.width >> level, 1); }
+    int height(int level) const { return std::max(shape_.height >> level, 1); }
 
   private:
     TextureName name_;

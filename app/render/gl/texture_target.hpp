@@ -4,7 +4,8 @@
 
 namespace quadrat::render::gl {
 
-// A framebuffer for drawing into textures, one after another.
+// A framebuffer for drawing into textures, one after another. Software rasterisers finish all that was drawn so far
+// before they read a texture that was ever a target: what many frames read is better copied from one.
 class TextureTarget {
   public:
     TextureTarget() { glGenFramebuffers(1, &framebuffer_); }
@@ -19,8 +20,12 @@ class TextureTarget {
         Drawing(const Drawing&) = delete;
         Drawing& operator=(const Drawing&) = delete;
 
+        // What was drawn, from the lower left on, into so many rows of another texture's level: all of their pixels.
+        void copy_to(const Texture2D& texture, int level, int first_row, int rows) const;
+
       private:
         GLint before_ = 0;
+        GLint read_before_ = 0;
     };
     [[nodiscard]] Drawing onto(const Texture2D& texture) const { return {framebuffer_, texture}; }
 

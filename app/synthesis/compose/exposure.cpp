@@ -43,12 +43,11 @@ struct Seen {
         const float u = at.x / land.side_m() + 0.5F;
         const float v = at.z / land.side_m() + 0.5F;
         if (std::min(u, v) < 0 || std::max(u, v) >= 1) return country(at);
-        const auto pixel = [&](const mesh::Image& image) {
-            return image.pixel(static_cast<int>(u * static_cast<float>(image.width)),
-                               static_cast<int>(v * static_cast<float>(image.height)));
-        };
-        const std::uint8_t* lit = pixel(light.ground);
-        const glm::vec3 sent = linear(pixel(land.albedo)) * (glm::vec3{lit[0], lit[1], lit[2]} * (2.0F / 255));
+        const auto across = [u](int size) { return static_cast<int>(u * static_cast<float>(size)); };
+        const auto down = [v](int size) { return static_cast<int>(v * static_cast<float>(size)); };
+        const std::uint8_t* lit = light.ground.pixel(across(light.ground.width), down(light.ground.height));
+        const glm::u8vec3 albedo = land.albedo.colour(across(land.albedo.width()), down(land.albedo.height()));
+        const glm::vec3 sent = linear(&albedo[0]) * (glm::vec3{lit[0], lit[1], lit[2]} * (2.0F / 255));
         return shown(scene::luminance(glm::min(sent, 1.1F)));
     }
     float along(const glm::vec3& eye, const glm::vec3& ray) const {
@@ -67,7 +66,7 @@ struct Seen {
 
 float stopped_down(const scene::Land& land, const scene::Sky& sky, const scene::BakedLight& light,
                    const scene::Track& track) {
-    if (land.albedo.bytes.empty() || light.ground.bytes.empty()) return 1;
+    if (land.albedo.is_empty() || light.ground.bytes.empty()) return 1;
     const Seen seen{land, sky, light};
     float sum = 0;
     float count = 0;

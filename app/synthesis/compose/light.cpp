@@ -121,11 +121,11 @@ class Bounce {
     static constexpr int kSide = 48;
 
     static glm::vec3 albedo(const scene::Land& land, int x, int y) {
-        if (land.albedo.bytes.empty()) return land.far_colour;
+        if (land.albedo.is_empty()) return land.far_colour;
         const auto within = [](int i, int size) { return (2 * i + 1) * size / (2 * kSide); };
-        const std::uint8_t* p = land.albedo.pixel(within(x, land.albedo.width), within(y, land.albedo.height));
+        const glm::vec3 p = land.albedo.colour(within(x, land.albedo.width()), within(y, land.albedo.height()));
         // Near enough to sRGB for a mean of nothing finer.
-        const glm::vec3 c = glm::vec3{p[0], p[1], p[2]} / 255.0F;
+        const glm::vec3 c = p / 255.0F;
         return c * c;
     }
     mesh::Grid<glm::vec3> sent_;

@@ -154,12 +154,12 @@ class Ground {
 
   private:
     float wetness(glm::vec2 at) const {
-        const mesh::Image& albedo = land_.albedo;
-        if (albedo.width < 1 || albedo.channels < 4) return 0;
+        const scene::GroundColours& albedo = land_.albedo;
+        if (albedo.is_empty()) return 0;
         const auto px = [&](float m, int size) {
             return std::clamp(static_cast<int>((m / land_.side_m() + 0.5F) * static_cast<float>(size)), 0, size - 1);
         };
-        return static_cast<float>(albedo.pixel(px(at.x, albedo.width), px(at.y, albedo.height))[3]) / 255.0F;
+        return static_cast<float>(albedo.wetness(px(at.x, albedo.width()), px(at.y, albedo.height()))) / 255.0F;
     }
     const scene::Land& land_;
 };

@@ -147,10 +147,10 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     const mesh::Field to_road_m = distance_to_roads_m(fineness.land_samples, land.cell_m, land.roads, std::nullopt);
     Ground ground = lay_ground({land.height_m, over_water_m, moisture, to_road_m, land.cell_m}, palette, p, seed,
                                fineness.albedo_px);
-    land.albedo = std::move(ground.albedo);
     land.kinds = std::move(ground.kinds);
     Stones stones = make_stones({land, over_water_m, palette}, p, seed.child("stones"));
-    shade_under(land.albedo, kSide_m, stones.footprints);
+    shade_under(ground.albedo, kSide_m, stones.footprints);
+    land.albedo = scene::GroundColours(ground.albedo);
     land.stone = std::move(stones.stone);
     GroundDetail detail = ground_detail(seed, 256, p.ground_detail, p.ground_bumps);
     land.detail = std::move(detail.grain);

@@ -32,7 +32,7 @@ struct GroundFacts {
 };
 
 struct Ground {
-    mesh::Image albedo;  // scene::Land::albedo
+    mesh::Image albedo;  // RGBA, colour; alpha: wetness
     mesh::Image kinds;   // scene::Land::kinds
 };
 

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "base/seed.hpp"
 #include "pictures/handmade_scene.hpp"
 #include "pictures/stage.hpp"
 #include "render/passes/encode.hpp"
@@ -38,12 +40,12 @@ render::gl::Texture2D texture(const mesh::Image& image) {
     return made;
 }
 
-mesh::Image read_back(const render::gl::Texture2D& from) {
+mesh::Image read_back(const render::gl::Texture2D& from, int level = 0) {
     GLuint framebuffer = 0;
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, from.name(), 0);
-    mesh::Image image(from.shape().width, from.shape().height, 4);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, from.name(), level);
+    mesh::Image image(from.width(level), from.height(level), 4);
     glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.bytes.data());
     glDeleteFramebuffers(1, &framebuffer);
     return image;
@@ -54,36 +56,39 @@ class GroundPicture : public Stage {
     static constexpr int kSide = 32;
 
     // Of level, soft ground.
-    mesh::Image painted(const mesh::Image& roots, const mesh::Image& light, std::uint8_t grain = 128) {
-        const MaterialOnGpu material{texture(roots), texture(filled(1, {255, 0}))};
+    mesh::Image painted(const mesh::Image& albedo, const mesh::Image& light, std::uint8_t grain = 128) {
+        const scene::GroundColours colours(albedo);
+        const MaterialOnGpu material{texture(filled(1, {255, 0}))};
         GroundPictureOnGpu picture;
         render::gl::TextureShape shape;
         shape.width = shape.height = kSide;
         picture.lit = render::gl::Texture2D{shape};
         picture.grain = texture(filled(2, {grain, grain}));
-        const GroundPainter painter;
+        GroundPainter painter;
         const render::gl::Texture2D light_texture = texture(light);
-        for (int row = 0; row < kSide; row += 8) painter.paint({light_texture, material, 3}, picture, row, 8);
+        for (int row = 0; row < kSide; row += 8) painter.paint({light_texture, material, colours, 3}, picture, row, 8);
         return read_back(picture.lit);
     }
 };
 
 TEST_F(GroundPicture, IsWhatTheGroundIsMadeOfTimesItsLight) {
-    for (const int root : {40, 120, 200}) {
+    for (const int albedo : {60, 140, 210}) {
+        const float root = static_cast<float>(render::gl::root_of_srgb(static_cast<std::uint8_t>(albedo))) / 255;
         for (const int light : {20, 127, 220}) {
-            const mesh::Image picture = painted(grey(kSide, root, 255), grey(4, light, 0));
-            const float linear = std::pow(static_cast<float>(root) / 255, 2.0F) * 2 * static_cast<float>(light) / 255;
+            const mesh::Image picture = painted(grey(kSide, albedo, 255), grey(4, light, 0));
+            const float linear = root * root * 2 * static_cast<float>(light) / 255;
             const float shown = 255 * std::min(render::passes::encode(linear), 1.0F);
-            for (const int at : {1, 15, 30}) EXPECT_NEAR(picture.pixel(at, at)[0], shown, 1.5F) << root << ' ' << light;
+            for (const int at : {1, 15, 30})
+                EXPECT_NEAR(picture.pixel(at, at)[0], shown, 1.5F) << albedo << ' ' << light;
         }
     }
 }
 
 TEST_F(GroundPicture, KeepsItsRowsAndColumns) {
-    mesh::Image roots = filled(kSide, {100, 100, 100, 255});
+    mesh::Image albedo = filled(kSide, {100, 100, 100, 255});
     for (int y = 4; y < 8; ++y)
-        for (int x = 20; x < 26; ++x) roots.pixel(x, y)[0] = 200;
-    const mesh::Image picture = painted(roots, filled(4, {127, 127, 127, 0}));
+        for (int x = 20; x < 26; ++x) albedo.pixel(x, y)[0] = 200;
+    const mesh::Image picture = painted(albedo, filled(4, {127, 127, 127, 0}));
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
             const bool is_red = y >= 4 && y < 8 && x >= 20 && x < 26;
@@ -102,12 +107,40 @@ TEST_F(GroundPicture, TellsHowDeepWaterLooksAndIsDeepAtItsRim) {
 }
 
 TEST_F(GroundPicture, ReliefIsBrighterWhereItFacesTheSun) {
-    const mesh::Image roots = filled(kSide, {100, 100, 100, 255});
+    const mesh::Image albedo = filled(kSide, {100, 100, 100, 255});
     const mesh::Image light = filled(4, {127, 127, 127, 0});
-    const int level = painted(roots, light).pixel(9, 9)[0];
+    const int level = painted(albedo, light).pixel(9, 9)[0];
     const float share = 0.5F * render::passes::kGrain * 60 / 255;
-    EXPECT_NEAR(painted(roots, light, 188).pixel(9, 9)[0], static_cast<float>(level) * (1 + share), 1.5F);
-    EXPECT_NEAR(painted(roots, light, 68).pixel(9, 9)[0], static_cast<float>(level) * (1 - share), 1.5F);
+    EXPECT_NEAR(painted(albedo, light, 188).pixel(9, 9)[0], static_cast<float>(level) * (1 + share), 1.5F);
+    EXPECT_NEAR(painted(albedo, light, 68).pixel(9, 9)[0], static_cast<float>(level) * (1 - share), 1.5F);
+}
+
+TEST_F(GroundPicture, EveryCoarserLevelIsTheMeanOfTheFinerOne) {
+    constexpr int kFinest = 160;  // more rows than are drawn at once
+    mesh::Image noise(kFinest, kFinest, 4);
+    base::RandomStream random{base::Seed{21}};
+    for (std::uint8_t& byte : noise.bytes) byte = static_cast<std::uint8_t>(random.below(256));
+    GroundPictureOnGpu picture;
+    render::gl::TextureShape shape;
+    shape.width = shape.height = kFinest;
+    picture.lit = render::gl::Texture2D{shape};
+    picture.lit.write_rows(0, 0, kFinest, noise.bytes);
+    GroundPainter painter;
+    for (int level = 1; level < 6; ++level) {
+        const int height = picture.lit.height(level);
+        for (int row = 0; row < height; row += GroundPainter::kMostRows)
+            painter.halve(picture, level, row, std::min(GroundPainter::kMostRows, height - row));
+        const mesh::Image finer = read_back(picture.lit, level - 1);
+        const mesh::Image coarser = read_back(picture.lit, level);
+        ASSERT_EQ(coarser.height, kFinest >> level);
+        for (int y = 0; y < coarser.height; ++y)
+            for (int x = 0; x < coarser.width; ++x)
+                for (int c = 0; c < 4; ++c) {
+                    const auto at = [&](int dx, int dy) { return int{finer.pixel(2 * x + dx, 2 * y + dy)[c]}; };
+                    const int sum = at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1);
+                    ASSERT_NEAR(coarser.pixel(x, y)[c], 0.25 * sum, 1) << level << ' ' << x << ' ' << y;
+                }
+    }
 }
 
 // What is brought ahead, in whatever pieces, makes the same picture.

@@ -24,13 +24,14 @@ std::shared_ptr<scene::Land> lawn() {
     land->height_m = mesh::Field(129, 129, 2.0F);
     land->surround_cell_m = 64;
     land->surround_m = mesh::Field(129, 129, 1.0F);
-    land->albedo = mesh::Image(64, 64, 4);
-    for (std::size_t i = 0; i < land->albedo.bytes.size(); i += 4) {
-        land->albedo.bytes[i] = 132;
-        land->albedo.bytes[i + 1] = 150;
-        land->albedo.bytes[i + 2] = 84;
-        land->albedo.bytes[i + 3] = 0;
+    mesh::Image grass(64, 64, 4);
+    for (std::size_t i = 0; i < grass.bytes.size(); i += 4) {
+        grass.bytes[i] = 132;
+        grass.bytes[i + 1] = 150;
+        grass.bytes[i + 2] = 84;
+        grass.bytes[i + 3] = 0;
     }
+    land->albedo = scene::GroundColours(grass);
     land->detail = mesh::Image(16, 16, 1);
     for (auto& byte : land->detail.bytes) byte = 128;
     land->far_colour = {0.2F, 0.26F, 0.1F};

@@ -22,8 +22,9 @@ struct Plain {
         land.height_m = mesh::Field(65, 65);
         for (float& height : land.height_m.samples) height = 5;
         land.cell_m = 16;
-        land.albedo = mesh::Image(64, 64, 4);
-        std::ranges::fill(land.albedo.bytes, colour);
+        mesh::Image ground(64, 64, 4);
+        std::ranges::fill(ground.bytes, colour);
+        land.albedo = scene::GroundColours(ground);
         light.ground = mesh::Image(32, 32, 4);
         std::ranges::fill(light.ground.bytes, halved_light);
         track.cameras = {{{0, 9, 0}, {0, 4, -10}, 42}};

@@ -24,7 +24,7 @@ scene::Land land_of(const Height& height_m) {
         for (int column = 0; column < kSamples; ++column)
             land.height_m.at(column, row) = height_m(kCell_m * static_cast<float>(column - kSamples / 2),
                                                      kCell_m * static_cast<float>(row - kSamples / 2));
-    land.albedo = mesh::Image(64, 64, 4);
+    land.albedo = scene::GroundColours(mesh::Image(64, 64, 4));
     return land;
 }
 
@@ -62,8 +62,10 @@ std::vector<scene::Plant> planted(const scene::Land& land, const scene::Flora& f
 
 TEST(Planting, FollowsTheMoistureThatASpeciesLikes) {
     scene::Land land = land_of([](float, float) { return 30.0F; });
+    mesh::Image ground(64, 64, 4);
     for (int y = 0; y < 64; ++y)
-        for (int x = 32; x < 64; ++x) land.albedo.pixel(x, y)[3] = 255;
+        for (int x = 32; x < 64; ++x) ground.pixel(x, y)[3] = 255;
+    land.albedo = scene::GroundColours(ground);
     scene::Species willow = tree();
     willow.moisture = 0.95F;
     willow.moisture_width = 0.4F;

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/ground_colours.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace quadrat::scene {
+namespace {
+
+// Malvar & Sullivan 2003, YCoCg, within a byte each.
+struct Split {
+    int brightness, orange, green;
+};
+
+Split split(const std::uint8_t* rgb) {
+    const int r = rgb[0];
+    const int g = rgb[1];
+    const int b = rgb[2];
+    return {(r + 2 * g + b + 2) / 4, r - b, 2 * g - r - b};
+}
+
+glm::u8vec3 joined(int brightness, int orange, int green) {
+    const auto byte = [](int value) { return static_cast<std::uint8_t>(std::clamp(value, 0, 255)); };
+    const int rest = brightness - green;
+    return {byte(rest + orange), byte(brightness + green), byte(rest - orange)};
+}
+
+int rounded(int sum, int count) { return (sum >= 0 ? sum + count / 2 : sum - count / 2) / count; }
+
+}  // namespace
+
+GroundColours::GroundColours(const mesh::Image& rgba) : width_(rgba.width), height_(rgba.height) {
+    assert(rgba.channels == 4);
+    brightness_.reserve(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    for (int y = 0; y < height_; ++y)
+        for (int x = 0; x < width_; ++x)
+            brightness_.push_back(static_cast<std::uint8_t>(split(rgba.pixel(x, y)).brightness));
+    for (int y = 0; y < height_; y += 2) {
+        for (int x = 0; x < width_; x += 2) {
+            int orange = 0;
+            int green = 0;
+            int wetness = 0;
+            for (int k = 0; k < 4; ++k) {
+                const std::uint8_t* pixel =
+                    rgba.pixel(std::min(x + k % 2, width_ - 1), std::min(y + k / 2, height_ - 1));
+                const Split s = split(pixel);
+                orange += s.orange;
+                green += s.green;
+                wetness += pixel[3];
+            }
+            const auto around = [](int value) { return static_cast<std::uint8_t>(std::clamp(value + 128, 0, 255)); };
+            shared_.push_back({around(rounded(orange, 8)), around(rounded(green, 16)),
+                               static_cast<std::uint8_t>(rounded(wetness, 4))});
+        }
+    }
+}
+
+glm::u8vec3 GroundColours::colour(int x, int y) const {
+    const Shared& s = shared(x, y);
+    return joined(brightness(x, y), s[0] - 128, s[1] - 128);
+}
+
+void GroundColours::mean_row(int halvings, int row, std::span<std::uint8_t> to) const {
+    const int side = 1 << halvings;
+    const int columns = width_ >> halvings;
+    const int shares = std::max(2 * halvings - 2, 0);  // power of two
+    const auto mean = [](int sum, int power) { return (sum + (1 << power >> 1)) >> power; };
+    assert(to.size() >= 4 * static_cast<std::size_t>(columns));
+    for (int column = 0; column < columns; ++column) {
+        int sum = 0;
+        for (int y = row * side; y < (row + 1) * side; ++y)
+            for (int x = column * side; x < (column + 1) * side; ++x) sum += brightness(x, y);
+        int orange = 0;
+        int green = 0;
+        for (int y = row * side; y < (row + 1) * side; y += 2)
+            for (int x = column * side; x < (column + 1) * side; x += 2) {
+                orange += shared(x, y)[0] - 128;
+                green += shared(x, y)[1] - 128;
+            }
+        const glm::u8vec3 colour = joined(mean(sum, 2 * halvings), mean(orange, shares), mean(green, shares));
+        std::uint8_t* pixel = &to[4 * static_cast<std::size_t>(column)];
+        for (int c = 0; c < 3; ++c) pixel[c] = colour[c];
+        pixel[3] = 0;
+    }
+}
+
+}  // namespace quadrat::scene
