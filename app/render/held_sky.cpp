@@ -86,12 +86,15 @@ gl::Work HeldSky::hold(const View& view, float seconds, const passes::SkyPass& s
     }
     held_ = block_of(view, clip_from_world, seconds);
     block_.fill<std::byte>(std::as_bytes(std::span(&held_, 1)));
-    const auto drawing = canvas.target.onto(canvas.picture);
-    glClearColor(0, 0, 0, 1);
-    glClear(GL_COLOR_BUFFER_BIT);  // a tiler need not fetch what was there
-    gl::bind_uniforms(block_, passes::kViewBinding, 0, sizeof(passes::ViewBlock));
-    const gl::Work work = sky.draw_dome(*view.scene->sky, passes::Frustum(clip_from_world), view.camera.eye_m);
-    drawing.copy_to(picture_, 0, 0, size.y);
+    gl::Work work;
+    {
+        const auto drawing = canvas.target.onto(canvas.picture);
+        glClearColor(0, 0, 0, 1);
+        glClear(GL_COLOR_BUFFER_BIT);  // a tiler need not fetch what was there
+        gl::bind_uniforms(block_, passes::kViewBinding, 0, sizeof(passes::ViewBlock));
+        work = sky.draw_dome(*view.scene->sky, passes::Frustum(clip_from_world), view.camera.eye_m);
+    }
+    canvas.target.copy(canvas.picture, picture_);
     return work;
 }
 

@@ -63,24 +63,39 @@ glm::u8vec3 GroundColours::colour(int x, int y) const {
 void GroundColours::mean_row(int halvings, int row, std::span<std::uint8_t> to) const {
     const int side = 1 << halvings;
     const int columns = width_ >> halvings;
-    const int shares = std::max(2 * halvings - 2, 0);  // power of two
-    const auto mean = [](int sum, int power) { return (sum + (1 << power >> 1)) >> power; };
     assert(to.size() >= 4 * static_cast<std::size_t>(columns));
-    for (int column = 0; column < columns; ++column) {
+    std::uint8_t* pixel = to.data();
+    const auto put = [&pixel](const glm::u8vec3& colour) {
+        for (int c = 0; c < 3; ++c) *pixel++ = colour[c];
+        *pixel++ = 0;
+    };
+    if (halvings == 0) {
+        const std::uint8_t* own = brightness_.data() + row * width_;
+        const Shared* of_two = &shared(0, row);
+        for (int x = 0; x < columns; ++x) {
+            const Shared& s = of_two[x >> 1];
+            put(joined(own[x], s[0] - 128, s[1] - 128));
+        }
+        return;
+    }
+    const int power = 2 * halvings;
+    const auto mean = [](int sum, int of) { return (sum + (1 << of >> 1)) >> of; };
+    for (int x = 0; x < width_ - side + 1; x += side) {
         int sum = 0;
-        for (int y = row * side; y < (row + 1) * side; ++y)
-            for (int x = column * side; x < (column + 1) * side; ++x) sum += brightness(x, y);
         int orange = 0;
         int green = 0;
-        for (int y = row * side; y < (row + 1) * side; y += 2)
-            for (int x = column * side; x < (column + 1) * side; x += 2) {
-                orange += shared(x, y)[0] - 128;
-                green += shared(x, y)[1] - 128;
+        for (int y = row * side; y < (row + 1) * side; y += 2) {
+            const std::uint8_t* upper = brightness_.data() + y * width_ + x;
+            const std::uint8_t* lower = upper + width_;
+            const Shared* of_two = &shared(x, y);
+            for (int dx = 0; dx < side; dx += 2) {
+                const Shared& s = of_two[dx >> 1];
+                orange += s[0] - 128;
+                green += s[1] - 128;
+                sum += upper[dx] + upper[dx + 1] + lower[dx] + lower[dx + 1];
             }
-        const glm::u8vec3 colour = joined(mean(sum, 2 * halvings), mean(orange, shares), mean(green, shares));
-        std::uint8_t* pixel = &to[4 * static_cast<std::size_t>(column)];
-        for (int c = 0; c < 3; ++c) pixel[c] = colour[c];
-        pixel[3] = 0;
+        }
+        put(joined(mean(sum, power), mean(orange, power - 2), mean(green, power - 2)));
     }
 }
 

@@ -31,13 +31,9 @@ class GroundColours {
   private:
     using Shared = std::array<std::uint8_t, 3>;  // orange over blue and green over purple, 128 is neither; wetness
     const Shared& shared(int x, int y) const {
-        return shared_[static_cast<std::size_t>(y / 2) * static_cast<std::size_t>((width_ + 1) / 2) +
-                       static_cast<std::size_t>(x / 2)];
+        return shared_[static_cast<std::size_t>((y >> 1) * ((width_ + 1) >> 1) + (x >> 1))];
     }
-    int brightness(int x, int y) const {
-        return brightness_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                           static_cast<std::size_t>(x)];
-    }
+    int brightness(int x, int y) const { return brightness_[static_cast<std::size_t>(y * width_ + x)]; }
 
     int width_ = 0;
     int height_ = 0;

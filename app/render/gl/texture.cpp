@@ -54,12 +54,17 @@ void Texture2D::write_rows(int level, int first_row, int rows, std::span<const s
                     GL_UNSIGNED_BYTE, bytes.data());
 }
 
+void Texture2D::fill_levels() const {
+    glBindTexture(GL_TEXTURE_2D, name_.get());
+    glGenerateMipmap(GL_TEXTURE_2D);
+}
+
 void Texture2D::bind(GLuint unit) const {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_2D, name_.get());
 }
 
-std::uint8_t root_of_srgb(std::uint8_t encoded) {
+const std::array<std::uint8_t, 256>& roots_of_srgb() {
     static const std::array<std::uint8_t, 256> table = [] {
         std::array<std::uint8_t, 256> roots{};
         for (std::size_t i = 0; i < roots.size(); ++i) {
@@ -69,7 +74,7 @@ std::uint8_t root_of_srgb(std::uint8_t encoded) {
         }
         return roots;
     }();
-    return table[encoded];
+    return table;
 }
 
 mesh::Image halved(const mesh::Image& image) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -23,6 +24,7 @@ struct TextureShape {
     Sampling sampling = Sampling::Sharp;
 
     int levels() const;
+    friend bool operator==(const TextureShape&, const TextureShape&) = default;
 };
 
 // Immutable storage, written level by level and band by band.
@@ -33,6 +35,8 @@ class Texture2D {
 
     // rows of one level, from the top, tightly packed.
     void write_rows(int level, int first_row, int rows, std::span<const std::uint8_t> bytes);
+    // All coarser levels from the finest, by the GPU.
+    void fill_levels() const;
     void bind(GLuint unit) const;
     GLuint name() const { return name_.get(); }
     const TextureShape& shape() const { return shape_; }
@@ -44,8 +48,9 @@ class Texture2D {
     TextureShape shape_;
 };
 
-// An sRGB byte as the byte of the square root of the same linear light.
-std::uint8_t root_of_srgb(std::uint8_t encoded);
+// sRGB bytes as the bytes of the square roots of the same linear light.
+const std::array<std::uint8_t, 256>& roots_of_srgb();
+inline std::uint8_t root_of_srgb(std::uint8_t encoded) { return roots_of_srgb()[encoded]; }
 
 // The next coarser level: each pixel the mean of four (of fewer at odd borders).
 mesh::Image halved(const mesh::Image& image);

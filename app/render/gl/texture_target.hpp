@@ -5,7 +5,8 @@
 namespace quadrat::render::gl {
 
 // A framebuffer for drawing into textures, one after another. Software rasterisers finish all that was drawn so far
-// before they read a texture that was ever a target: what many frames read is better copied from one.
+// before they read a texture that was ever a target, and may keep its memory long after it is deleted: what many frames
+// read is better copied from one that stays.
 class TextureTarget {
   public:
     TextureTarget() { glGenFramebuffers(1, &framebuffer_); }
@@ -20,14 +21,12 @@ class TextureTarget {
         Drawing(const Drawing&) = delete;
         Drawing& operator=(const Drawing&) = delete;
 
-        // What was drawn, from the lower left on, into so many rows of another texture's level: all of their pixels.
-        void copy_to(const Texture2D& texture, int level, int first_row, int rows) const;
-
       private:
         GLint before_ = 0;
-        GLint read_before_ = 0;
     };
     [[nodiscard]] Drawing onto(const Texture2D& texture) const { return {framebuffer_, texture}; }
+    // All levels of one texture into another of its shape.
+    void copy(const Texture2D& from, const Texture2D& to) const;
 
   private:
     // Goes with its context: a display's own framebuffers may have the same name in the context after it.

@@ -2,9 +2,12 @@
 #include "render/passes/ground_picture.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <span>
+
+#include "render/gl/fence.hpp"
 
 namespace quadrat::render::passes {
 namespace {
@@ -31,6 +34,7 @@ void light_grain_row(const scene::Land& land, glm::vec3 to_sun, mesh::Image& lit
 // one of the grain.
 constexpr float kReliefTiles = 0.107F;
 
+constexpr std::size_t kBandPixels = 1U << 16U;
 constexpr int kPixelsOfLight = 4;  // a side, to one of the light's, at most
 
 // As coarse as its light: no more of it would be seen.
@@ -40,27 +44,40 @@ int halvings(const scene::Land& land, const mesh::Image& light) {
     return count;
 }
 
-// Square roots of linear colours, the picture's size. Alpha: the rim is as under deep water, for all beyond it repeats
-// the rim.
+// What a GPU does while it paints a pixel, in bytes it could have been brought instead.
+constexpr std::size_t kPaintedBytes = 8;
+
+constexpr std::chrono::seconds kLongest{2};
+
+struct Painting {
+    std::shared_ptr<const gl::Texture2D> canvas;  // or null: onto the picture itself
+    gl::Fence done;
+    mesh::Image roots;  // all of them where a visitor waits for it; or none
+
+    const gl::Texture2D& onto(const GroundPictureOnGpu& picture) const { return canvas ? *canvas : picture.lit; }
+};
+
+std::span<const std::uint8_t> rows_of(const mesh::Image& image, int first, int count) {
+    return {image.pixel(0, first), image.pixel(0, first + count)};
+}
+
+}  // namespace
+
 mesh::Image roots_of_rows(const scene::GroundColours& colours, const gl::TextureShape& picture, int first, int count) {
     mesh::Image roots(picture.width, count, 4);
+    const auto& root_of = gl::roots_of_srgb();
     int halvings = 0;
     while (colours.width() >> halvings > picture.width) ++halvings;
     for (int i = 0; i < count; ++i) {
         const std::size_t row_bytes = 4 * static_cast<std::size_t>(picture.width);
         const std::span<std::uint8_t> row(roots.pixel(0, i), row_bytes);
         colours.mean_row(halvings, first + i, row);
-        for (std::uint8_t& byte : row) byte = gl::root_of_srgb(byte);
+        for (std::uint8_t& byte : row) byte = root_of[byte];
         const bool is_rim = first + i == 0 || first + i == picture.height - 1;
         for (std::size_t alpha = 3; alpha < row_bytes; alpha += is_rim ? 4 : row_bytes - 4) row[alpha] = 255;
     }
     return roots;
 }
-
-// What a GPU does while it paints a pixel, in bytes it could have been brought instead.
-constexpr std::size_t kPaintedBytes = 8;
-
-}  // namespace
 
 void add_material(gl::Slices& slices, MaterialOnGpu& material, const std::shared_ptr<const scene::Land>& land) {
     std::shared_ptr<const mesh::Image> kinds{land, &land->kinds};
@@ -74,46 +91,39 @@ void add_material(gl::Slices& slices, MaterialOnGpu& material, const std::shared
     gl::add_picture(slices, material.kinds, kinds, flat);
 }
 
-GroundPainter::GroundPainter()
-    : program_("paint_ground.vert", "paint_ground.frag"), halving_("spread.vert", "halve.frag") {}
+GroundPainter::GroundPainter() : program_("paint_ground.vert", "paint_ground.frag") {}
 
-const gl::Texture2D& GroundPainter::band(int width) {
-    if (band_.name() == 0 || band_.shape().width < width)
-        band_ = gl::Texture2D{{.width = width, .height = kMostRows, .sampling = gl::Sampling::Flat}};
-    return band_;
+std::shared_ptr<const gl::Texture2D> GroundPainter::canvas(const gl::TextureShape& shape) {
+    const auto is_free = [&](const std::shared_ptr<const gl::Texture2D>& canvas) {
+        return canvas.use_count() == 1 && canvas->shape() == shape;
+    };
+    const auto found = std::ranges::find_if(canvases_, is_free);
+    if (found != canvases_.end()) return *found;
+    return canvases_.emplace_back(std::make_shared<gl::Texture2D>(shape));
 }
 
-void GroundPainter::paint(const Sheet& sheet, const GroundPictureOnGpu& picture, int first_row, int rows) {
-    const gl::TextureShape& shape = picture.lit.shape();
-    const auto drawing = target_.onto(band(shape.width));
-    glViewport(0, -first_row, shape.width, shape.height);  // its first row is the band's
+void GroundPainter::paint(const Sheet& sheet, const gl::Texture2D& grain, const gl::Texture2D& canvas, int first_row,
+                          int rows) const {
+    const gl::TextureShape& shape = canvas.shape();
+    const auto drawing = target_.onto(canvas);
+    glScissor(0, first_row, shape.width, rows);
+    glEnable(GL_SCISSOR_TEST);
     program_.use();
     glUniform1f(0, sheet.relief_tiles);
     glUniform1f(1, 0.5F * kGrain);
     const gl::TextureShape& kinds = sheet.material.kinds.shape();
     glUniform2f(2, static_cast<float>(kinds.width), static_cast<float>(kinds.height));
+    glUniform1i(3, first_row);
     // Of its own: what was brought for the band before may still be read.
     gl::Texture2D roots{{.width = shape.width, .height = rows, .sampling = gl::Sampling::Flat}};
-    roots.write_rows(0, 0, rows, roots_of_rows(sheet.colours, shape, first_row, rows).bytes);
+    roots.write_rows(0, 0, rows, sheet.roots);
     roots.bind(0);
     sheet.material.kinds.bind(1);
     sheet.light.bind(2);
-    picture.grain.bind(3);
+    grain.bind(3);
     glBindVertexArray(0);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    drawing.copy_to(picture.lit, 0, first_row, rows);
-}
-
-void GroundPainter::halve(const GroundPictureOnGpu& picture, int level, int first_row, int rows) {
-    const auto drawing = target_.onto(band(picture.lit.width(level)));
-    glViewport(0, -first_row, picture.lit.width(level), picture.lit.height(level));
-    halving_.use();
-    glUniform4f(0, 0, 0, 1, 1);
-    glUniform1f(1, static_cast<float>(level - 1));
-    picture.lit.bind(0);
-    glBindVertexArray(0);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    drawing.copy_to(picture.lit, level, first_row, rows);
+    glDisable(GL_SCISSOR_TEST);
 }
 
 void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const std::shared_ptr<GroundPainter>& painter,
@@ -133,28 +143,45 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const s
     flat.sampling = gl::Sampling::Flat;
     gl::add_picture(slices, *light, {scene, &scene->light.ground}, flat);
     gl::TextureShape shape;
-    const int count = halvings(land, scene->light.ground);
-    shape.width = land.albedo.width() >> count;
-    shape.height = land.albedo.height() >> count;
-    slices.add(0, [&picture, shape] { picture.lit = gl::Texture2D{shape}; });
+    const int halved = halvings(land, scene->light.ground);
+    shape.width = land.albedo.width() >> halved;
+    shape.height = land.albedo.height() >> halved;
+    // What is as fine as it gets is seen for minutes. A first light is soon replaced: it need not wait for a copy.
+    const bool stays = halved == 0;
+    const auto painting = std::make_shared<Painting>();
+    if (!stays)
+        slices.prepare(
+            [painting, scene, shape] { painting->roots = roots_of_rows(scene->land->albedo, shape, 0, shape.height); });
+    slices.add(0, [&picture, shape, painter, painting, stays] {
+        picture.lit = gl::Texture2D{shape};
+        if (stays) painting->canvas = painter->canvas(shape);
+    });
     const float tiles = kReliefTiles * land.side_m() / land.detail_tile_m;
-    const auto add_rows = [&slices](int height, std::size_t bytes, auto draw) {
-        slices.add_pieces(
-            static_cast<std::size_t>(height), GroundPainter::kMostRows, bytes,
-            [draw](std::size_t first, std::size_t rows) { draw(static_cast<int>(first), static_cast<int>(rows)); });
+    const std::size_t row_bytes = kPaintedBytes * static_cast<std::size_t>(shape.width);
+    slices.add_pieces(
+        static_cast<std::size_t>(shape.height), kBandPixels / static_cast<std::size_t>(shape.width), row_bytes,
+        [&picture, painter, painting, light, material, scene, tiles](std::size_t first, std::size_t rows) {
+            const auto row = static_cast<int>(first);
+            const auto count = static_cast<int>(rows);
+            const gl::Texture2D& onto = painting->onto(picture);
+            const bool is_here = !painting->roots.bytes.empty();
+            const mesh::Image now =
+                is_here ? mesh::Image{} : roots_of_rows(scene->land->albedo, onto.shape(), row, count);
+            const auto roots =
+                is_here ? rows_of(painting->roots, row, count) : std::span<const std::uint8_t>(now.bytes);
+            painter->paint({roots, *light, *material, tiles}, picture.grain, onto, row, count);
+        });
+    const std::size_t level_bytes = row_bytes / kPaintedBytes * 2 * static_cast<std::size_t>(shape.height);
+    slices.add(level_bytes, [&picture, painting] {
+        painting->onto(picture).fill_levels();
+        painting->done.set();
+    });
+    if (!stays) return;
+    const auto is_done = [painting](bool may_wait) {
+        return painting->done.is_done_within(may_wait ? kLongest : std::chrono::nanoseconds{0});
     };
-    const std::size_t painted = kPaintedBytes * static_cast<std::size_t>(shape.width);
-    add_rows(shape.height, painted, [&picture, painter, light, material, scene, tiles](int first, int rows) {
-        painter->paint({*light, *material, scene->land->albedo, tiles}, picture, first, rows);
-    });
-    int level = 1;
-    for (; level < shape.levels() && shape.height >> level >= GroundPainter::kMostRows; ++level)
-        add_rows(shape.height >> level, (painted / 2) >> level,
-                 [&picture, painter, level](int first, int rows) { painter->halve(picture, level, first, rows); });
-    slices.add(painted, [&picture, painter, level] {
-        for (int coarse = level; coarse < picture.lit.shape().levels(); ++coarse)
-            painter->halve(picture, coarse, 0, picture.lit.height(coarse));
-    });
+    slices.add_when(is_done, 2 * level_bytes,
+                    [&picture, painter, painting] { painter->show(*painting->canvas, picture.lit); });
 }
 
 }  // namespace quadrat::render::passes

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstdint>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "render/gl/picture_upload.hpp"
 #include "render/gl/program.hpp"
@@ -23,30 +26,33 @@ struct GroundPictureOnGpu {
     gl::Texture2D grain;  // of soft ground and of stone, lit; 0.5 is level ground
 };
 
+// Square roots of the ground's linear colours, in the size of its picture. Alpha: the rim is as under deep water, for
+// all beyond it repeats the rim.
+mesh::Image roots_of_rows(const scene::GroundColours& colours, const gl::TextureShape& picture, int first, int count);
+
 // Multiplies what the ground is made of and the light baked for it, once a scene: a pixel fetches their product.
 class GroundPainter {
   public:
     GroundPainter();
 
     struct Sheet {
-        const gl::Texture2D& light;  // scene::BakedLight
+        std::span<const std::uint8_t> roots;  // roots_of_rows() of those that are painted
+        const gl::Texture2D& light;           // scene::BakedLight
         const MaterialOnGpu& material;
-        const scene::GroundColours& colours;
         float relief_tiles;  // of the coarse relief, to a side of the land
     };
-    static constexpr int kMostRows = 64;  // at once
-    // So many rows of picture.lit. Leaves the framebuffer that was bound bound, and no test enabled.
-    void paint(const Sheet& sheet, const GroundPictureOnGpu& picture, int first_row, int rows);
-    // So many rows of a coarser level of it, from the next finer one, which is whole.
-    void halve(const GroundPictureOnGpu& picture, int level, int first_row, int rows);
+    // Of this shape, nobody else's as long as it is held.
+    std::shared_ptr<const gl::Texture2D> canvas(const gl::TextureShape& shape);
+    // So many rows of it. Leaves the framebuffer that was bound bound, and no test enabled.
+    void paint(const Sheet& sheet, const gl::Texture2D& grain, const gl::Texture2D& canvas, int first_row,
+               int rows) const;
+    // What was painted, with all its coarser levels.
+    void show(const gl::Texture2D& canvas, const gl::Texture2D& lit) const { target_.copy(canvas, lit); }
 
   private:
-    const gl::Texture2D& band(int width);
-
     gl::Program program_;
-    gl::Program halving_;
     gl::TextureTarget target_;
-    gl::Texture2D band_;  // where rows are drawn, from its lower left on
+    std::vector<std::shared_ptr<const gl::Texture2D>> canvases_;
 };
 
 // Adds the slices that paint picture, which must stay where it is until they are done.

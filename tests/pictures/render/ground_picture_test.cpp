@@ -15,7 +15,6 @@ namespace quadrat::tests {
 namespace {
 
 using render::passes::GroundPainter;
-using render::passes::GroundPictureOnGpu;
 using render::passes::MaterialOnGpu;
 
 mesh::Image filled(int side, std::initializer_list<std::uint8_t> pixel) {
@@ -59,15 +58,17 @@ class GroundPicture : public Stage {
     mesh::Image painted(const mesh::Image& albedo, const mesh::Image& light, std::uint8_t grain = 128) {
         const scene::GroundColours colours(albedo);
         const MaterialOnGpu material{texture(filled(1, {255, 0}))};
-        GroundPictureOnGpu picture;
-        render::gl::TextureShape shape;
-        shape.width = shape.height = kSide;
-        picture.lit = render::gl::Texture2D{shape};
-        picture.grain = texture(filled(2, {grain, grain}));
         GroundPainter painter;
+        const auto canvas = painter.canvas({.width = kSide, .height = kSide});
+        const render::gl::Texture2D lit{canvas->shape()};
+        const render::gl::Texture2D grains = texture(filled(2, {grain, grain}));
         const render::gl::Texture2D light_texture = texture(light);
-        for (int row = 0; row < kSide; row += 8) painter.paint({light_texture, material, colours, 3}, picture, row, 8);
-        return read_back(picture.lit);
+        for (int row = 0; row < kSide; row += 8) {
+            const mesh::Image roots = render::passes::roots_of_rows(colours, canvas->shape(), row, 8);
+            painter.paint({roots.bytes, light_texture, material, 3}, grains, *canvas, row, 8);
+        }
+        painter.show(*canvas, lit);
+        return read_back(lit);
     }
 };
 
@@ -115,32 +116,36 @@ TEST_F(GroundPicture, ReliefIsBrighterWhereItFacesTheSun) {
     EXPECT_NEAR(painted(albedo, light, 68).pixel(9, 9)[0], static_cast<float>(level) * (1 - share), 1.5F);
 }
 
-TEST_F(GroundPicture, EveryCoarserLevelIsTheMeanOfTheFinerOne) {
-    constexpr int kFinest = 160;  // more rows than are drawn at once
-    mesh::Image noise(kFinest, kFinest, 4);
-    base::RandomStream random{base::Seed{21}};
-    for (std::uint8_t& byte : noise.bytes) byte = static_cast<std::uint8_t>(random.below(256));
-    GroundPictureOnGpu picture;
-    render::gl::TextureShape shape;
-    shape.width = shape.height = kFinest;
-    picture.lit = render::gl::Texture2D{shape};
-    picture.lit.write_rows(0, 0, kFinest, noise.bytes);
+TEST_F(GroundPicture, ShowsEveryLevelOfTheCanvas) {
     GroundPainter painter;
-    for (int level = 1; level < 6; ++level) {
-        const int height = picture.lit.height(level);
-        for (int row = 0; row < height; row += GroundPainter::kMostRows)
-            painter.halve(picture, level, row, std::min(GroundPainter::kMostRows, height - row));
-        const mesh::Image finer = read_back(picture.lit, level - 1);
-        const mesh::Image coarser = read_back(picture.lit, level);
-        ASSERT_EQ(coarser.height, kFinest >> level);
-        for (int y = 0; y < coarser.height; ++y)
-            for (int x = 0; x < coarser.width; ++x)
-                for (int c = 0; c < 4; ++c) {
-                    const auto at = [&](int dx, int dy) { return int{finer.pixel(2 * x + dx, 2 * y + dy)[c]}; };
-                    const int sum = at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1);
-                    ASSERT_NEAR(coarser.pixel(x, y)[c], 0.25 * sum, 1) << level << ' ' << x << ' ' << y;
-                }
-    }
+    const auto canvas = painter.canvas({.width = 64, .height = 32});
+    base::RandomStream random{base::Seed{21}};
+    mesh::Image noise(64, 32, 4);
+    for (std::uint8_t& byte : noise.bytes) byte = static_cast<std::uint8_t>(random.below(256));
+    render::gl::Texture2D filled_canvas{canvas->shape()};
+    filled_canvas.write_rows(0, 0, 32, noise.bytes);
+    filled_canvas.fill_levels();
+    const render::gl::Texture2D lit{canvas->shape()};
+    painter.show(filled_canvas, lit);
+    for (int level = 0; level < canvas->shape().levels(); ++level)
+        EXPECT_EQ(read_back(lit, level), read_back(filled_canvas, level)) << level;
+    const mesh::Image coarser = read_back(lit, 1);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 32; ++x) {
+            const auto at = [&](int dx, int dy) { return int{noise.pixel(2 * x + dx, 2 * y + dy)[0]}; };
+            EXPECT_NEAR(coarser.pixel(x, y)[0], 0.25 * (at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1)), 1);
+        }
+}
+
+TEST_F(GroundPicture, ACanvasIsNobodyElsesWhileItIsHeld) {
+    GroundPainter painter;
+    auto first = painter.canvas({.width = 64, .height = 64});
+    const auto second = painter.canvas({.width = 64, .height = 64});
+    EXPECT_NE(first, second);
+    EXPECT_NE(painter.canvas({.width = 32, .height = 32})->shape(), second->shape());
+    const auto* free = first.get();
+    first.reset();
+    EXPECT_EQ(painter.canvas({.width = 64, .height = 64}).get(), free);
 }
 
 // What is brought ahead, in whatever pieces, makes the same picture.

@@ -57,6 +57,35 @@ TEST(Slices, DoAboutTheBudgetAtATimeAndAllOfItInTheEnd) {
 
 class Pictures : public Gpu {};
 
+TEST(Slices, WaitForWhatIsNotReadyOnlyWhereTheyMay) {
+    Slices slices;
+    bool is_ready = false;
+    int waits = 0;
+    int done = 0;
+    slices.add(1, [&done] { ++done; });
+    slices.add_when(
+        [&](bool may_wait) {
+            waits += may_wait ? 1 : 0;
+            return is_ready || may_wait;
+        },
+        1, [&done] { ++done; });
+    slices.add(1, [&done] { ++done; });
+    const auto has_time = [] { return true; };
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_FALSE(slices.advance(100, has_time));
+        EXPECT_EQ(done, 1);
+    }
+    EXPECT_EQ(waits, 0);
+    is_ready = true;
+    EXPECT_TRUE(slices.advance(100, has_time));
+    EXPECT_EQ(done, 3);
+
+    is_ready = false;
+    slices.add_when([&](bool may_wait) { return is_ready || may_wait; }, 1, [&done] { ++done; });
+    EXPECT_TRUE(slices.advance(1));
+    EXPECT_EQ(done, 4);
+}
+
 TEST_F(Pictures, ArriveWholeInSmallSlices) {
     auto image = std::make_shared<mesh::Image>(300, 200, 4);
     for (std::size_t i = 0; i < image->bytes.size(); ++i) image->bytes[i] = static_cast<std::uint8_t>(i * 7 % 251);
