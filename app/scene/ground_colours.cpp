@@ -31,24 +31,24 @@ int rounded(int sum, int count) { return (sum >= 0 ? sum + count / 2 : sum - cou
 
 GroundColours::GroundColours(const mesh::Image& rgba) : width_(rgba.width), height_(rgba.height) {
     assert(rgba.channels == 4);
-    brightness_.reserve(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-    for (int y = 0; y < height_; ++y)
-        for (int x = 0; x < width_; ++x)
-            brightness_.push_back(static_cast<std::uint8_t>(split(rgba.pixel(x, y)).brightness));
+    brightness_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    shared_.reserve(static_cast<std::size_t>((width_ + 1) / 2) * static_cast<std::size_t>((height_ + 1) / 2));
+    const auto around = [](int value) { return static_cast<std::uint8_t>(std::clamp(value + 128, 0, 255)); };
     for (int y = 0; y < height_; y += 2) {
         for (int x = 0; x < width_; x += 2) {
             int orange = 0;
             int green = 0;
             int wetness = 0;
             for (int k = 0; k < 4; ++k) {
-                const std::uint8_t* pixel =
-                    rgba.pixel(std::min(x + k % 2, width_ - 1), std::min(y + k / 2, height_ - 1));
+                const int column = std::min(x + k % 2, width_ - 1);
+                const int row = std::min(y + k / 2, height_ - 1);
+                const std::uint8_t* pixel = rgba.pixel(column, row);
                 const Split s = split(pixel);
+                brightness_[static_cast<std::size_t>(row * width_ + column)] = static_cast<std::uint8_t>(s.brightness);
                 orange += s.orange;
                 green += s.green;
                 wetness += pixel[3];
             }
-            const auto around = [](int value) { return static_cast<std::uint8_t>(std::clamp(value + 128, 0, 255)); };
             shared_.push_back({around(rounded(orange, 8)), around(rounded(green, 16)),
                                static_cast<std::uint8_t>(rounded(wetness, 4))});
         }

@@ -174,7 +174,7 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const s
     const std::size_t level_bytes = row_bytes / kPaintedBytes * 2 * static_cast<std::size_t>(shape.height);
     slices.add(level_bytes, [&picture, painting] {
         painting->onto(picture).fill_levels();
-        painting->done.set();
+        if (painting->canvas) painting->done.set();
     });
     if (!stays) return;
     const auto is_done = [painting](bool may_wait) {
