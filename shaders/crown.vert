@@ -20,7 +20,7 @@ void main() {
     // It swells behind the leaves as they become fewer.
     vec3 middle_m = vec3(0.0, 0.6 * height_m, 0.0);
     vec3 on_crown_m = position_m + to_coarser_m * becoming.y;
-    vec3 in_plant_m = mix(middle_m, on_crown_m, 0.5 + 0.45 * becoming.z) * unfolded(age_sway.x);
+    vec3 in_plant_m = mix(middle_m, on_crown_m, (0.5 + 0.45 * becoming.z) * becoming.w) * unfolded(age_sway.x);
     gl_Position = view.clip_from_world * vec4(planted(in_plant_m, age_sway.y), 1.0);
     shown = leaf_shown(turned(crown_normal), root_colour_shade);
 }

@@ -11,7 +11,6 @@ layout(location = 1) in vec3 corner_m;
 layout(location = 2) in vec2 age_sway;
 layout(location = 3) in float rank;  // the blade's place in the shuffled order, 0 to 1
 layout(location = 4) in vec4 leaf_normal;
-layout(location = 0) uniform float largest;  // a blade may be enlarged by this much; beyond it the crown thins instead
 layout(location = 5) in vec4 root_colour_shade;  // rgb: square root of the colour; a: light through the own crown
 layout(location = 6) in vec2 blade;  // from the midrib to the rim, from the foot to the tip
 
@@ -22,7 +21,7 @@ out vec2 on_blade;
 float blade_scale(float grown) {
     float share = turn_grown_share.w;
     float leaving = clamp((1.0 - rank / share) * 6.5, 0.0, 1.0);
-    return grown * leaving * min(inversesqrt(share), largest);
+    return grown * leaving / half_tint_enlarged.a;
 }
 
 void main() {

@@ -31,7 +31,7 @@ void main() {
     float facing = max(dot(normal, view.to_sun.xyz) * 0.85 + 0.15, 0.0);
     float foot = min(0.55 + 3.0 * position_m.y * bark.w, 1.0);
     vec3 light = view.sunlight.rgb * (facing * wind_sun_through.z) + ambient_on(normal) * foot;
-    shown = encode(bark.rgb * half_tint * 2.0 * light) * (1.0 - air.a);
+    shown = encode(bark.rgb * half_tint_enlarged.rgb * 2.0 * light) * (1.0 - air.a);
     veil = air.rgb * air.a;
     on_bark = bark_tile;
     vec3 toward = view.to_sun.xyz * (0.35 + 0.65 * wind_sun_through.z) + vec3(0.0, 0.35, 0.0);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "render/gl/fence.hpp"
@@ -32,6 +33,7 @@ namespace {
 // Visible triangles of a whole frame at alpha 1 that a Raspberry Pi 4 draws in time.
 constexpr float kTriangleBudget = 350'000;
 constexpr std::size_t kFewestPlantTriangles = 4'000;
+constexpr float kLeastScale = 0.25F;  // of the sides of what is drawn smaller than it is shown
 
 void require_gles_31() {
     const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
@@ -40,6 +42,11 @@ void require_gles_31() {
     if (is_es && epoxy_gl_version() >= 31) return;
     throw base::InputError(fmt::format("{}: this GPU offers {}; the exhibit needs OpenGL ES 3.1",
                                        reinterpret_cast<const char*>(glGetString(GL_RENDERER)), version));
+}
+
+bool is_software() {
+    const std::string_view driver{reinterpret_cast<const char*>(glGetString(GL_RENDERER))};
+    return driver.find("llvmpipe") != driver.npos || driver.find("softpipe") != driver.npos;
 }
 
 glm::mat4 turned(const glm::mat4& clip_from_world, const Hanging& hanging) {
@@ -60,9 +67,11 @@ void count_fragments() {
 int scaled(int pixels, float scale) { return static_cast<int>(std::lround(static_cast<float>(pixels) * scale)); }
 
 glm::ivec2 scaled(glm::ivec2 size, float scale) {
-    const float within = std::clamp(scale, 0.25F, 1.0F);
+    const float within = std::clamp(scale, kLeastScale, 1.0F);
     return {scaled(size.x, within), scaled(size.y, within)};
 }
+
+float scale_of(const Frame& frame) { return std::clamp(frame.detail.scale, kLeastScale, 1.0F); }
 
 // Neighbours stay neighbours.
 Rect scaled(const Rect& r, float scale) {
@@ -96,50 +105,28 @@ struct Renderer::Parts {
     std::vector<HeldSky> skies;       // one a view, where frames follow each other
     HeldSky::Canvas sky_canvas;
     std::size_t frames = 0;
-    gl::StreamBuffer instances{GL_ARRAY_BUFFER};
+    std::vector<gl::StreamBuffer> instances;  // one a view
     std::shared_ptr<Shelves> shelves = std::make_shared<Shelves>();
     gl::ReducedTarget reduced;
     gl::Fence last_drawn;
-    std::vector<passes::Instance> frame_instances;  // kept from frame to frame for its memory only
+    std::vector<passes::Instance> view_instances;  // kept from view to view for its memory only
+    bool draws_meanwhile = is_software();
 
-    Selection select(const Frame& frame, std::size_t slot);
+    Selection outline(const Frame& frame, std::size_t slot) const;
     void fill(const std::vector<Selection>& selections);
+    void choose(const Frame& frame, std::size_t slot, Selection& selection, Drawn& drawn);
     gl::Work hold_skies(const Frame& frame, std::vector<Selection>& selections);
-    void draw_views(const Frame& frame, const std::vector<Selection>& selections, float scale, Drawn& drawn);
+    void draw_views(const Frame& frame, std::vector<Selection>& selections, float scale, Drawn& drawn);
     void draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot,
                    const Rect& place, Drawn& drawn);
     void draw_signs(const Frame& frame);
 };
 
-Selection Renderer::Parts::select(const Frame& frame, std::size_t slot) {
+Selection Renderer::Parts::outline(const Frame& frame, std::size_t slot) const {
     const View& view = frame.views[slot];
-    const GpuScene& scene = *view.scene;
     const glm::mat4 clip_from_world = clip_from_world_of(view);
     Selection s(clip_from_world);
     s.block = block_of(view, turned(clip_from_world, frame.hanging), frame.seconds);
-    const float alpha = std::max(frame.detail.alpha, 0.01F);
-    const float scale = pixels_per_radian(view);
-    const auto views = static_cast<float>(frame.views.size());
-    HeldGround& held = grounds[slot];
-    if (frame.measured.ground)
-        held.update(view, clip_from_world, {alpha, scale, aspect_ratio(view), views});
-    else
-        held.drop();
-    if (!frame.measured.leaves && !frame.measured.wood) return s;
-
-    passes::Gathering gathering;
-    gathering.view = s.block;
-    gathering.clouds = &scene.sky->shadow_map;
-    gathering.pixels_per_radian = scale;
-    gathering.growth = view.growth;
-    gathering.fineness = std::sqrt(alpha);  // the budget takes the rest where there is much to see
-    const auto budget = static_cast<std::size_t>(kTriangleBudget * alpha / views);
-    gathering.triangle_budget = std::max(budget, held.triangles() + kFewestPlantTriangles) - held.triangles();
-    passes::Crowd crowd = passes::gather(scene.plants, scene.flora->kinds, s.frustum, gathering, frame_instances);
-    s.batches = std::move(crowd.batches);
-    std::erase_if(s.batches, [&](const passes::Batch& batch) {
-        return batch.part == passes::Batch::Part::Wood ? !frame.measured.wood : !frame.measured.leaves;
-    });
     return s;
 }
 
@@ -148,7 +135,40 @@ void Renderer::Parts::fill(const std::vector<Selection>& selections) {
     for (std::size_t i = 0; i < selections.size(); ++i)
         std::memcpy(bytes.data() + i * passes::kViewBlockBytes, &selections[i].block, sizeof(passes::ViewBlock));
     blocks.fill<std::byte>(bytes);
-    instances.fill<passes::Instance>(frame_instances);
+}
+
+// What of its ground and plants is drawn how closely.
+void Renderer::Parts::choose(const Frame& frame, std::size_t slot, Selection& s, Drawn& drawn) {
+    const View& view = frame.views[slot];
+    const GpuScene& scene = *view.scene;
+    const float alpha = std::max(frame.detail.alpha, 0.01F);
+    const float scale = pixels_per_radian(view);
+    const auto views = static_cast<float>(frame.views.size());
+    HeldGround& held = grounds[slot];
+    if (frame.measured.ground)
+        held.update(view, clip_from_world_of(view), {alpha, scale, aspect_ratio(view), views});
+    else
+        held.drop();
+    drawn.sent_bytes += passes::kViewBlockBytes + held.sent_bytes();
+    if (!frame.measured.leaves && !frame.measured.wood) return;
+
+    passes::Gathering gathering;
+    gathering.view = s.block;
+    gathering.clouds = &scene.sky->shadow_map;
+    gathering.pixels_per_radian = scale;
+    gathering.scale = scale_of(frame);
+    gathering.growth = view.growth;
+    gathering.fineness = std::sqrt(alpha);  // the budget takes the rest where there is much to see
+    const auto budget = static_cast<std::size_t>(kTriangleBudget * alpha / views);
+    gathering.triangle_budget = std::max(budget, held.triangles() + kFewestPlantTriangles) - held.triangles();
+    view_instances.clear();
+    passes::Crowd crowd = passes::gather(scene.plants, scene.flora->kinds, s.frustum, gathering, view_instances);
+    s.batches = std::move(crowd.batches);
+    std::erase_if(s.batches, [&](const passes::Batch& batch) {
+        return batch.part == passes::Batch::Part::Wood ? !frame.measured.wood : !frame.measured.leaves;
+    });
+    instances[slot].fill<passes::Instance>(view_instances);
+    drawn.sent_bytes += view_instances.size() * sizeof(passes::Instance);
 }
 
 // A view's sky takes its turn every few frames, or when the one it has no longer serves.
@@ -171,8 +191,7 @@ gl::Work Renderer::Parts::hold_skies(const Frame& frame, std::vector<Selection>&
 }
 
 // On the framebuffer that is bound, from its lower left corner. Adds to drawn, and sums it.
-void Renderer::Parts::draw_views(const Frame& frame, const std::vector<Selection>& selections, float scale,
-                                 Drawn& drawn) {
+void Renderer::Parts::draw_views(const Frame& frame, std::vector<Selection>& selections, float scale, Drawn& drawn) {
     // A tiler keeps the whole frame on its chip when colour, depth and stencil are cleared first, in one go.
     glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
@@ -185,25 +204,29 @@ void Renderer::Parts::draw_views(const Frame& frame, const std::vector<Selection
     glFrontFace(frame.hanging.is_mirrored ? GL_CW : GL_CCW);
     glDepthFunc(GL_LEQUAL);
     if (is_counted) count_fragments();
-    const auto draw_all = [&](Drawn& to) {
-        for (std::size_t i = 0; i < frame.views.size(); ++i) {
-            const Rect place = scaled(on_panel(frame.views[i].viewport, frame.size, frame.hanging), scale);
-            draw_view(frame.views[i], frame, selections[i], i, place, to);
-        }
+    const auto draw_one = [&](std::size_t i, Drawn& to) {
+        const Rect place = scaled(on_panel(frame.views[i].viewport, frame.size, frame.hanging), scale);
+        draw_view(frame.views[i], frame, selections[i], i, place, to);
     };
-    drawn.sent_bytes = selections.size() * passes::kViewBlockBytes + frame_instances.size() * sizeof(passes::Instance);
-    for (const HeldGround& held : grounds) drawn.sent_bytes += held.sent_bytes();
     if (frame.is_wired) {
         glEnable(GL_POLYGON_OFFSET_FILL);  // so that edges lie before what they are the edges of
         glPolygonOffset(1, 2);
     }
-    draw_all(drawn);
+    for (std::size_t i = 0; i < frame.views.size(); ++i) {
+        choose(frame, i, selections[i], drawn);
+        draw_one(i, drawn);
+        // Its other threads draw this view while the next one is chosen. A tiler would write its tiles out for it, and
+        // fetch them again.
+        if (draws_meanwhile) glFlush();
+    }
     if (frame.is_wired) {
         glDisable(GL_POLYGON_OFFSET_FILL);
-        for (std::size_t i = 0; i < frame.views.size(); ++i) grounds[i].sort_by_level(*frame.views[i].scene);
         const gl::Wires wires;
         Drawn not_counted;
-        draw_all(not_counted);
+        for (std::size_t i = 0; i < frame.views.size(); ++i) {
+            grounds[i].sort_by_level(*frame.views[i].scene);
+            draw_one(i, not_counted);
+        }
     }
     for (const gl::Work& work : drawn.of) {
         drawn.triangles += work.triangles;
@@ -224,7 +247,7 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
     const Measured& what = frame.measured;
     const auto of = [&drawn](Kind kind) -> gl::Work& { return drawn.of[static_cast<std::size_t>(kind)]; };
     if (what.leaves || what.wood) {
-        const passes::PlantsPass::Drawn trees = plants.draw(*scene.flora, selection.batches, instances);
+        const passes::PlantsPass::Drawn trees = plants.draw(*scene.flora, selection.batches, instances[slot]);
         of(Kind::Leaves) += trees.leaves;
         of(Kind::Wood) += trees.wood;
     }
@@ -244,8 +267,8 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
     if (what.water) {
         if (country.land.has_water) of(Kind::Water) += water.draw(scene.ground.lit, frustum, view.camera.eye_m);
         // As many pixels as the lines of a finer or smaller picture ask for.
-        const float nearness = std::sqrt(std::min(frame.detail.alpha, 1.0F)) * pixels_per_radian(view) /
-                               passes::WaterLevels::kPixelsPerRadian;
+        const float nearness = std::sqrt(std::min(frame.detail.alpha, 1.0F)) * scale_of(frame) *
+                               pixels_per_radian(view) / passes::WaterLevels::kPixelsPerRadian;
         of(Kind::Water) += water.draw_fresh(country.fresh_water, scene.ground.lit,
                                             country.fresh_water.levels.seen(frustum, view.camera.eye_m, nearness));
     }
@@ -303,10 +326,10 @@ std::shared_ptr<const Texture> Renderer::texture(const mesh::Image& premultiplie
 
 Drawn Renderer::draw(const Frame& frame) {
     Parts& parts = *parts_;
-    parts.frame_instances.clear();
     parts.grounds.resize(frame.views.size());
+    while (parts.instances.size() < frame.views.size()) parts.instances.emplace_back(GL_ARRAY_BUFFER);
     std::vector<Selection> selections;
-    for (std::size_t slot = 0; slot < frame.views.size(); ++slot) selections.push_back(parts.select(frame, slot));
+    for (std::size_t slot = 0; slot < frame.views.size(); ++slot) selections.push_back(parts.outline(frame, slot));
     Drawn drawn;
     drawn.of[static_cast<std::size_t>(Kind::Sky)] = parts.hold_skies(frame, selections);
     parts.fill(selections);
@@ -315,7 +338,7 @@ Drawn Renderer::draw(const Frame& frame) {
     const glm::ivec2 drawn_size = scaled(size, frame.detail.scale);
     const GLuint smaller = drawn_size == size ? 0 : parts.reduced.of(size);
     glBindFramebuffer(GL_FRAMEBUFFER, smaller != 0 ? smaller : frame.framebuffer);
-    parts.draw_views(frame, selections, smaller != 0 ? std::clamp(frame.detail.scale, 0.25F, 1.0F) : 1, drawn);
+    parts.draw_views(frame, selections, smaller != 0 ? scale_of(frame) : 1, drawn);
     if (smaller != 0) parts.reduced.show(drawn_size, frame.framebuffer, size);
     parts.draw_signs(frame);
     const bool is_window = frame.framebuffer == 0;

@@ -5,9 +5,10 @@ layout(location = 8) in vec4 root_scale;         // xyz: root, m; w: of the spec
 layout(location = 9) in vec4 turn_grown_share;   // xy: sine and cosine of the yaw; z: 0 seed to 1 grown; w: share of blades
 layout(location = 10) in vec4 wind_sun_through;  // xy: wind, m at the tips; z: sun; w: sun that comes through leaves
 layout(location = 11) in vec4 air;               // rgb: shown colour; a: amount
-layout(location = 12) in vec3 half_tint;         // half of what the colour is multiplied by
-layout(location = 13) in vec3 becoming;          // x: how far its wood has become the next coarser level's; y: the
-                                                 // same of the mass of its crown; z: how far the crown is that mass
+layout(location = 12) in vec4 half_tint_enlarged;  // rgb: half of what the colour is multiplied by; a: 1 over how many
+                                                   // times its size a blade has
+layout(location = 13) in vec4 becoming;  // x: how far its wood has become the next coarser level's; y: the same of the
+                                         // mass of its crown; z: how far the crown is that mass; w: of that mass's size
 
 vec3 turned(vec3 v) {
     return vec3(turn_grown_share.y * v.x + turn_grown_share.x * v.z, v.y,

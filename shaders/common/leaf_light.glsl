@@ -6,6 +6,6 @@ vec3 leaf_shown(vec3 normal, vec4 root_colour_shade) {
     // Light that comes through a leaf has lost its blue.
     vec3 sun = view.sunlight.rgb * (facing + vec3(0.95, 1.0, 0.30) * wind_sun_through.w);
     vec3 light = sun * shade + ambient_on(normal) * (0.35 + 0.65 * shade);
-    vec3 colour = root_colour_shade.rgb * root_colour_shade.rgb * half_tint;
+    vec3 colour = root_colour_shade.rgb * root_colour_shade.rgb * half_tint_enlarged.rgb;
     return mix(encode(colour * light * 2.0), air.rgb, air.a);
 }

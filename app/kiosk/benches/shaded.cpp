@@ -60,13 +60,13 @@ double beside(render::Kind kind) { return kind <= render::Kind::Wood ? 1.6 : 1.1
 
 }  // namespace
 
-const ChipCosts kPi4Costs{{{"leaves.frag", 17, 173, 101},
+const ChipCosts kPi4Costs{{{"leaves.frag", 17, 172, 101},
                            {"wood.frag", 29, 183, 71},
                            {"near_ground.frag", 27, 191, 81},
                            {"running_water.frag", 58, 191, 42},
                            {"held_sky.frag", 14, 158, 146},
                            {"falling.frag", 15, 170, 155}}};
-const ChipCosts kPi5Costs{{{"leaves.frag", 18, 151, 93},
+const ChipCosts kPi5Costs{{{"leaves.frag", 18, 150, 93},
                            {"wood.frag", 29, 161, 64},
                            {"near_ground.frag", 26, 174, 73},
                            {"running_water.frag", 51, 157, 34},

@@ -22,22 +22,38 @@ constexpr float kMergedFrom = 0.40F;  // share of its blades with which a crown 
 constexpr float kMergedTo = 0.15F;
 constexpr float kMergedFrom_px = 44;  // and how high it is then
 constexpr float kMergedTo_px = 24;
-constexpr float kLeavesMerged = 0.55F;  // of the blades are not needed then
-constexpr float kMass_px = 13;          // of a tree so small no more is seen
+constexpr float kLeavesMerged = 0.55F;   // of the blades are not needed then
+constexpr float kMass_px = 13;           // of a tree so small no more is seen
+constexpr float kMassAlone = 0.7F;       // of its leaves, where its mass stands for so many
+constexpr std::size_t kSimpleMass = 16;  // triangles: no more than the blades that would be seen instead
 // With less fineness than this larger crowns merge too: four blades that stand for thousands are shards.
 constexpr float kLeafyFrom = 0.125F;
 constexpr float kMassFineness = 0.12F;     // a mass is never coarser than with this
 constexpr float kBladesFineness = 0.012F;  // nor what is never a mass: a handful of its blades are flags
 constexpr float kFewestOverMass = 12;      // blades; fewer are left out
+// Blades that would have to be enlarged by so much, and are so long on the screen, are shards in a thin crown, which is
+// better one mass without them.
+constexpr float kShardsFrom = 2.8F;
+constexpr float kShardsTo = 4.5F;
+constexpr float kShardsFrom_px = 6;
+constexpr float kShardsTo_px = 11;
 constexpr float kLeaving = 1.5F;  // a level begins to become the next with so many times the triangles asked for
 constexpr float kShape_px = 11;   // a shorter blade shows no more than that it is one
 
 struct Seen {
     std::uint32_t plant;
     std::uint32_t species;
-    float height_px;
-    float shown;  // 1, or less while it fades with distance
+    float height_px;  // as shown
+    float shown;      // 1, or less while it fades with distance
 };
+
+float leafiness(float fineness) { return std::min(std::sqrt(fineness / kLeafyFrom), 1.0F); }
+
+// Of a plant in a picture that is drawn smaller than it is shown. Where there is enough for all, it has as much as
+// ever.
+float drawn_px(const Seen& seen, float scale, float fineness) {
+    return seen.height_px * std::pow(scale, 1 - leafiness(fineness));
+}
 
 std::size_t wood_triangles(const Kind& kind, const Closeness& how) {
     return how.wood_level < kind.wood_triangles.size() ? kind.wood_triangles[how.wood_level] : 0;
@@ -99,7 +115,7 @@ float fitting_fineness(const std::vector<Seen>& seen, std::span<const Kind> kind
     const auto total = [&](float fineness) {
         std::size_t sum = 0;
         for (const Seen& s : seen) {
-            const Closeness how = closeness(kinds[s.species], s.height_px, fineness);
+            const Closeness how = closeness(kinds[s.species], drawn_px(s, g.scale, fineness), fineness);
             if (kept(s.plant, how.stand) > 0) sum += triangles_of(kinds[s.species], how);
         }
         return sum;
@@ -145,8 +161,8 @@ Instance instance_of(const scene::Plant& plant, const Kind& kind, const Seen& se
             {std::sin(plant.yaw_rad), std::cos(plant.yaw_rad), age, how.share},
             {wind.x, wind.y, sun, through},
             bytes_of(haze_at(g.view, middle_m)),
-            bytes_of({0.5F * tint, 0}),
-            bytes_of({how.to_coarser, how.mass_to_coarser, how.merged, 0})};
+            bytes_of({0.5F * tint, 1 / how.enlarged}),
+            bytes_of({how.to_coarser, how.mass_to_coarser, how.merged, how.mass_size})};
 }
 
 // Of a part's levels, finest first.
@@ -167,13 +183,22 @@ Level level_within(const std::vector<std::size_t>& triangles, float wanted) {
     return {triangles.empty() ? 0 : triangles.size() - 1};
 }
 
+// 0 from, 1 at to and beyond.
+float between(float from, float to, float value) { return std::clamp((value - from) / (to - from), 0.0F, 1.0F); }
+
 // How far a crown is one mass: none of it while it is large on the screen, or its blades are many.
-float merged_crown(const Kind& kind, float wanted_blades, float height_px, float fineness) {
-    if (kind.mass_triangles.empty()) return 0;
-    height_px *= std::min(std::sqrt(fineness / kLeafyFrom), 1.0F);
-    const float share = wanted_blades / static_cast<float>(kind.blades);
-    return std::clamp((kMergedFrom - share) / (kMergedFrom - kMergedTo), 0.0F, 1.0F) *
-           std::clamp((kMergedFrom_px - height_px) / (kMergedFrom_px - kMergedTo_px), 0.0F, 1.0F);
+float merged_crown(float share, float height_px, float leafy) {
+    return between(kMergedFrom, kMergedTo, share) * between(kMergedFrom_px, kMergedTo_px, height_px * leafy);
+}
+
+// A crown so small is its mass or its blades, not both; where little is drawn of anything, also one whose mass stands
+// for little of it.
+float one_or_the_other_px(const Kind& kind, float leafy) {
+    return kind.massed >= kMassAlone ? kMass_px : kMass_px * (1 - leafy);
+}
+
+bool is_mass_enough(const Kind& kind) {
+    return kind.massed >= kMassAlone || (!kind.mass_triangles.empty() && kind.mass_triangles.back() <= kSimpleMass);
 }
 
 // Of plants so high on the screen: near by none is left out, and none larger than it is for those that are.
@@ -202,11 +227,29 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     if (has_leaves && height_px < 14) how.wood_level = kind.wood_triangles.size();
     if (!has_leaves) return how;
     const float least = kind.mass_triangles.empty() ? kBladesFineness : 0;
+    const float fewest = static_cast<float>(std::min(kind.blades, kFewestBlades));
+    const float all = static_cast<float>(kind.blades);
     float wanted_blades = std::max(fineness, least) * 0.16F * height_px * height_px;
+    const auto share_of = [&](float blades) { return std::clamp(blades, fewest, all) / all; };
+    const auto enlarged_by = [&](float blades) {
+        return std::min(1 / std::sqrt(share_of(blades)), kind.largest_blade);
+    };
+    how.enlarged = enlarged_by(wanted_blades);
+    const float blade_px = kind.blade_m * height_px / std::max(kind.height_m, 0.1F);
     how.mass_level = kind.mass_triangles.size();
-    const float merged = merged_crown(kind, wanted_blades, height_px, fineness);
-    if (merged > 0) {
-        const float wanted = std::max(fineness, kMassFineness) * 0.05F * height_px * height_px;
+    const float leafy = leafiness(fineness);
+    const float shards = kind.mass_triangles.empty()
+                             ? 0
+                             : between(kShardsFrom, kShardsTo, 1 / std::sqrt(share_of(wanted_blades))) *
+                                   between(kShardsFrom_px, kShardsTo_px, blade_px * how.enlarged);
+    const float merged =
+        kind.mass_triangles.empty() ? 0 : std::max(merged_crown(share_of(wanted_blades), height_px, leafy), shards);
+    const float small_px = one_or_the_other_px(kind, leafy);
+    if (!is_mass_enough(kind) && small_px > 0) how.mass_size = between(small_px, 1.5F * small_px, height_px);
+    if (merged > 0 && how.mass_size > 0) {
+        // Large crowns are round for their size.
+        const float least_fine = kMassFineness * std::clamp(height_px / 40, 1.0F, 2.5F);
+        const float wanted = std::max(fineness, least_fine) * 0.05F * height_px * height_px;
         const Level mass = level_within(kind.mass_triangles, wanted);
         how.mass_level = mass.at;
         how.mass_to_coarser = mass.to_coarser;
@@ -215,15 +258,14 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
         if (how.wood_level < kind.wood_triangles.size()) how.wood_level = kind.wood_triangles.size() - 1;
         how.to_coarser = 0;
         wanted_blades *= 1 - kLeavesMerged * kind.massed * merged;
+        how.enlarged = enlarged_by(wanted_blades);
+        wanted_blades *= 1 - shards;
         const bool is_bare = merged > 0.9F && wanted_blades < kFewestOverMass && fineness < kLeafyFrom;
-        how.has_leaves = (height_px > kMass_px && !is_bare) || kind.massed < 0.7F;
+        how.has_leaves = height_px > small_px ? !is_bare : !is_mass_enough(kind);
     }
-    const float fewest = static_cast<float>(std::min(kind.blades, kFewestBlades));
-    const float all = static_cast<float>(kind.blades);
-    how.share = std::clamp(wanted_blades, fewest, all) / all;
+    how.share = share_of(wanted_blades);
     how.stand = std::clamp(wanted_blades / fewest, least_stand(height_px), 1.0F);
-    const float blade_px = kind.blade_m * height_px / (std::max(kind.height_m, 0.1F) * std::sqrt(how.share));
-    how.is_plain = kind.triangles_per_plain_blade > 0 && blade_px * std::sqrt(fineness) < kShape_px;
+    how.is_plain = kind.triangles_per_plain_blade > 0 && blade_px * std::sqrt(fineness / how.share) < kShape_px;
     return how;
 }
 
@@ -251,7 +293,7 @@ Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, 
     };
     for (const Seen& s : seen) {
         const Kind& kind = kinds[s.species];
-        const Closeness how = closeness(kind, s.height_px, crowd.fineness);
+        const Closeness how = closeness(kind, drawn_px(s, gathering.scale, crowd.fineness), crowd.fineness);
         if (kept(s.plant, how.stand) <= 0) continue;
         const std::size_t at = instances.size();
         instances.push_back(instance_of(plants[s.plant], kind, s, how, gathering));

@@ -20,7 +20,7 @@ struct Instance {
     glm::vec4 turn_grown_share;
     glm::vec4 wind_sun_through;
     glm::u8vec4 air;
-    glm::u8vec4 half_tint;
+    glm::u8vec4 half_tint_enlarged;
     glm::u8vec4 becoming;
 };
 
@@ -35,6 +35,7 @@ struct Kind {
     float blade_m = 0.3F;
     std::vector<std::size_t> mass_triangles = {};  // of the crown as one mass, a level, finest first
     float massed = 0;                              // of its leaves, the share that this stands for
+    float largest_blade = 100;                     // times its size; beyond it the crown thins instead
 };
 
 struct Batch {
@@ -53,10 +54,12 @@ struct Closeness {
     float to_coarser = 0;        // 0 that level to 1 the next one
     bool has_leaves = false;
     float share = 1;             // of the blades
+    float enlarged = 1;          // each of them, times its size
     bool is_plain = false;       // which are too small to show their shape
     std::size_t mass_level = 0;  // the number of levels: none
     float mass_to_coarser = 0;   // as of the wood
     float merged = 0;            // how far the crown is that mass, 0 to 1
+    float mass_size = 1;         // 0 where that has dwindled to nothing
     float stand = 1;             // of plants so small, the share that stands for all of them, each larger
 };
 Closeness closeness(const Kind& kind, float height_px, float fineness);
@@ -64,7 +67,8 @@ Closeness closeness(const Kind& kind, float height_px, float fineness);
 struct Gathering {
     ViewBlock view;                       // its eye, sun, air and time
     const mesh::Image* clouds = nullptr;  // whose shadow falls on the plants (cloud_shadow.hpp); null: none
-    float pixels_per_radian = 500;
+    float pixels_per_radian = 500;        // as shown
+    float scale = 1;  // of the sides of the picture it is drawn in, if that is smaller: it needs less
     float growth = 1;
     float fineness = 1;  // 1 is the standard; lowered by itself to keep the budget
     std::size_t triangle_budget = 60'000;

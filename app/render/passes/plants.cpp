@@ -168,6 +168,12 @@ float reach_of(const scene::Species& species) {
     return reach;
 }
 
+// A blade as long as its crown is wide would be seen as what it is.
+float largest_blade(const scene::Species& species) {
+    const float share = species.masses.empty() ? 0.55F : 0.42F;  // the mass fills in
+    return std::max(share * species.crown_radius_m / blade_length(species), 1.0F);
+}
+
 Kind kind_of(const scene::Species& species) {
     Kind kind;
     kind.height_m = species.height_m;
@@ -177,15 +183,10 @@ Kind kind_of(const scene::Species& species) {
     kind.triangles_per_blade = species.leaves.indices_per_blade() / 3;
     kind.triangles_per_plain_blade = species.leaves.indices_per_plain_blade() / 3;
     kind.blade_m = blade_length(species);
+    kind.largest_blade = largest_blade(species);
     if (!species.masses.empty()) kind.massed = species.masses.front().share;
     for (const scene::CrownMass& mass : species.masses) kind.mass_triangles.push_back(mass.mesh.triangle_count());
     return kind;
-}
-
-// A blade as long as its crown is wide would be seen as what it is.
-float largest_blade(const scene::Species& species) {
-    const float share = species.masses.empty() ? 0.55F : 0.42F;  // the mass fills in
-    return std::max(share * species.crown_radius_m / blade_length(species), 1.0F);
 }
 
 // What every species without a picture of its own has: neither relief nor spots.
@@ -214,7 +215,6 @@ void add_species(gl::Slices& slices, FloraOnGpu& flora, std::size_t index,
     SpeciesOnGpu& species = flora.species[index];
     species.bark_colour = from.bark_colour;
     species.height_m = from.height_m;
-    species.largest_blade = largest_blade(from);
     flora.kinds[index] = kind_of(from);
     species.wood.resize(from.wood.size());
     for (std::size_t level = 0; level < from.wood.size(); ++level)
@@ -231,8 +231,8 @@ const std::initializer_list<gl::Attribute> kInstanceAttributes{
     {9, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Instance, turn_grown_share)},
     {10, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Instance, wind_sun_through)},
     {11, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, air)},
-    {12, 3, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, half_tint)},
-    {13, 3, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, becoming)}};
+    {12, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, half_tint_enlarged)},
+    {13, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, becoming)}};
 
 std::size_t halvings(std::size_t all, std::size_t left) {
     std::size_t count = 0;
@@ -325,7 +325,6 @@ gl::Work PlantsPass::draw_wood(const SpeciesOnGpu& species, const Batch& batch, 
 }
 
 gl::Work PlantsPass::draw_leaves(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
-    glUniform1f(0, species.largest_blade);
     if (!batch.is_plain) species.leaf.bind(0);
     leaf_vertices_.feed(0, species.leaf_places.name());
     leaf_vertices_.feed(1, species.leaf_surfaces.name());

@@ -42,7 +42,6 @@ struct SpeciesOnGpu {
     std::size_t indices_per_plain_blade = 0;
     gl::Texture2D bark;
     gl::Texture2D leaf;
-    float largest_blade = 1;  // times its size
     glm::vec3 bark_colour{0.2F};
     float height_m = 1;
 };

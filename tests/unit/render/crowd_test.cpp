@@ -203,7 +203,7 @@ TEST(Closeness, ACrownBecomesOneMassGraduallyAndNearbyNever) {
             const Closeness now = closeness(leafy(), px, fineness);
             const bool is_mass = now.mass_level < leafy().mass_triangles.size();
             const bool was_mass = before.mass_level < leafy().mass_triangles.size();
-            if (px > 50) {
+            if (px > 50 && fineness > 0.2F) {
                 EXPECT_FALSE(is_mass);
             }
             if (px < 20 && fineness < 0.6F) {
@@ -234,6 +234,84 @@ TEST(Closeness, ACrownOfAHandfulOfBladesIsOneMassHoweverLarge) {
             }
         }
     }
+}
+
+// Its mass stands for few of its leaves.
+Kind airy(std::size_t coarsest) {
+    Kind kind = leafy();
+    kind.mass_triangles.back() = coarsest;
+    kind.massed = 0.2F;
+    return kind;
+}
+
+TEST(Closeness, ASmallCrownIsItsMassOrItsBladesWhereLittleIsDrawn) {
+    const std::size_t levels = leafy().mass_triangles.size();
+    for (float px = 3; px < 9; px += 0.5F) {
+        const Closeness dear = closeness(airy(40), px, 0.001F);
+        EXPECT_EQ(dear.mass_level, levels) << px;
+        EXPECT_TRUE(dear.has_leaves) << px;
+        const Closeness cheap = closeness(airy(12), px, 0.001F);
+        EXPECT_LT(cheap.mass_level, levels) << px;
+        EXPECT_FALSE(cheap.has_leaves) << px;
+        const Closeness standard = closeness(airy(40), px, 1);
+        EXPECT_LT(standard.mass_level, levels) << px;
+        EXPECT_TRUE(standard.has_leaves) << px;
+    }
+}
+
+TEST(Closeness, AMassThatIsLeftOutHasDwindledBefore) {
+    for (const float fineness : {0.0001F, 0.01F, 0.05F}) {
+        float before = 1;
+        for (float px = 60; px > 2; px *= 0.999F) {
+            const Closeness how = closeness(airy(40), px, fineness);
+            const float size = how.mass_level < airy(40).mass_triangles.size() ? how.mass_size : 0;
+            EXPECT_NEAR(size, before, 0.02F) << px;
+            before = size;
+        }
+    }
+}
+
+TEST(Closeness, NoBladeThatStandsForManyIsLongOnTheScreen) {
+    constexpr float kLong_px = 16;
+    constexpr float kMany = 4.5F * 4.5F;
+    for (const float massed : {0.2F, 0.8F}) {
+        Kind kind = leafy();
+        kind.massed = massed;
+        for (const float largest : {1.5F, 6.0F, 100.0F}) {
+            kind.largest_blade = largest;
+            for (const float fineness : {0.0F, 0.003F, 0.02F, 0.1F, 0.4F}) {
+                for (float px = 14; px < 600; px *= 1.03F) {
+                    const Closeness how = closeness(kind, px, fineness);
+                    const float blade_px = kind.blade_m / kind.height_m * px * how.enlarged;
+                    const bool stands_for_many = 0.16F * fineness * px * px * kMany < static_cast<float>(kind.blades);
+                    EXPECT_FALSE(how.has_leaves && stands_for_many && blade_px > kLong_px)
+                        << px << " " << fineness << " " << largest;
+                    EXPECT_LE(how.enlarged, largest);
+                }
+            }
+        }
+    }
+}
+
+TEST(Crowd, WhatIsDrawnSmallerNeedsLessAndIsThere) {
+    const auto plants = forest(1500, 4000);
+    const std::vector<Kind> kinds{leafy(), grass()};
+    Gathering g = looking_from_the_camera();
+    std::vector<Instance> whole;
+    const Crowd all = gather(plants, kinds, frustum(), g, whole);
+    g.scale = 0.5F;
+    std::vector<Instance> halved;
+    EXPECT_EQ(gather(plants, kinds, frustum(), g, halved).triangles, all.triangles);
+    // And where there is little to spend:
+    g.fineness = 0.01F;
+    g.scale = 1;
+    whole.clear();
+    const Crowd little = gather(plants, kinds, frustum(), g, whole);
+    g.scale = 0.5F;
+    halved.clear();
+    const Crowd fewer = gather(plants, kinds, frustum(), g, halved);
+    EXPECT_LT(fewer.triangles, little.triangles * 8 / 10);
+    EXPECT_GT(halved.size(), whole.size() * 8 / 10);  // some of the smallest stand for others
 }
 
 TEST(Closeness, ACrownThatIsNeverAMassKeepsBladesNearBy) {

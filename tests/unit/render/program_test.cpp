@@ -68,7 +68,7 @@ TEST_F(Programs, ReadAnInstanceAsTheStructThatFillsIt) {
     EXPECT_EQ(glGetAttribLocation(leaves.name(), "turn_grown_share"), 9);
     EXPECT_EQ(glGetAttribLocation(leaves.name(), "wind_sun_through"), 10);
     EXPECT_EQ(glGetAttribLocation(leaves.name(), "air"), 11);
-    EXPECT_EQ(glGetAttribLocation(leaves.name(), "half_tint"), 12);
+    EXPECT_EQ(glGetAttribLocation(leaves.name(), "half_tint_enlarged"), 12);
     const Program crown("crown.vert", "lit.frag");
     EXPECT_EQ(glGetAttribLocation(crown.name(), "becoming"), 13);
     EXPECT_EQ(sizeof(passes::Instance), 60U);
