@@ -82,13 +82,14 @@ std::vector<std::uint16_t> dome_indices() {
     return indices;
 }
 
-std::shared_ptr<const mesh::Image> interleaved(const scene::CloudLayer& layer) {
-    auto both = std::make_shared<mesh::Image>(std::max(layer.density.width, 1), std::max(layer.density.height, 1), 2);
-    for (std::size_t i = 0; i < layer.density.bytes.size(); ++i) {
-        both->bytes[2 * i] = unsigned_byte(layer.opacity * static_cast<float>(layer.density.bytes[i]) / 255);
-        both->bytes[2 * i + 1] = i < layer.lit.bytes.size() ? layer.lit.bytes[i] : std::uint8_t{255};
+// Density, as opaque as the layer is, and light.
+void interleave_row(const scene::CloudLayer& layer, mesh::Image& both, int row) {
+    const auto width = static_cast<std::size_t>(layer.density.width);
+    const std::size_t first = static_cast<std::size_t>(row) * width;
+    for (std::size_t i = first; i < first + width; ++i) {
+        both.bytes[2 * i] = unsigned_byte(layer.opacity * static_cast<float>(layer.density.bytes[i]) / 255);
+        both.bytes[2 * i + 1] = i < layer.lit.bytes.size() ? layer.lit.bytes[i] : std::uint8_t{255};
     }
-    return both;
 }
 
 struct BowCorner {
@@ -166,8 +167,15 @@ void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scen
                                     [table] { return std::span<const std::uint32_t>(*table); });
     gl::TextureShape tiled;
     tiled.wrap_s = tiled.wrap_t = gl::Wrap::Repeat;
-    for (std::size_t i = 0; i < source->clouds.size(); ++i)
-        gl::add_picture(slices, sky.clouds[i], interleaved(source->clouds[i]), tiled);
+    tiled.channels = 2;
+    for (std::size_t i = 0; i < source->clouds.size(); ++i) {
+        const scene::CloudLayer& layer = source->clouds[i];
+        tiled.width = std::max(layer.density.width, 1);
+        tiled.height = std::max(layer.density.height, 1);
+        gl::add_painting(slices, sky.clouds[i], tiled, [source, &layer](mesh::Image& both, int row) {
+            if (!layer.density.bytes.empty()) interleave_row(layer, both, row);
+        });
+    }
     gl::TextureShape disc;
     disc.sampling = gl::Sampling::Smooth;
     sky.has_disc = !source->disc.picture.bytes.empty();
