@@ -22,14 +22,25 @@ namespace {
 
 using genome::Aspect;
 
-// Threads that grow give way to the one that draws.
-class LowPriority : public tbb::task_scheduler_observer {
+// Threads that grow are in the background while they do.
+class Enrolment : public tbb::task_scheduler_observer {
   public:
-    explicit LowPriority(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) { observe(true); }
-    ~LowPriority() override { observe(false); }
-    LowPriority(const LowPriority&) = delete;
-    LowPriority& operator=(const LowPriority&) = delete;
-    void on_scheduler_entry(bool /*is_worker*/) override { lower_priority(); }
+    Enrolment(tbb::task_arena& arena, BackgroundThreads& threads)
+        : tbb::task_scheduler_observer(arena), threads_(threads) {
+        observe(true);
+    }
+    ~Enrolment() override { observe(false); }
+    Enrolment(const Enrolment&) = delete;
+    Enrolment& operator=(const Enrolment&) = delete;
+    void on_scheduler_entry(bool is_worker) override {
+        if (is_worker) threads_.enter();
+    }
+    void on_scheduler_exit(bool is_worker) override {
+        if (is_worker) threads_.leave();
+    }
+
+  private:
+    BackgroundThreads& threads_;
 };
 
 #if defined(__SANITIZE_THREAD__)
@@ -54,7 +65,7 @@ struct Grower::Parts {
     explicit Parts(const GrowerOptions& options_)
         : options(options_),
           arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic),
-          observer(arena),
+          enrolment(arena, threads),
           worker([this](const std::stop_token& stop) { work(stop); }) {}
 
     struct Job {
@@ -91,7 +102,8 @@ struct Grower::Parts {
 
     GrowerOptions options;
     tbb::task_arena arena;
-    LowPriority observer;
+    BackgroundThreads threads;
+    Enrolment enrolment;
 
     std::mutex mutex;
     std::condition_variable_any changed;
@@ -108,6 +120,7 @@ struct Grower::Parts {
     std::uint64_t order_number = 0;
     std::optional<Scenes> ready;
     std::vector<Plot> to_refine;  // of what is or was ready, in its first light
+    bool may_refine = false;
     std::optional<Scenes> refined;
     float progress = 0;
 
@@ -274,6 +287,7 @@ void Grower::Parts::finish_order(Scenes made, std::vector<Plot> plots) {
     if (first_light(options.fineness).light_px < options.fineness.light_px) to_refine = std::move(plots);
     ordered.reset();
     ordered_lit.clear();
+    threads.set_awaited(false);
     progress = 1;
 }
 
@@ -314,18 +328,18 @@ void Grower::Parts::work_out_head_start(std::unique_lock<std::mutex>& lock) {
 }
 
 bool Grower::Parts::has_work() const {
-    return ordered || !to_refine.empty() || to_work_out || !jobs.empty() || !is_ahead_done();
+    return ordered || (may_refine && !to_refine.empty()) || to_work_out || !jobs.empty() || !is_ahead_done();
 }
 
 void Grower::Parts::work(const std::stop_token& stop) {
-    lower_priority();
+    threads.enter();
     std::unique_lock lock(mutex);
     while (!stop.stop_requested()) {
         if (ordered && has_all(*ordered)) {
             compose_order(lock, stop);
         } else if (to_work_out) {
             work_out_head_start(lock);
-        } else if (!to_refine.empty()) {
+        } else if (may_refine && !to_refine.empty()) {
             refine(lock, stop);
         } else if (!jobs.empty()) {
             grow_batch(lock, stop);
@@ -370,6 +384,7 @@ void Grower::order(Order wanted) {
     for (const Aspect aspect : genome::kAspects) parts_->enqueue(aspect, wanted.candidates);
     ++parts_->order_number;
     parts_->ready.reset();
+    parts_->may_refine = false;
     parts_->to_refine.clear();
     parts_->refined.reset();
     parts_->progress = 0;
@@ -378,6 +393,7 @@ void Grower::order(Order wanted) {
     const bool is_lit = std::ranges::find(parts_->ordered_lit, nullptr) == parts_->ordered_lit.end();
     if (is_lit && parts_->has_all(*parts_->ordered))
         parts_->finish_order(parts_->ordered_lit, parts_->plots_of(*parts_->ordered));
+    parts_->threads.set_awaited(parts_->ordered.has_value());
     parts_->changed.notify_all();
 }
 
@@ -390,6 +406,12 @@ std::optional<Scenes> Grower::take() {
     const std::scoped_lock lock(parts_->mutex);
     if (parts_->ready && parts_->to_refine.empty()) parts_->forget_ahead();
     return std::exchange(parts_->ready, std::nullopt);
+}
+
+void Grower::refine() {
+    const std::scoped_lock lock(parts_->mutex);
+    if (std::exchange(parts_->may_refine, true)) return;
+    parts_->changed.notify_all();
 }
 
 std::optional<Scenes> Grower::take_refined() {
@@ -415,6 +437,7 @@ Grower::Stock Grower::stock() {
 }
 
 void Grower::wait() {
+    refine();
     std::unique_lock lock(parts_->mutex);
     parts_->changed.wait(lock, [this] { return !parts_->ordered && parts_->to_refine.empty(); });
 }

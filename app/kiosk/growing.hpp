@@ -17,7 +17,7 @@ namespace quadrat::kiosk {
 std::shared_ptr<const scene::Scene> grow(const genome::Recipe& recipe, const scene::Fineness& fineness = {});
 
 struct GrowerOptions {
-    int threads = 0;  // that grow; 0: all cores. They run at low priority beside the frame loop.
+    int threads = 0;  // that grow; 0: all cores. They run in the background of the frame loop (low_priority.hpp).
     scene::Fineness fineness;
 };
 
@@ -43,17 +43,19 @@ class Grower {
 
     Prospect ahead();
 
-    // Whole scenes. Replaces an order that has not been taken. They are ready in a first, coarse light; it is refined
-    // at once.
+    // Whole scenes. Replaces an order that has not been taken. They are ready in a first, coarse light; until then
+    // somebody waits.
     void order(Order wanted);
 
     bool is_ready();               // the order can be taken
     std::optional<Scenes> take();  // once an order; nothing while it is not ready
     float progress();              // of the order, 0 to 1
-    // The same scenes in their own light, once, unless take() gave them so already.
+    // From now on they grow in their own light too: a visitor who waits to see the first has the cores until then.
+    void refine();
+    // The same scenes in that light, once, unless take() gave them so already.
     std::optional<Scenes> take_refined();
     bool is_refining();  // or has refined what nobody took
-    void wait();         // until the order is ready in its own light
+    void wait();         // refines; until the order is ready in its own light
 
     // Aspects held for what may be asked next, never more than the four scenes' twice, and aspects still to grow.
     struct Stock {

@@ -25,6 +25,7 @@ void Show::stop_regrowing() {
 
 const Act* Show::waiting_to_refine() {
     if (!waiting_ && !refined_) {
+        grower_.refine();
         std::optional<Scenes> scenes;
         if (!is_regrowing_)
             scenes = grower_.take_refined();
