@@ -99,12 +99,16 @@ void Theatre::prepare_ahead(const Prospect& prospect, const Haste& haste) {
         return std::ranges::find(prospect.lit, entry.second.scene) == prospect.lit.end();
     });
     if (!prepare_grounds(prospect.grounds, haste)) return;
-    begin_uploads(prospect.lit, haste.may_wait);
-    for (const auto& scene : prospect.lit)
-        if (!uploaded_.contains(scene.get()) && !uploaded_ahead_.contains(scene.get())) {
-            bring(scene, uploaded_ahead_, haste);
-            return;
-        }
+    for (;;) {
+        begin_uploads(prospect.lit, haste.may_wait);
+        // What was begun first: what is lit meanwhile may come before it in the prospect.
+        const auto begun = std::ranges::find_if(uploading_, [&](const SceneUploading& u) {
+            return std::ranges::find(prospect.lit, u.scene) != prospect.lit.end();
+        });
+        if (begun == uploading_.end()) return;
+        const std::shared_ptr<const scene::Scene> scene = begun->scene;
+        if (!bring(scene, uploaded_ahead_, haste) || !haste.has_time || !haste.has_time()) return;
+    }
 }
 
 // True when all are there.

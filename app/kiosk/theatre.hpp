@@ -38,6 +38,7 @@ class Theatre {
     bool prepare(const Act& act, const Haste& haste);
     // The same for what may be needed of an act to come; held as long as it is asked for.
     void prepare_ahead(const Prospect& prospect, const Haste& haste);
+    std::size_t scenes_ahead() const { return uploaded_ahead_.size(); }  // that are there
     // Frees what no act needs.
     void keep_only(const std::vector<const Act*>& acts);
 

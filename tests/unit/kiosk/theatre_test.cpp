@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/theatre.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <memory>
+#include <thread>
+
+namespace quadrat::kiosk {
+namespace {
+
+class TheatreTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        display::DisplayOptions options;
+        options.kind = display::Kind::Headless;
+        options.size = {64, 64};
+        display_ = display::open_display(options);
+        theatre_.enter(display_->begin_frame());
+        for (std::uint64_t i = 0; i < 8; ++i)
+            scenes_.push_back(grow(genome::random_recipe(base::Seed{40}.child(i)), {65, 64, 128}));
+    }
+
+    // As many frames as it takes; a few seconds at most.
+    void prepare_until(const Prospect& prospect, std::size_t ahead) {
+        const auto began = std::chrono::steady_clock::now();
+        const Theatre::Haste frame{1U << 22U, [] { return true; }, 1};
+        while (theatre_.scenes_ahead() < ahead && std::chrono::steady_clock::now() - began < std::chrono::seconds{20}) {
+            theatre_.prepare_ahead(prospect, frame);
+            std::this_thread::yield();
+        }
+    }
+
+    Configuration configuration_;
+    std::unique_ptr<display::Display> display_;
+    Theatre theatre_{configuration_};
+    Scenes scenes_;
+};
+
+TEST_F(TheatreTest, WhatIsAheadIsThereAtOnce) {
+    prepare_until({{}, {scenes_[0], scenes_[1]}}, 2);
+    EXPECT_EQ(theatre_.scenes_ahead(), 2U);
+    const Theatre::Haste none{0, [] { return false; }, 1};
+    EXPECT_TRUE(theatre_.prepare(Act{{scenes_[1], scenes_[0]}, {}, 1, {}}, none));
+    EXPECT_FALSE(theatre_.prepare(Act{{scenes_[0], scenes_[2]}, {}, 2, {}}, none));
+}
+
+TEST_F(TheatreTest, WhatIsLitMeanwhileHoldsNothingBackWhereverItComes) {
+    // Begun, and as many as are worked out at once.
+    theatre_.prepare_ahead({{}, {scenes_.begin(), scenes_.begin() + 4}}, {1, [] { return false; }, 1});
+    Scenes others_first(scenes_.rbegin(), scenes_.rend());
+    prepare_until({{}, others_first}, scenes_.size());
+    EXPECT_EQ(theatre_.scenes_ahead(), scenes_.size());
+}
+
+TEST_F(TheatreTest, WhatIsNoLongerAheadIsFreed) {
+    prepare_until({{}, {scenes_[0], scenes_[1]}}, 2);
+    theatre_.prepare_ahead({{}, {scenes_[1]}}, {1, [] { return false; }, 1});
+    EXPECT_EQ(theatre_.scenes_ahead(), 1U);
+}
+
+}  // namespace
+}  // namespace quadrat::kiosk
