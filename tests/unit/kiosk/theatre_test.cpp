@@ -4,20 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <memory>
 #include <thread>
+
+#include "unit/render/gpu_fixture.hpp"
 
 namespace quadrat::kiosk {
 namespace {
 
-class TheatreTest : public testing::Test {
+class TheatreTest : public render::Gpu {
   protected:
     void SetUp() override {
-        display::DisplayOptions options;
-        options.kind = display::Kind::Headless;
-        options.size = {64, 64};
-        display_ = display::open_display(options);
-        theatre_.enter(display_->begin_frame());
+        render::Gpu::SetUp();
+        theatre_.enter(canvas_);
         for (std::uint64_t i = 0; i < 8; ++i)
             scenes_.push_back(grow(genome::random_recipe(base::Seed{40}.child(i)), {65, 64, 128}));
     }
@@ -33,7 +31,6 @@ class TheatreTest : public testing::Test {
     }
 
     Configuration configuration_;
-    std::unique_ptr<display::Display> display_;
     Theatre theatre_{configuration_};
     Scenes scenes_;
 };
