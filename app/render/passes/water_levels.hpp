@@ -12,9 +12,8 @@
 namespace quadrat::render::passes {
 
 // The surface of lakes and rivers, cut into squares of the land's grid, each at five levels: where water is level and
-// runs alike, its cells are merged in a quadtree, into larger ones the farther away the level is meant for. Towards a
-// neighbour of the same level a square ends in the corners that both have there, towards one of another in those of the
-// finest, which every level can do: they meet without a crack.
+// runs alike, its cells are merged in a quadtree, into larger ones the farther away the level is meant for. Every level
+// ends at a square's rim in the same corners, so that neighbours of any levels meet without a crack.
 class WaterLevels {
   public:
     static constexpr int kSquare = 64;  // cells a side
@@ -36,23 +35,11 @@ class WaterLevels {
     std::vector<Range> seen(const Frustum& frustum, const glm::vec3& eye_m, float nearness) const;
 
   private:
-    enum Side : std::size_t { kWest, kSouth, kEast, kNorth, kSides };
-    struct Level {
-        Range within;                     // what ends at no side
-        std::array<Range, kSides> alike;  // along a side, beyond which is the same level, or no water
-        std::array<Range, kSides> finest;
-    };
     struct Square {
-        std::array<Level, kLevels> levels;
-        std::array<std::size_t, kSides> neighbours;  // or kNone
+        std::array<Range, kLevels> levels;
         glm::vec3 low_m;
         glm::vec3 high_m;
     };
-    static constexpr std::size_t kNone = ~std::size_t{0};
-    struct Cut;
-    void add_square(const Cut& cut, std::size_t square, std::size_t level);
-    void add_finest_sides(const Cut& cut, std::size_t square, std::size_t level);
-    static std::size_t level_for(const Square& square, const glm::vec3& eye_m, float nearness);
     std::vector<Square> squares_;
     std::vector<std::uint32_t> indices_;
 };
