@@ -66,10 +66,7 @@ void count_fragments() {
 
 int scaled(int pixels, float scale) { return static_cast<int>(std::lround(static_cast<float>(pixels) * scale)); }
 
-glm::ivec2 scaled(glm::ivec2 size, float scale) {
-    const float within = std::clamp(scale, kLeastScale, 1.0F);
-    return {scaled(size.x, within), scaled(size.y, within)};
-}
+glm::ivec2 scaled(glm::ivec2 size, float scale) { return {scaled(size.x, scale), scaled(size.y, scale)}; }
 
 float scale_of(const Frame& frame) { return std::clamp(frame.detail.scale, kLeastScale, 1.0F); }
 
@@ -335,7 +332,7 @@ Drawn Renderer::draw(const Frame& frame) {
     parts.fill(selections);
 
     const glm::ivec2 size = turned_size(frame.size, frame.hanging);
-    const glm::ivec2 drawn_size = scaled(size, frame.detail.scale);
+    const glm::ivec2 drawn_size = scaled(size, scale_of(frame));
     const GLuint smaller = drawn_size == size ? 0 : parts.reduced.of(size);
     glBindFramebuffer(GL_FRAMEBUFFER, smaller != 0 ? smaller : frame.framebuffer);
     parts.draw_views(frame, selections, smaller != 0 ? scale_of(frame) : 1, drawn);
@@ -369,6 +366,7 @@ Drawn Renderer::rehearse(const Frame& like) {
     draw(frame);
     parts_->grounds.clear();  // another scene may get the address of this one
     parts_->skies.clear();    // of this size they are not needed again
+    parts_->instances.clear();
     return drawn;
 }
 

@@ -32,9 +32,11 @@ constexpr float kMassFineness = 0.12F;     // a mass is never coarser than with 
 constexpr float kBladesFineness = 0.012F;  // nor what is never a mass: a handful of its blades are flags
 constexpr float kFewestOverMass = 12;      // blades; fewer are left out
 // Blades that would have to be enlarged by so much, and are so long on the screen, are shards in a thin crown, which is
-// better one mass without them.
+// better one mass without them where little is drawn of anything.
 constexpr float kShardsFrom = 2.8F;
 constexpr float kShardsTo = 4.5F;
+constexpr float kShardsFrom_fineness = 0.1F;
+constexpr float kShardsTo_fineness = 0.05F;
 constexpr float kShardsFrom_px = 6;
 constexpr float kShardsTo_px = 11;
 constexpr float kLeaving = 1.5F;  // a level begins to become the next with so many times the triangles asked for
@@ -241,7 +243,8 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     const float shards = kind.mass_triangles.empty()
                              ? 0
                              : between(kShardsFrom, kShardsTo, 1 / std::sqrt(share_of(wanted_blades))) *
-                                   between(kShardsFrom_px, kShardsTo_px, blade_px * how.enlarged);
+                                   between(kShardsFrom_px, kShardsTo_px, blade_px * how.enlarged) *
+                                   between(kShardsFrom_fineness, kShardsTo_fineness, fineness);
     const float merged =
         kind.mass_triangles.empty() ? 0 : std::max(merged_crown(share_of(wanted_blades), height_px, leafy), shards);
     const float small_px = one_or_the_other_px(kind, leafy);

@@ -203,7 +203,7 @@ TEST(Closeness, ACrownBecomesOneMassGraduallyAndNearbyNever) {
             const Closeness now = closeness(leafy(), px, fineness);
             const bool is_mass = now.mass_level < leafy().mass_triangles.size();
             const bool was_mass = before.mass_level < leafy().mass_triangles.size();
-            if (px > 50 && fineness > 0.2F) {
+            if (px > 50) {
                 EXPECT_FALSE(is_mass);
             }
             if (px < 20 && fineness < 0.6F) {

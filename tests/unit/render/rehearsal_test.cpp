@@ -38,8 +38,7 @@ TEST_F(Rehearsal, LeavesNothingBehind) {
     renderer.rehearse(frame);
     const Drawn after = renderer.draw(frame);
     EXPECT_EQ(renderer.read_pixels(frame), empty);
-    EXPECT_LE(after.objects, before.objects + 5)
-        << "views drawn smaller keep what they are drawn to, and a view its plants";
+    EXPECT_LE(after.objects, before.objects + 4) << "views drawn smaller keep what they are drawn to";
 }
 
 }  // namespace
