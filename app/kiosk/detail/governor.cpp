@@ -18,7 +18,8 @@ constexpr float kMuchMore = 1.4F;        // far from what it could be: seen, and
 constexpr auto kSettling = 400ms;        // until a change can be judged
 constexpr auto kBlame = 5s;              // lateness so soon after a raise is the raise's
 constexpr auto kLongestPatience = std::chrono::nanoseconds{10min};
-constexpr auto kHopeless = 3s;  // late with the least detail: a frame in two periods
+constexpr auto kHopeless = 3s;       // late with the least detail: a frame in two periods
+constexpr float kLessAtOnce = 0.6F;  // of the level, where a frame takes one period again
 constexpr float kGrowing = 0.4F;
 constexpr float kLeastGrowing = 0.12F;
 constexpr float kSofterFrom = 0.3F;  // level
@@ -81,6 +82,14 @@ void DetailGovernor::frame(const FrameTold& told) {
         give_way(told);
     else
         try_more(told);
+    if (periods_ == 1) return;
+    way_back_.frame(told.now, told.used * static_cast<float>(periods_), told.is_growing);
+    if (!way_back_.is_open(told.now)) return;
+    change_periods(1, told.now);
+    target_ = std::max(kLessAtOnce * target_, GovernorOptions::kLeast);
+    reason_ = fmt::format("detail {:.2f}: drawn in half the time: from now on a frame in each of the screen's periods",
+                          target_);
+    begin_anew(told.now);
 }
 
 // Down within a tenth of a second, up over several.
@@ -126,9 +135,7 @@ void DetailGovernor::give_way(const FrameTold& told) {
         raised_at_.reset();
         say("late", before, told);
     } else if (periods_ == 1 && told.now - at_least_since_ > kHopeless) {
-        periods_ = 2;
-        room_ = kRoom;
-        growing_share_ = kGrowing;
+        change_periods(2, told.now);
         say("late with the least detail: from now on a frame in two of the screen's periods", before, told);
     } else {
         return;
@@ -138,19 +145,29 @@ void DetailGovernor::give_way(const FrameTold& told) {
 }
 
 void DetailGovernor::try_more(const FrameTold& told) {
-    if (told.is_growing || target_ >= most_ || told.now - calm_since_ < patience_) return;
+    if (told.is_growing || told.now - calm_since_ < patience_) return;
     const auto are_most = [this](int frames) {
         return static_cast<float>(frames) >= kRoomShare * static_cast<float>(frames_calm_);
     };
     const bool had_room = are_most(frames_with_room_);
     const bool had_much_room = are_most(frames_with_much_room_);
     begin_calm(told.now);
-    if (!had_room) return;
+    // Rather smooth than fine.
+    if (periods_ > 1 && had_much_room && way_back_.watch(told.now)) return;
+    if (!had_room || target_ >= most_) return;
     before_raise_ = target_;
     target_ = std::min(target_ * (had_much_room ? kMuchMore : kOneMore), most_);
     raised_at_ = told.now;
     least_by_ones_ = kLeastByOnes * target_;
     say(had_much_room ? "in time, with much room" : "in time, with room", before_raise_, told);
+}
+
+void DetailGovernor::change_periods(int periods, Instant now) {
+    periods_ = periods;
+    periods > 1 ? way_back_.given_up(now) : way_back_.taken(now);
+    room_ = kRoom;
+    growing_share_ = kGrowing;
+    at_least_since_ = now;
 }
 
 void DetailGovernor::begin_anew(Instant now) {

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "kiosk/detail/way_back.hpp"
+
 // Detail that holds the frame: watches whether frames reach the screen in time, never how long a GPU says it took (a
 // Raspberry Pi's clock follows its load), and turns one knob, the level: alpha, and below 0.3 the size of the views
 // too.
@@ -43,7 +45,7 @@ class DetailGovernor {
 
     // For the next frame. Moves without steps that could be seen; gives way at once while something grows.
     float level() const { return shown_ * (is_growing_ ? growing_share_ : recovered_); }
-    // How many of the screen's periods a frame is meant to take: 1, or 2 on a machine that cannot do better.
+    // How many of the screen's periods a frame is meant to take: 1, or 2 while the machine cannot do better.
     int periods() const { return periods_; }
     // To start with another time.
     float settled() const { return target_; }
@@ -58,6 +60,7 @@ class DetailGovernor {
     void yield_a_little(const FrameTold& told);
     void give_way(const FrameTold& told);
     void try_more(const FrameTold& told);
+    void change_periods(int periods, Instant now);
     void say(const char* why, float before, const FrameTold& told);
     void begin_anew(Instant now);
     void begin_calm(Instant now);
@@ -69,12 +72,13 @@ class DetailGovernor {
     float recovered_ = 1;  // comes back from growing_share_
     bool is_growing_ = false;
     int periods_ = 1;
+    WayBack way_back_;
     std::bitset<kWindow> late_;  // the last frames, the newest first
     Instant late_took_{0};       // the longest of them
     std::optional<Instant> last_now_;
     Instant calm_since_{0};
     Instant changed_at_{0};
-    float room_ = kRoom;  // less where what comes between, landscapes that grow beside it, makes frames late
+    float room_ = kRoom;       // less where what comes between, landscapes that grow beside it, makes frames late
     float least_by_ones_ = 0;  // level: single late frames take no more
     int frames_with_room_ = 0;
     int frames_with_much_room_ = 0;

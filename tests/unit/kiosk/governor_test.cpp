@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "base/seed.hpp"
@@ -138,6 +139,65 @@ TEST(Governor, ShowsAFrameInTwoPeriodsWhereOneIsHopeless) {
     const Watched seen = watch(governor, machine, 60s, 5min, kSteady, kNothingGrows);
     EXPECT_LE(seen.late, seen.frames / 1000 + 2);
     EXPECT_GT(governor.settled(), 0.06F);
+}
+
+// Where landscapes grow for two seconds in twenty: how often what a frame may take changed, and what it is at the end.
+struct Periods {
+    int changes = 0;
+    int last = 0;
+};
+template <typename Slower>
+Periods periods_of(DetailGovernor& governor, Machine& machine, Instant from, Instant to, const Slower& slower) {
+    Periods seen{0, governor.periods()};
+    for (Instant now = from; now < to; now += 1s) {
+        watch(governor, machine, now, now + 1s, slower, [](Instant at) { return at % 20s < 2s; });
+        seen.changes += governor.periods() != std::exchange(seen.last, governor.periods());
+    }
+    return seen;
+}
+
+TEST(Governor, ComesBackToOnePeriodWhenWhatSlowedItHasPassed) {
+    DetailGovernor governor({});
+    Machine machine{4, 8};
+    const auto throttled = [](Instant now) { return now < 5min ? 6.0F : 1.0F; };
+    EXPECT_EQ(periods_of(governor, machine, 0s, 5min, throttled).last, 2);
+    const Periods after = periods_of(governor, machine, 5min, 10min, throttled);
+    EXPECT_EQ(after.last, 1);
+    EXPECT_EQ(after.changes, 1);
+    const Watched seen = watch(governor, machine, 10min, 20min, throttled, kNothingGrows);
+    EXPECT_LE(seen.late, seen.frames / 1000);
+    EXPECT_GT(governor.settled(), 0.9F);
+    // Also after a night without power, and where nobody visits.
+    DetailGovernor next(options_for(1, "2 0.5 V3D", "V3D"));
+    watch(next, machine, 10min, 25min, throttled, kNothingGrows);
+    EXPECT_EQ(next.periods(), 1);
+}
+
+TEST(Governor, StaysAtTwoPeriodsWhereOneDoesNotDoWhileLandscapesGrow) {
+    DetailGovernor governor({});
+    Machine machine{11, 8};
+    const auto slower = [](Instant now) { return now % 20s < 2s ? 1.7F : 1.0F; };
+    EXPECT_EQ(periods_of(governor, machine, 0s, 4min, slower).last, 2);
+    EXPECT_EQ(periods_of(governor, machine, 4min, 60min, slower).changes, 0);
+    EXPECT_GT(governor.settled(), 0.5F) << "and draws what there is time for";
+}
+
+TEST(Governor, TriesOnePeriodEverMoreSeldomWhereItIsWrongEachTime) {
+    DetailGovernor governor({});
+    Machine machine{4, 8};
+    int returns = 0;
+    for (Instant now{0}; now < 24h;) {
+        const Instant work = machine.work(governor.level(), 1);
+        // Its screen takes only every other frame, however soon it is drawn.
+        const Instant took = 2 * kPeriod;
+        now += took;
+        const int before = governor.periods();
+        governor.frame({now, took, kPeriod, used_of(work, governor), now % 20s < 2s});
+        returns += governor.periods() < before;
+    }
+    EXPECT_EQ(governor.periods(), 2);
+    EXPECT_GE(returns, 8);
+    EXPECT_LE(returns, 20);
 }
 
 TEST(Governor, AsksForMoreRoomWhereSingleFramesComeLateUntilTheyNoLongerDo) {
