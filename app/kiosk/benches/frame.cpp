@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "kiosk/benches/benches.hpp"
 #include "kiosk/benches/four_views.hpp"
 #include "kiosk/benches/shaded.hpp"
+#include "kiosk/benches/yardstick.hpp"
 #include "kiosk/heap.hpp"
 #include "kiosk/signs.hpp"
 
@@ -22,7 +24,7 @@ double instructions_per_pixel(Easel& easel, const render::Frame& picture) {
 }
 
 // One view over the whole picture, of nothing but one part; the camera sees nothing else.
-double pass_ms(Easel& easel, render::Frame picture, const render::Measured& what, float look_up) {
+render::Frame pass_of(render::Frame picture, const render::Measured& what, float look_up) {
     picture.signs.clear();
     picture.views.resize(1);
     render::View& view = picture.views.front();
@@ -31,18 +33,62 @@ double pass_ms(Easel& easel, render::Frame picture, const render::Measured& what
     view.camera.target_m =
         view.camera.eye_m + glm::normalize(glm::vec3{ahead.x, 0, ahead.z}) + glm::vec3{0, look_up, 0};
     picture.measured = what;
+    return picture;
+}
+
+struct Compared {
+    double ours_ms = 1e30;
+    double plain_ms = 1e30;
+    std::size_t triangles = 0;  // ours
+};
+
+// In turns, so that both have the same machine; the least of each.
+template <typename Plain>
+Compared compared(Easel& easel, render::Frame pass, const Plain& plain) {
     constexpr int kFrames = 8;  // in which all that is drawn only every few frames is drawn as often as it ever is
-    return least_ms(10,
-                    [&] {
-                        for (int n = 0; n < kFrames; ++n) {
-                            const display::Canvas canvas = easel.display().begin_frame();
-                            picture.framebuffer = canvas.framebuffer;
-                            easel.renderer().draw(picture);
-                            easel.renderer().finish();
-                            easel.display().present();
-                        }
-                    }) /
-           kFrames;
+    const auto frame_ms = [&](const auto& draw) {
+        const auto frames = [&] {
+            for (int n = 0; n < kFrames; ++n) {
+                draw(easel.display().begin_frame());
+                easel.renderer().finish();
+                easel.display().present();
+            }
+        };
+        return least_ms(1, frames) / kFrames;
+    };
+    Compared least;
+    constexpr int kTurns = 12;
+    for (int turn = 0; turn < kTurns; ++turn) {
+        const double ours_ms = frame_ms([&](const display::Canvas& canvas) {
+            pass.framebuffer = canvas.framebuffer;
+            least.triangles = easel.renderer().draw(pass).triangles;
+        });
+        const double plain_ms = frame_ms([&](const display::Canvas& canvas) { plain.draw(canvas); });
+        least.ours_ms = std::min(least.ours_ms, ours_ms);
+        least.plain_ms = std::min(least.plain_ms, plain_ms);
+    }
+    return least;
+}
+
+void passes(Results& results, Easel& easel, const render::Frame& picture) {
+    render::Frame above = picture;
+    above.views.front().camera.eye_m.y += 40;
+    const render::Frame ground = pass_of(above, {false, false, true, false, false}, -0.7F);
+    const Compared land = compared(easel, ground, PlainGround{16});
+    const int as_many = static_cast<int>(std::lround(std::sqrt(static_cast<double>(land.triangles) / 2)));
+    const Compared mesh = compared(easel, ground, PlainGround{std::max(as_many, 1)});
+    const Compared sky = compared(easel, pass_of(picture, {false, false, false, false, true}, 0.6F), PlainSky{});
+    const auto add = [&](const char* name, double value, const char* unit) {
+        results.push_back({name, value, unit, cores()});
+    };
+    add("frame.land_pass_ms", land.ours_ms, "ms");
+    add("frame.plain_ground_ms", land.plain_ms, "ms");
+    add("frame.land_pass_ratio", land.ours_ms / land.plain_ms, "of it");
+    add("frame.plain_mesh_ms", mesh.plain_ms, "ms");
+    add("frame.land_mesh_ratio", mesh.ours_ms / mesh.plain_ms, "of it");
+    add("frame.sky_pass_ms", sky.ours_ms, "ms");
+    add("frame.plain_sky_ms", sky.plain_ms, "ms");
+    add("frame.sky_pass_ratio", sky.ours_ms / sky.plain_ms, "of it");
 }
 
 }  // namespace
@@ -81,12 +127,7 @@ void frame(Results& results, const Options& options, std::string& gpu) {
     results.push_back({"frame.cpu_ms", cpu_ms, "ms", cores()});
     results.push_back({"frame.triangles", triangles, "triangles", cores()});
     results.push_back({"frame.alpha", picture.detail.alpha, "detail", cores()});
-    render::Frame land = picture;
-    land.views.front().camera.eye_m.y += 40;
-    results.push_back(
-        {"frame.land_pass_ms", pass_ms(easel, land, {false, false, true, false, false}, -0.7F), "ms", cores()});
-    results.push_back(
-        {"frame.sky_pass_ms", pass_ms(easel, picture, {false, false, false, false, true}, 0.6F), "ms", cores()});
+    passes(results, easel, picture);
     results.push_back({"frame.instructions_per_pixel", instructions_per_pixel(easel, picture), "", 1});
     results.push_back({"memory.peak_mb", peak_memory_mb(), "MB", cores()});
 }
