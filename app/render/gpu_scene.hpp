@@ -22,14 +22,14 @@ struct CountryOnGpu {
     passes::StoneOnGpu stone;
 };
 
-// What a picture of the scene needs, and nothing else of it: the grown scene may go once this is whole.
+// What a picture of the scene needs.
 class GpuScene {
   public:
     std::shared_ptr<const CountryOnGpu> country;  // all three shared with scenes that inherited them
     std::shared_ptr<const passes::FloraOnGpu> flora;
     std::shared_ptr<const passes::SkyOnGpu> sky;
     passes::GroundPictureOnGpu ground;
-    std::vector<scene::Plant> plants;
+    std::shared_ptr<const std::vector<scene::Plant>> plants;  // the grown scene's, which stays for them
     LightAndAir air;
 };
 

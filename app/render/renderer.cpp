@@ -159,7 +159,7 @@ void Renderer::Parts::choose(const Frame& frame, std::size_t slot, Selection& s,
     const auto budget = static_cast<std::size_t>(kTriangleBudget * alpha / views);
     gathering.triangle_budget = std::max(budget, held.triangles() + kFewestPlantTriangles) - held.triangles();
     view_instances.clear();
-    passes::Crowd crowd = passes::gather(scene.plants, scene.flora->kinds, s.frustum, gathering, view_instances);
+    passes::Crowd crowd = passes::gather(*scene.plants, scene.flora->kinds, s.frustum, gathering, view_instances);
     s.batches = std::move(crowd.batches);
     std::erase_if(s.batches, [&](const passes::Batch& batch) {
         return batch.part == passes::Batch::Part::Wood ? !frame.measured.wood : !frame.measured.leaves;

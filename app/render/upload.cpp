@@ -60,7 +60,7 @@ class WholeUpload final : public SceneUpload {
         const GroundOnGpu ground(slices_, {source->flora, source->land}, shelves);
         made_->country = ground.country;
         made_->flora = ground.flora;
-        made_->plants = source->plants;
+        made_->plants = {source, &source->plants};
         made_->air = light_and_air_of(*source);
         made_->sky = shelved(slices_, shelves, &Shelves::skies, source->sky, passes::add_sky);
         const std::shared_ptr<passes::GroundPainter> painter{shelves, &shelves->painter};

@@ -40,7 +40,8 @@ struct Land {
     mesh::Field surround_m;      // the country around it to the horizon, coarse, about the same middle; within the
     float surround_cell_m = 64;  // land's own square it lies below the land's surface and is not drawn
     mesh::Field water_m;  // the surface of lakes and rivers at each sample; kNoWater where there is none; may be empty
-    mesh::Mesh fresh_water;  // that surface, drawn; it ends under its banks; texcoords: the current, m/s east and south
+    mesh::Mesh fresh_water;  // that surface, drawn; it ends under its banks; without normals; texcoords: the
+                             // current, m/s east and south
     GroundColours albedo;    // what the ground is made of, over the land's square
     mesh::Image detail;  // tileable, mean 128: the grain of soft ground (grass, earth) and of stone, a channel each;
                          // one channel: the same for both

@@ -62,6 +62,9 @@ Program::Program(const shaders::Source& vertex, const shaders::Source& fragment)
     glAttachShader(name_.get(), first.get());
     glAttachShader(name_.get(), second.get());
     glLinkProgram(name_.get());
+    // What stays attached is not deleted, and a driver keeps what it made of its text.
+    glDetachShader(name_.get(), first.get());
+    glDetachShader(name_.get(), second.get());
     GLint is_linked = 0;
     glGetProgramiv(name_.get(), GL_LINK_STATUS, &is_linked);
     const std::string both = fmt::format("{} + {}", vertex.name, fragment.name);
