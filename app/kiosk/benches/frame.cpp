@@ -54,7 +54,7 @@ Compared compared(Easel& easel, render::Frame pass, const Plain& plain) {
                 easel.display().present();
             }
         };
-        return least_ms(1, frames) / kFrames;
+        return milliseconds_of(frames) / kFrames;
     };
     Compared least;
     constexpr int kTurns = 12;

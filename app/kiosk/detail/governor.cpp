@@ -82,14 +82,7 @@ void DetailGovernor::frame(const FrameTold& told) {
         give_way(told);
     else
         try_more(told);
-    if (periods_ == 1) return;
-    way_back_.frame(told.now, told.used * static_cast<float>(periods_), told.is_growing);
-    if (!way_back_.is_open(told.now)) return;
-    change_periods(1, told.now);
-    target_ = std::max(kLessAtOnce * target_, GovernorOptions::kLeast);
-    reason_ = fmt::format("detail {:.2f}: drawn in half the time: from now on a frame in each of the screen's periods",
-                          target_);
-    begin_anew(told.now);
+    if (periods_ > 1) look_back(told);
 }
 
 // Down within a tenth of a second, up over several.
@@ -160,6 +153,17 @@ void DetailGovernor::try_more(const FrameTold& told) {
     raised_at_ = told.now;
     least_by_ones_ = kLeastByOnes * target_;
     say(had_much_room ? "in time, with much room" : "in time, with room", before_raise_, told);
+}
+
+// To a frame in one period.
+void DetailGovernor::look_back(const FrameTold& told) {
+    way_back_.frame(told.now, told.used * static_cast<float>(periods_), told.is_growing);
+    if (!way_back_.is_open(told.now)) return;
+    change_periods(1, told.now);
+    target_ = std::max(kLessAtOnce * target_, GovernorOptions::kLeast);
+    reason_ = fmt::format("detail {:.2f}: drawn in half the time: from now on a frame in each of the screen's periods",
+                          target_);
+    begin_anew(told.now);
 }
 
 void DetailGovernor::change_periods(int periods, Instant now) {

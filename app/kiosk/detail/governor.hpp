@@ -60,6 +60,7 @@ class DetailGovernor {
     void yield_a_little(const FrameTold& told);
     void give_way(const FrameTold& told);
     void try_more(const FrameTold& told);
+    void look_back(const FrameTold& told);
     void change_periods(int periods, Instant now);
     void say(const char* why, float before, const FrameTold& told);
     void begin_anew(Instant now);

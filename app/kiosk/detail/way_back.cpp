@@ -10,7 +10,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kWatched = 1min;
 constexpr auto kWatchedIdle = 10min;  // where nothing grew meanwhile
-constexpr float kEnough = 0.84F;      // of one period: with less detail it will be less
+constexpr float kEnough = 0.84F;      // of one period: what the governor calls much room in two
 constexpr int kFewOf = 400;           // frames: one of so many may have had no room
 constexpr auto kFirstPause = std::chrono::nanoseconds{1min};
 constexpr auto kLongestPause = std::chrono::nanoseconds{2h};

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 #include <vector>
 
 #include "scene/land.hpp"
@@ -164,22 +162,6 @@ mesh::Mesh surface_mesh(const mesh::Field& h, const Drainage& d, float cell_m, c
         }
     }
     const mesh::Field speed_m_s = speeds_m_s(d, level, cell_m);
-    std::vector<glm::ivec2> touched;  // cells
-    mesh::Grid<std::uint8_t> is_corner(h.columns, h.rows, 0);
-    for (int y = 0; y + 1 < h.rows; ++y) {
-        for (int x = 0; x + 1 < h.columns; ++x) {
-            const bool touches = surface.at(x, y) > kNoWater || surface.at(x + 1, y) > kNoWater ||
-                                 surface.at(x, y + 1) > kNoWater || surface.at(x + 1, y + 1) > kNoWater;
-            if (!touches) continue;
-            touched.emplace_back(x, y);
-            is_corner.at(x, y) = is_corner.at(x + 1, y) = is_corner.at(x, y + 1) = is_corner.at(x + 1, y + 1) = 1;
-        }
-    }
-    // Lands are kept for as long as they are shown: no more room than needed, and no normals, which all are up.
-    const auto corners = static_cast<std::size_t>(std::ranges::count(is_corner.samples, std::uint8_t{1}));
-    mesh.positions_m.reserve(corners);
-    mesh.texcoords.reserve(corners);
-    mesh.indices.reserve(6 * touched.size());
     std::vector<std::uint32_t> vertex(h.samples.size(), 0);
     const float half = 0.5F * static_cast<float>(h.columns - 1);
     const auto vertex_at = [&](int x, int y) {
@@ -195,13 +177,22 @@ mesh::Mesh surface_mesh(const mesh::Field& h, const Drainage& d, float cell_m, c
         number = static_cast<std::uint32_t>(mesh.positions_m.size());
         return number - 1;
     };
-    for (const glm::ivec2& cell : touched) {
-        const std::uint32_t a = vertex_at(cell.x, cell.y);
-        const std::uint32_t b = vertex_at(cell.x + 1, cell.y);
-        const std::uint32_t c = vertex_at(cell.x, cell.y + 1);
-        const std::uint32_t e = vertex_at(cell.x + 1, cell.y + 1);
-        mesh.indices.insert(mesh.indices.end(), {a, c, b, b, c, e});
+    for (int y = 0; y + 1 < h.rows; ++y) {
+        for (int x = 0; x + 1 < h.columns; ++x) {
+            const bool touches = surface.at(x, y) > kNoWater || surface.at(x + 1, y) > kNoWater ||
+                                 surface.at(x, y + 1) > kNoWater || surface.at(x + 1, y + 1) > kNoWater;
+            if (!touches) continue;
+            const std::uint32_t a = vertex_at(x, y);
+            const std::uint32_t b = vertex_at(x + 1, y);
+            const std::uint32_t c = vertex_at(x, y + 1);
+            const std::uint32_t e = vertex_at(x + 1, y + 1);
+            mesh.indices.insert(mesh.indices.end(), {a, c, b, b, c, e});
+        }
     }
+    // Kept for as long as the land is shown.
+    mesh.positions_m.shrink_to_fit();
+    mesh.texcoords.shrink_to_fit();
+    mesh.indices.shrink_to_fit();
     return mesh;
 }
 
