@@ -13,6 +13,7 @@ struct LightAndAir {
     scene::Sky sky;  // without its images, its table and its stars
     glm::vec3 shallow_water{0}, deep_water{0}, high_sky{0}, foam{0};
     float exposure = 1;
+    float floor_m = 0;
     float side_m = 1;
     float grain_tile_m = 1;
 };

@@ -88,6 +88,7 @@ LightAndAir light_and_air_of(const scene::Scene& scene) {
         a.high_sky += scene::mean_radiance(*scene.sky, toward) / static_cast<float>(kBearings);
     }
     a.exposure = scene.exposure;
+    a.floor_m = scene.floor_m;
     a.side_m = land.side_m();
     a.grain_tile_m = land.detail_tile_m;
     return a;
@@ -110,7 +111,8 @@ passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, f
     b.haze_colour = {shown(sky.haze_colour, left), kLog2E / sky.haze_distance_m};
     b.haze_sunward = {shown(sky.haze_sunward, left), kLog2E / sky.haze_height_m};
     const scene::Mist& mist = sky.mist;
-    b.mist = {kLog2E * mist.per_m, mist.level_m, kLog2E / mist.depth_m, 7.0F + 0.005F * sky.haze_distance_m};
+    b.mist = {kLog2E * mist.per_m, air.floor_m + mist.level_m, kLog2E / mist.depth_m,
+              7.0F + 0.005F * sky.haze_distance_m};
     b.disc = {encode(sky.disc.colour * left), sky.disc.radius_rad};
     b.glare = {sky.glare * kept_shown, 0.20F * sky.bow * kept_shown};
     set_water(b, air, left, seconds);

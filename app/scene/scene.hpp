@@ -40,6 +40,7 @@ struct Scene {
     std::vector<Plant> plants;  // sorted by species
     BakedLight light;
     float exposure = 1;  // of all its light, when it is shown
+    float floor_m = 0;   // above the sea: the low ground along its flight, on which mist lies
     Track track;
 };
 

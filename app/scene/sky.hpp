@@ -75,7 +75,8 @@ struct Precipitation {
     friend bool operator==(const Precipitation&, const Precipitation&) = default;
 };
 
-// A second, low layer of air: at its thickest up to level_m, thinner above by exp(-(h - level_m) / depth_m).
+// A second, low layer of air: at its thickest up to level_m, thinner above by exp(-(h - level_m) / depth_m); h is above
+// the floor of the scene that it lies in.
 struct Mist {
     float per_m = 0;  // extinction at its thickest; 0: none
     float level_m = 0;

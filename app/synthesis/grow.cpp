@@ -3,6 +3,7 @@
 
 #include "synthesis/compose/exposure.hpp"
 #include "synthesis/compose/light.hpp"
+#include "synthesis/compose/low_ground.hpp"
 #include "synthesis/compose/openness.hpp"
 #include "synthesis/compose/planting.hpp"
 #include "synthesis/compose/track.hpp"
@@ -35,6 +36,7 @@ scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_p
     const LandShadow shadow(*land, sky->sun_direction, sky->shadow_softness);
     light_plants(scene.plants, *flora, *sky, shadow);
     scene.light = bake_light(*land, layout.openness, *sky, *flora, scene.plants, shadow, fineness.light_px);
+    scene.floor_m = low_ground_m(*land, scene.track);
     scene.exposure = stopped_down(*land, *sky, scene.light, scene.track);
     scene.flora = std::move(flora);
     scene.land = std::move(land);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <string>
 
 #include "display/display.hpp"
 #include "render/gl/limits.hpp"
@@ -44,8 +43,6 @@ class Stage : public testing::Test {
         renderer_->draw(f);
         return renderer_->read_pixels(f);
     }
-    // Against golden/NAME.png; what it drew is left beside the test binary when they differ.
-    static void expect_golden(const std::string& name, const mesh::Image& picture);
 
     std::unique_ptr<display::Display> display_;
     display::Canvas canvas_;

@@ -70,8 +70,9 @@ CrownShade cast_crowns(const scene::Land& land, const glm::vec3& sun_direction, 
         const float high_m = species.height_m * plant.scale;
         const float crown_m = 0.58F * high_m;
         const glm::vec2 root{plant.root_m.x, plant.root_m.z};
-        // Where the shadow of the crown's middle meets the ground, which may rise or fall on the way.
-        glm::vec2 spot = root;
+        // Where the shadow of the crown's middle meets the ground, which may rise or fall on the way: from where it
+        // would meet level ground.
+        glm::vec2 spot = root + away * (run_per_rise * crown_m);
         for (int i = 0; i < 4; ++i) {
             const float drop_m = std::max(plant.root_m.y + crown_m - scene::ground_height_m(land, spot), 0.0F);
             spot = root + away * (0.5F * glm::length(spot - root) + 0.5F * run_per_rise * drop_m);

@@ -196,9 +196,16 @@ void add_falling(scene::Sky& sky, const Parameters& p) {
     }
 }
 
+// Rain that falls here, or far off from clouds enough for a shower: drops that a bow can stand in. Snow makes none.
+float showers(const Parameters& p) {
+    const Falling falls = falling(p);
+    if (falls.snow > 0) return 0;
+    return falls.rain > 0 ? 1 : glm::smoothstep(0.2F, 0.45F, p.cloud_cover);
+}
+
 // What lies before it hides it: mist, thick air.
 float bow_of(const Parameters& p, float closed) {
-    return std::max(p.bow_strength, 0.0F) * (1.0F - 0.7F * closed) *
+    return std::max(p.bow_strength, 0.0F) * showers(p) * (1.0F - 0.7F * closed) *
            (1.0F - std::clamp(1.3F * p.mist_share, 0.0F, 1.0F)) * glm::smoothstep(350.0F, 1600.0F, p.haze_distance_m);
 }
 

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "pictures/golden.hpp"
 #include "pictures/handmade_scene.hpp"
 #include "pictures/stage.hpp"
 #include "render/lettering.hpp"

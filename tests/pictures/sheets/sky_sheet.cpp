@@ -3,65 +3,25 @@
 //     sky_sheet weather FILE.png    24 skies by hour and weather over one land
 //     sky_sheet hours FILE.png      one scene at twelve hours
 //     sky_sheet genomes FILE.png    48 random genomes; [FIRST_SEED]
-//     sky_sheet measure [COUNT]     luminance of as many random genomes: a line for each that breaks a bound
+//     sky_sheet measure [COUNT]     luminance of as many random genomes, and whether
+//                                  their light is of numbers: a line for each that breaks a bound
 //     any, then NAME=VALUE …        parameters for all of its pictures
 #include <fmt/core.h>
 
 #include <cstdlib>
-#include <functional>
-#include <map>
 #include <string>
 
 #include "genome/parameter_rules.hpp"
 #include "kiosk/easel.hpp"
 #include "kiosk/picture.hpp"
+#include "pictures/weather.hpp"
 #include "support/exposure.hpp"
+#include "support/finite.hpp"
 
 namespace {
 
 using namespace quadrat;
-using Values = std::map<std::string, float>;
-
-void set_all(genome::Recipe& recipe, const Values& values) {
-    for (const auto& [name, value] : values) {
-        const auto id = genome::parameter_named(name);
-        if (!id) throw std::runtime_error(name + " is not a parameter");
-        recipe.values.set(*id, value);
-    }
-}
-
-genome::Recipe place() {
-    genome::Recipe recipe;
-    for (const genome::Aspect aspect : genome::kAspects) recipe.seeds[aspect] = base::Seed{5}.child(name_of(aspect));
-    recipe.flight = base::Seed{5}.child("flight");
-    set_all(recipe, {{"range.height_m", 220}, {"land.sea_level", 0.2F}});
-    return recipe;
-}
-
-struct Hour {
-    const char* name;
-    Values values;
-};
-
-const std::vector<Hour>& hours() {
-    static const std::vector<Hour> all{{"morning", {{"sun.elevation_deg", 14}, {"sun.azimuth_deg", 75}}},
-                                       {"noon", {{"sun.elevation_deg", 60}, {"sun.azimuth_deg", 150}}},
-                                       {"evening", {{"sun.elevation_deg", 5}, {"sun.azimuth_deg", -50}}},
-                                       {"night", {{"night.share", 0.75F}}}};
-    return all;
-}
-
-const std::vector<Hour>& weathers() {
-    static const std::vector<Hour> all{
-        {"clear", {{"cloud.cover", 0.08F}, {"cirrus.cover", 0.15F}}},
-        {"fair", {{"cloud.cover", 0.42F}, {"cloud.billow", 0.8F}, {"cloud.sharpness", 0.7F}}},
-        {"overcast", {{"cloud.cover", 0.95F}, {"cloud.sharpness", 0.2F}, {"cloud.thickness", 0.5F}}},
-        {"storm",
-         {{"cloud.cover", 0.9F}, {"cloud.sharpness", 0.9F}, {"cloud.thickness", 1}, {"rain.share", 0.7F}, {"cloud.roughness", 0.62F}}},
-        {"fog", {{"mist.share", 0.8F}, {"mist.depth_m", 20}, {"cloud.cover", 0.3F}, {"haze.distance_m", 1200}}},
-        {"snow", {{"snowfall.share", 0.6F}, {"cloud.cover", 0.85F}, {"haze.distance_m", 1500}}}};
-    return all;
-}
+using namespace quadrat::tests;
 
 void add(std::vector<kiosk::SheetEntry>& sheet, kiosk::Easel& easel, genome::Recipe recipe, const std::string& caption,
          int width, int height) {
@@ -99,10 +59,10 @@ int hours_sheet(const std::string& file, const Values& extra) {
         int hour;
         float height_deg, bearing_deg;
     };
-    for (const Position& p : {Position{0, -29, 0}, Position{2, -24, 31}, Position{4, -10, 58}, Position{6, 7, 82},
-                              Position{8, 26, 107}, Position{10, 43, 139}, Position{12, 50, 180}, Position{14, 43, -139},
-                              Position{16, 26, -107}, Position{18, 7, -82}, Position{20, -10, -58},
-                              Position{22, -24, -31}}) {
+    for (const Position& p :
+         {Position{0, -29, 0}, Position{2, -24, 31}, Position{4, -10, 58}, Position{6, 7, 82}, Position{8, 26, 107},
+          Position{10, 43, 139}, Position{12, 50, 180}, Position{14, 43, -139}, Position{16, 26, -107},
+          Position{18, 7, -82}, Position{20, -10, -58}, Position{22, -24, -31}}) {
         genome::Recipe recipe = place();
         if (p.height_deg > 2)
             set_all(recipe, {{"sun.elevation_deg", p.height_deg}});
@@ -138,9 +98,11 @@ int measure(std::uint64_t count) {
         picture.width = 320;
         picture.height = 180;
         picture.land_samples = 129;
-        const tests::Exposure e = tests::exposure_of(easel.draw(picture));
+        const auto scene = kiosk::grow(picture.scenes[0], kiosk::fineness_of(picture.land_samples));
+        const tests::Exposure e = tests::exposure_of(easel.draw(picture, kiosk::Scenes{scene}));
         const bool is_night = picture.scenes[0].values[genome::ParameterId::night_share] > 0;
-        const std::string fault = tests::fault_of(e, is_night);
+        std::string fault = tests::not_finite(*scene->sky, scene->exposure);
+        if (fault.empty()) fault = tests::fault_of(e, is_night);
         if (!fault.empty()) fmt::print("seed:{} {}: {}\n", seed, is_night ? "night" : "day", fault);
         if (!fault.empty()) ++broken;
     }
@@ -172,6 +134,7 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "sky_sheet: {}\n", error.what());
         return 2;
     }
-    fmt::print(stderr, "usage: sky_sheet weather|hours|genomes FILE.png [FIRST_SEED] [NAME=VALUE …], or measure [COUNT]\n");
+    fmt::print(stderr,
+               "usage: sky_sheet weather|hours|genomes FILE.png [FIRST_SEED] [NAME=VALUE …], or measure [COUNT]\n");
     return 2;
 }

@@ -5,8 +5,10 @@
 #include <glm/geometric.hpp>
 
 #include "base/seed.hpp"
+#include "render/gpu_scene.hpp"
 #include "render/passes/air.hpp"
 #include "render/passes/cloud_shadow.hpp"
+#include "render/view.hpp"
 
 namespace quadrat::render::passes {
 namespace {
@@ -36,6 +38,28 @@ TEST(Mist, HidesWhatTheIntegralOfItsDensityHides) {
         const double hidden = 1 - std::exp(-0.006 * glm::distance(eye, at) * sum);
         EXPECT_NEAR(haze_at(misty(level, depth, eye), at).a, hidden, 0.012) << eye.y << " " << at.y << " " << level;
     }
+}
+
+TEST(Mist, LiesOnTheFloorOfItsSceneHoweverHighThatIs) {
+    const auto hidden = [](float floor_m, glm::vec3 eye_m, glm::vec3 at_m) {
+        auto scene = std::make_shared<GpuScene>();
+        scene->air.sky.mist = {0.006F, 10, 14};
+        scene->air.sky.haze_distance_m = 1e9F;  // which keeps to the sea
+        scene->air.floor_m = floor_m;
+        View view;
+        view.scene = scene;
+        view.viewport = {0, 0, 160, 90};
+        const glm::vec3 up{0, floor_m, 0};
+        view.camera.eye_m = eye_m + up;
+        return haze_at(block_of(view, glm::mat4{1}, 0), at_m + up).a;
+    };
+    base::RandomStream random{base::Seed{4}};
+    for (int i = 0; i < 50; ++i) {
+        const glm::vec3 eye_m{0, random.between(2, 30), 0};
+        const glm::vec3 at_m{random.between(-300, 300), random.between(0, 40), random.between(-300, 300)};
+        EXPECT_NEAR(hidden(100, eye_m, at_m), hidden(0, eye_m, at_m), 1e-3F);
+    }
+    EXPECT_GT(hidden(100, {0, 3, 0}, {0, 2, -300}), 0.5F);
 }
 
 TEST(CloudShadow, GoesWithTheWind) {

@@ -310,6 +310,14 @@ TEST(Sky, HasARainbowOnlyWhereOneCanBe) {
     p.sun_elevation_deg = 20;
     p.night_share = 0.5F;
     EXPECT_EQ(grow_sky(p, base::Seed{1}).bow, 0);
+    p.night_share = -1;
+    p.snowfall_share = 0.5F;
+    EXPECT_EQ(grow_sky(p, base::Seed{1}).bow, 0);
+    p.snowfall_share = -1;
+    p.cloud_cover = 0.1F;  // no cloud that it could rain from
+    EXPECT_EQ(grow_sky(p, base::Seed{1}).bow, 0);
+    p.rain_share = 0.3F;
+    EXPECT_GT(grow_sky(p, base::Seed{1}).bow, 0.3F);
 }
 
 TEST(Sky, ThatIsClosedTakesTheSunAndLeavesTheLight) {

@@ -50,6 +50,33 @@ TEST(TreeLevels, OfATrunkKeepItsVolumeAndItsAges) {
     }
 }
 
+// D = alpha E^beta is free of scale. A trunk is round: of its many like edges rounding decides which goes first, and a
+// level's error is its dearest collapse; so they are the same only where the scale is a power of two, and within half a
+// level where it is not.
+TEST(TreeLevels, OfATrunkOfTenTimesTheSizeChangeAtTenTimesTheDistance) {
+    mesh::Mesh trunk = trunk_of("changed-c").mesh;
+    mesh::ProgressiveOptions options;
+    options.fewest = 12;
+    const mesh::Progressive one = mesh::make_progressive(trunk, options);
+    for (glm::vec3& position_m : trunk.positions_m) position_m *= 10.0F;
+    const mesh::Progressive ten = mesh::make_progressive(trunk, options);
+    ASSERT_GT(one.levels.size(), 4U);
+    ASSERT_EQ(ten.levels.size(), one.levels.size());
+    constexpr float kAlpha = 500;
+    for (std::size_t i = 1; i < one.levels.size(); ++i) {
+        const float distance_m = mesh::ideal_distance_m(one.levels[i], kAlpha);
+        EXPECT_NEAR(mesh::ideal_distance_m(ten.levels[i], kAlpha), 10 * distance_m, 5 * distance_m) << i;
+        EXPECT_NEAR(mesh::level_at(ten, 10 * distance_m, kAlpha), mesh::level_at(one, distance_m, kAlpha), 0.5F) << i;
+    }
+    for (glm::vec3& position_m : trunk.positions_m) position_m *= 1.6F;
+    const mesh::Progressive sixteen = mesh::make_progressive(trunk, options);
+    for (glm::vec3& position_m : trunk.positions_m) position_m *= 16.0F;
+    const mesh::Progressive times_16 = mesh::make_progressive(trunk, options);
+    ASSERT_EQ(times_16.levels.size(), sixteen.levels.size());
+    for (std::size_t i = 0; i < sixteen.levels.size(); ++i)
+        EXPECT_EQ(times_16.levels[i].error_m, 16 * sixteen.levels[i].error_m) << i;
+}
+
 TEST(TreeLevels, OfASmoothTreeKeepItsVolume) {
     const Grammar grammar = library_grammar("changed-c");
     TurtleOptions turtle = options_of(grammar);

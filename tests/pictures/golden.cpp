@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pictures/stage.hpp"
+#include "pictures/golden.hpp"
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
+#include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -30,7 +31,7 @@ void write_png(const OIIO::ImageBuf& buffer, const std::filesystem::path& path) 
 
 }  // namespace
 
-void Stage::expect_golden(const std::string& name, const mesh::Image& picture) {
+void expect_golden(const std::string& name, const mesh::Image& picture) {
     const std::filesystem::path golden =
         std::filesystem::path(QUADRAT_SOURCE_DIR) / "tests/pictures/golden" / (name + ".png");
     const OIIO::ImageBuf now = buffer_of(picture);
