@@ -18,31 +18,54 @@ constexpr float kSurroundBudget = 6'000;
 void HeldGround::update(const View& view, const glm::mat4& clip_from_world, const Wish& wish) {
     sent_bytes_ = 0;
     if (scene_.lock() == view.scene && wish_ == wish && hold_.serves(view.camera)) return;
+    if (scene_.lock() != view.scene) sight_.drop();
     scene_ = view.scene;
     wish_ = wish;
     hold_.choose(view.camera);
     chosen_.clear();
     const passes::Frustum frustum = passes::Hold::wider(clip_from_world);
+    look_around(*view.scene, view.camera, frustum);
     const CountryOnGpu& country = *view.scene->country;
-    grain_m_ = passes::kGrainSeen_m * wish.pixels_per_radian;
-    // The ground's outline against the sky is missed before leaves are, and it is cheap.
-    const float alpha = wish.alpha < 1 ? std::sqrt(wish.alpha) : wish.alpha;
-    const auto within = [&](float error_px, float budget) {
-        return passes::Blocks::Wish{view.camera.eye_m, wish.pixels_per_radian, error_px / std::sqrt(alpha),
-                                    static_cast<std::size_t>(budget * alpha / wish.views), grain_m_};
+    // The ground's outline against the sky is missed before leaves are, and it is cheap. Its triangles grow all the
+    // same: a software rasteriser shades squares of 16 pixels, whole ones along every edge.
+    const bool is_coarse = wish.alpha < 1;
+    const float alpha = is_coarse ? std::sqrt(wish.alpha) : wish.alpha;
+    const float error_share = is_coarse ? std::pow(wish.alpha, -0.8F) : 1 / std::sqrt(wish.alpha);
+    grain_m_ = passes::kGrainSeen_m * wish.pixels_per_radian * std::min(alpha, 1.0F);
+    const auto within = [&](float error_px, float budget, const std::vector<std::uint8_t>& hidden) {
+        return passes::Blocks::Wish{view.camera.eye_m,
+                                    wish.pixels_per_radian,
+                                    error_px * error_share,
+                                    static_cast<std::size_t>(budget * alpha / wish.views),
+                                    grain_m_,
+                                    hidden};
     };
-    land_ = choose(country.land.land, frustum, within(3.0F, kLandBudget));
-    surround_ = choose(country.land.surround, frustum, within(2.6F, kSurroundBudget));
+    land_ = choose(country.land.land, frustum, within(3.0F, kLandBudget, hidden_land_));
+    surround_ = choose(country.land.surround, frustum, within(2.6F, kSurroundBudget, hidden_surround_));
     const std::size_t first = chosen_.size();
-    country.stone.pieces.select(frustum, {view.camera.eye_m, wish.pixels_per_radian, 1.2F / std::sqrt(wish.alpha)},
-                                chosen_);
+    const float stone_px = 1.2F / std::sqrt(wish.alpha);
+    country.stone.pieces.select(frustum, {view.camera.eye_m, wish.pixels_per_radian, stone_px, &horizon_}, chosen_);
     stone_ = {first, chosen_.size() - first, 0, 0};
     indices_.fill<std::uint32_t>(chosen_);
     sent_bytes_ = chosen_.size() * sizeof(std::uint32_t);
 }
 
+// Anew only where the last look no longer serves: it costs as much as the choice does.
+void HeldGround::look_around(const GpuScene& scene, const scene::Camera& camera, const passes::Frustum& frustum) {
+    if (sight_.serves(camera)) return;
+    sight_.choose(camera);
+    horizon_.begin(camera.eye_m, passes::Horizon::kMoved_m + passes::Hold::kMoved_m);
+    const auto hidden_of = [&](const passes::GridOnGpu& grid) {
+        return grid.blocks ? grid.blocks->hidden(frustum, camera.eye_m, horizon_) : std::vector<std::uint8_t>{};
+    };
+    hidden_land_ = hidden_of(scene.country->land.land);
+    hidden_surround_ = hidden_of(scene.country->land.surround);
+}
+
 void HeldGround::drop() {
     hold_.drop();
+    sight_.drop();
+    horizon_.begin({0, 0, 0}, 0);
     chosen_.clear();
     land_ = surround_ = stone_ = {};
     sent_bytes_ = 0;

@@ -8,6 +8,7 @@
 #include "render/gpu_scene.hpp"
 #include "render/passes/grid.hpp"
 #include "render/passes/hold.hpp"
+#include "render/passes/horizon.hpp"
 
 namespace quadrat::render {
 
@@ -28,7 +29,8 @@ class HeldGround {
     const passes::IndexRange& land() const { return land_; }
     const passes::IndexRange& surround() const { return surround_; }
     const passes::IndexRange& stone() const { return stone_; }
-    float grain_m() const { return grain_m_; }  // how far the land's grain is seen
+    const passes::Horizon& horizon() const { return horizon_; }  // of land and surround
+    float grain_m() const { return grain_m_; }                   // how far the land's grain is seen
     // The land's triangles a level, for wires: sorted by it, in the index stream of its own.
     const std::vector<passes::IndexRange>& land_by_level() const { return land_by_level_; }
     const gl::StreamBuffer& level_indices() const { return level_indices_; }
@@ -40,9 +42,14 @@ class HeldGround {
     passes::IndexRange choose(const passes::GridOnGpu& grid, const passes::Frustum& frustum,
                               const passes::Blocks::Wish& wish);
 
+    void look_around(const GpuScene& scene, const scene::Camera& camera, const passes::Frustum& frustum);
+
     std::weak_ptr<const GpuScene> scene_;
     Wish wish_;
     passes::Hold hold_;
+    passes::Hold sight_{passes::Horizon::kMoved_m, passes::Horizon::kTurned_rad};
+    passes::Horizon horizon_;
+    std::vector<std::uint8_t> hidden_land_, hidden_surround_;
     std::vector<std::uint32_t> chosen_;
     gl::StreamBuffer indices_{GL_ELEMENT_ARRAY_BUFFER};
     gl::StreamBuffer level_indices_{GL_ELEMENT_ARRAY_BUFFER};

@@ -70,6 +70,8 @@ glm::ivec2 scaled(glm::ivec2 size, float scale) { return {scaled(size.x, scale),
 
 float scale_of(const Frame& frame) { return std::clamp(frame.detail.scale, kLeastScale, 1.0F); }
 
+float alpha_of(const Frame& frame) { return std::max(frame.detail.alpha, 0.01F); }
+
 // Neighbours stay neighbours.
 Rect scaled(const Rect& r, float scale) {
     const glm::ivec2 low = {scaled(r.x, scale), scaled(r.y, scale)};
@@ -138,7 +140,7 @@ void Renderer::Parts::fill(const std::vector<Selection>& selections) {
 void Renderer::Parts::choose(const Frame& frame, std::size_t slot, Selection& s, Drawn& drawn) {
     const View& view = frame.views[slot];
     const GpuScene& scene = *view.scene;
-    const float alpha = std::max(frame.detail.alpha, 0.01F);
+    const float alpha = alpha_of(frame);
     const float scale = pixels_per_radian(view);
     const auto views = static_cast<float>(frame.views.size());
     HeldGround& held = grounds[slot];
@@ -157,7 +159,11 @@ void Renderer::Parts::choose(const Frame& frame, std::size_t slot, Selection& s,
     gathering.growth = view.growth;
     gathering.fineness = std::sqrt(alpha);  // the budget takes the rest where there is much to see
     const auto budget = static_cast<std::size_t>(kTriangleBudget * alpha / views);
-    gathering.triangle_budget = std::max(budget, held.triangles() + kFewestPlantTriangles) - held.triangles();
+    const std::size_t others =
+        held.triangles() +
+        (frame.measured.sky ? passes::FallingPass::triangles(scene.air.sky.precipitation, alpha) : 0);
+    gathering.triangle_budget = std::max(budget, others + kFewestPlantTriangles) - others;
+    gathering.horizon = &held.horizon();
     view_instances.clear();
     passes::Crowd crowd = passes::gather(*scene.plants, scene.flora->kinds, s.frustum, gathering, view_instances);
     s.batches = std::move(crowd.batches);
@@ -262,11 +268,11 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
         of(Kind::Ground) += surround.draw(country.land, held.indices(), held.surround());
     }
     if (what.water) {
-        if (country.land.has_water) of(Kind::Water) += water.draw(scene.ground.lit, frustum, view.camera.eye_m);
+        if (country.land.has_water) of(Kind::Water) += water.draw(*scene.ground.lit, frustum, view.camera.eye_m);
         // As many pixels as the lines of a finer or smaller picture ask for.
         const float nearness = std::sqrt(std::min(frame.detail.alpha, 1.0F)) * scale_of(frame) *
                                pixels_per_radian(view) / passes::WaterLevels::kPixelsPerRadian;
-        of(Kind::Water) += water.draw_fresh(country.fresh_water, scene.ground.lit,
+        of(Kind::Water) += water.draw_fresh(country.fresh_water, *scene.ground.lit,
                                             country.fresh_water.levels.seen(frustum, view.camera.eye_m, nearness));
     }
     if (!what.sky || gl::Wires::are_on()) return;
@@ -276,7 +282,8 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
     else
         of(Kind::Sky) += sky.draw_dome(*scene.sky, frustum, view.camera.eye_m);
     of(Kind::Sky) += sky.draw_lights(*scene.sky, place.height);
-    of(Kind::Falling) += falling.draw(scene.air.sky.precipitation, selection.block, pixels_per_radian(view));
+    of(Kind::Falling) +=
+        falling.draw(scene.air.sky.precipitation, selection.block, pixels_per_radian(view), alpha_of(frame));
 }
 
 void Renderer::Parts::draw_signs(const Frame& frame) {
@@ -367,6 +374,9 @@ Drawn Renderer::rehearse(const Frame& like) {
     parts_->grounds.clear();  // another scene may get the address of this one
     parts_->skies.clear();    // of this size they are not needed again
     parts_->instances.clear();
+    frame.views.clear();
+    parts_->shelves->painter.canvases.trim(0);
+    parts_->shelves->painter.copies.trim(0);
     return drawn;
 }
 

@@ -88,14 +88,23 @@ void ground(Results& results) {
     const render::passes::Blocks blocks(land.height_m, land.cell_m, render::passes::kLandBlock);
     mesh::Roam roam(land.height_m, land.cell_m);
     render::passes::Hold hold;  // as the renderer does
+    render::passes::Hold sight{render::passes::Horizon::kMoved_m, render::passes::Horizon::kTurned_rad};
+    render::passes::Horizon horizon;
+    std::vector<std::uint8_t> hidden;
     const auto by_blocks = [&](std::size_t i) {
         if (i == 0) hold.drop();
+        const glm::vec3 eye_m = flight.cameras[i].eye_m;
         if (hold.serves(flight.cameras[i])) return indices.size() / 3;
         hold.choose(flight.cameras[i]);
+        if (!sight.serves(flight.cameras[i])) {
+            sight.choose(flight.cameras[i]);
+            horizon.begin(eye_m, render::passes::Horizon::kMoved_m + hold.kMoved_m);
+            hidden = blocks.hidden(flight.wider[i], eye_m, horizon);
+        }
         indices.clear();
         return blocks
-            .select(flight.wider[i],
-                    {flight.cameras[i].eye_m, flight.pixels_per_radian, kError_px, std::size_t{1} << 40}, indices)
+            .select(flight.wider[i], {eye_m, flight.pixels_per_radian, kError_px, std::size_t{1} << 40, 0, hidden},
+                    indices)
             .triangles;
     };
     const auto by_roam = [&](std::size_t i) {

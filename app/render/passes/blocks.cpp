@@ -47,7 +47,8 @@ void Blocks::measure_row(const mesh::Field& height_m, int row) {
         float error_m = 0;
         for (int level = 0; level <= coarsest_; ++level) {
             if (level > 0)
-                error_m = std::max(error_m * kLeastGrowth, farthest_off_m(height_m, column * cells_, row * cells_, level));
+                error_m =
+                    std::max(error_m * kLeastGrowth, farthest_off_m(height_m, column * cells_, row * cells_, level));
             errors_m_.push_back(error_m);
         }
     }
@@ -66,7 +67,8 @@ Blocks::Leaving Blocks::leaving(const mesh::Field& height_m, int column, int row
     const int c = is_between_columns ? step : 0;
     const int r = is_between_rows ? step : 0;
     const float coarser_m = 0.5F * (height_m.at(column - c, row + r) + height_m.at(column + c, row - r));
-    // On a border it lies as near to the truth as the better of two blocks, and has moved before either's level changes.
+    // On a border it lies as near to the truth as the better of two blocks, and has moved before either's level
+    // changes.
     float error_m = std::numeric_limits<float>::max();
     for (const int block_row : {(row - 1) / cells_, row / cells_})
         for (const int block_column : {(column - 1) / cells_, column / cells_})
@@ -179,7 +181,8 @@ void Blocks::bound_squares(int row) {
     }
 }
 
-std::vector<Blocks::Near> Blocks::seen_by(const Frustum& frustum, glm::vec3 eye_m) const {
+std::vector<Blocks::Near> Blocks::seen_by(const Frustum& frustum, glm::vec3 eye_m,
+                                          std::span<const std::uint8_t> hidden) const {
     std::vector<Near> seen;
     const int across = (side_ + kSquare - 1) / kSquare;
     for (std::size_t s = 0; s < squares_.size(); ++s) {
@@ -191,8 +194,11 @@ std::vector<Blocks::Near> Blocks::seen_by(const Frustum& frustum, glm::vec3 eye_
         for (int row = first_row; row < std::min(first_row + kSquare, side_); ++row) {
             for (int column = first_column; column < std::min(first_column + kSquare, side_); ++column) {
                 const int i = row * side_ + column;
-                const Block& block = blocks_[static_cast<std::size_t>(i)];
-                if (!block.is_drawn || (!is_whole && !frustum.may_see_box(block.low_m, block.high_m))) continue;
+                const auto at = static_cast<std::size_t>(i);
+                const Block& block = blocks_[at];
+                if (!block.is_drawn || (!hidden.empty() && hidden[at] != 0) ||
+                    (!is_whole && !frustum.may_see_box(block.low_m, block.high_m)))
+                    continue;
                 seen.push_back({distance_to(block, eye_m), i});
             }
         }
@@ -200,8 +206,25 @@ std::vector<Blocks::Near> Blocks::seen_by(const Frustum& frustum, glm::vec3 eye_
     return seen;
 }
 
+std::vector<std::uint8_t> Blocks::hidden(const Frustum& frustum, glm::vec3 eye_m, Horizon& horizon) const {
+    std::vector<Near> seen = seen_by(frustum, eye_m, {});
+    const auto box = [&](const Near& near) -> const Block& { return blocks_[static_cast<std::size_t>(near.block)]; };
+    // A line of sight meets them in the order of their distance on the map.
+    for (Near& near : seen) near.distance_m = Horizon::nearest_m({eye_m.x, eye_m.z}, box(near).low_m, box(near).high_m);
+    std::ranges::sort(seen, {}, &Near::distance_m);
+    std::vector<std::uint8_t> hidden(blocks_.size(), 0);
+    // However coarse a block is drawn, it lies between its lowest and its highest sample.
+    for (const Near& near : seen) {
+        if (horizon.hides_box(box(near).low_m, box(near).high_m))
+            hidden[static_cast<std::size_t>(near.block)] = 1;
+        else
+            horizon.cover(box(near).low_m, box(near).high_m);
+    }
+    return hidden;
+}
+
 Blocks::Selected Blocks::select(const Frustum& frustum, const Wish& wish, std::vector<std::uint32_t>& indices) const {
-    std::vector<Near> seen = seen_by(frustum, wish.eye_m);
+    std::vector<Near> seen = seen_by(frustum, wish.eye_m, wish.hidden);
     Wish affordable = wish;
     affordable.error_px = affordable_error_px(seen, wish);
     // Only of those that are seen and, as their patterns ask for them, of their neighbours.

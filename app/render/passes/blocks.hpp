@@ -3,10 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "mesh/field.hpp"
 #include "render/passes/frustum.hpp"
+#include "render/passes/horizon.hpp"
 
 namespace quadrat::render::passes {
 
@@ -22,10 +24,11 @@ class Blocks {
 
     struct Wish {
         glm::vec3 eye_m;
-        float pixels_per_radian;               // of the view
-        float error_px = 1.3F;                 // how far the ground may lie from its true height on the screen,
-        std::size_t triangle_budget = 12'000;  // and further where this would not hold it
-        float near_m = 0;                      // blocks that begin nearer than this are counted apart
+        float pixels_per_radian;                    // of the view
+        float error_px = 1.3F;                      // how far the ground may lie from its true height on the screen,
+        std::size_t triangle_budget = 12'000;       // and further where this would not hold it
+        float near_m = 0;                           // blocks that begin nearer than this are counted apart
+        std::span<const std::uint8_t> hidden = {};  // a block: 1 where it is left out; none: all are there
     };
     struct Selected {
         std::size_t triangles = 0;
@@ -34,6 +37,9 @@ class Blocks {
     };
     // Appends the triangles that frustum sees, nearest blocks first.
     Selected select(const Frustum& frustum, const Wish& wish, std::vector<std::uint32_t>& indices) const;
+    // A block: 1 where frustum sees it but for nearer ground, however coarse that is drawn. Raises the horizon, which
+    // is of the same eye and of nearer ground only.
+    std::vector<std::uint8_t> hidden(const Frustum& frustum, glm::vec3 eye_m, Horizon& horizon) const;
 
     // 0 finest. A block's error at a level is the farthest that any sample of it lies from the triangles drawn, and at
     // least twice that of the finer one: so one level's vertices have moved before many of the next one's begin to.
@@ -67,7 +73,7 @@ class Blocks {
         int block;
     };
     static constexpr int kSquare = 4;
-    std::vector<Near> seen_by(const Frustum& frustum, glm::vec3 eye_m) const;
+    std::vector<Near> seen_by(const Frustum& frustum, glm::vec3 eye_m, std::span<const std::uint8_t> hidden) const;
     float affordable_error_px(const std::vector<Near>& seen, Wish wish) const;
     std::size_t entry(int block, int level) const { return static_cast<std::size_t>(block * (coarsest_ + 1) + level); }
     void measure_row(const mesh::Field& height_m, int row);
@@ -86,7 +92,7 @@ class Blocks {
     int coarsest_;
     float hole_half_side_m_;
     std::vector<Block> blocks_;
-    std::vector<Block> squares_;     // of kSquare blocks a side, row by row: out of sight, all of them are
+    std::vector<Block> squares_;   // of kSquare blocks a side, row by row: out of sight, all of them are
     std::vector<float> errors_m_;  // a block and level
     mutable std::vector<std::vector<std::uint32_t>> patterns_;  // made when they are first asked for
 };

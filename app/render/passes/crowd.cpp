@@ -90,8 +90,23 @@ std::size_t triangles_of(const Kind& kind, const Closeness& how) {
            blades * (how.is_plain ? kind.triangles_per_plain_blade : kind.triangles_per_blade);
 }
 
+// Of plants so high on the screen: near by none is left out, and none larger than it is for those that are.
+float least_stand(float height_px) {
+    const float near = std::clamp((height_px - kMergedTo_px) / (kMergedFrom_px - kMergedTo_px), 0.0F, 1.0F);
+    return kLeastStand + (1 - kLeastStand) * near;
+}
+
+// However few stand for all of its kind, and however large their blades.
+bool is_hidden(const scene::Plant& plant, const Kind& kind, float height_px, const Gathering& g) {
+    if (!g.horizon) return false;
+    constexpr float kBladesBeyond = 1.25F;
+    const float size = kBladesBeyond * plant.scale / std::sqrt(least_stand(height_px * g.scale));
+    return g.horizon->hides_standing({plant.root_m.x, plant.root_m.z}, kind.radius_m * size,
+                                     plant.root_m.y + kind.height_m * size);
+}
+
 std::vector<Seen> seen_by(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Frustum& frustum,
-                          const Gathering& g) {
+                          const Gathering& g, std::size_t& hidden) {
     // Where less is drawn of everything, undergrowth is drawn less far.
     const float reach = std::min(std::sqrt(g.fineness), 1.0F);
     std::vector<Seen> seen;
@@ -107,6 +122,10 @@ std::vector<Seen> seen_by(std::span<const scene::Plant> plants, std::span<const 
             is_low ? glm::smoothstep(5.0F, 9.0F, height_px * reach) : glm::smoothstep(1.2F, 2.2F, height_px * reach);
         if (shown <= 0) continue;
         if (!frustum.may_see_sphere(middle_m, std::hypot(half_m, kind.radius_m * plant.scale))) continue;
+        if (is_hidden(plant, kind, height_px, g)) {
+            ++hidden;
+            continue;
+        }
         seen.push_back({static_cast<std::uint32_t>(i), plant.species, height_px, shown});
     }
     return seen;
@@ -203,12 +222,6 @@ bool is_mass_enough(const Kind& kind) {
     return kind.massed >= kMassAlone || (!kind.mass_triangles.empty() && kind.mass_triangles.back() <= kSimpleMass);
 }
 
-// Of plants so high on the screen: near by none is left out, and none larger than it is for those that are.
-float least_stand(float height_px) {
-    const float near = std::clamp((height_px - kMergedTo_px) / (kMergedFrom_px - kMergedTo_px), 0.0F, 1.0F);
-    return kLeastStand + (1 - kLeastStand) * near;
-}
-
 }  // namespace
 
 float grown(float growth, float delay) {
@@ -274,8 +287,8 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
 
 Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Frustum& frustum,
              const Gathering& gathering, std::vector<Instance>& instances) {
-    std::vector<Seen> seen = seen_by(plants, kinds, frustum, gathering);
     Crowd crowd;
+    std::vector<Seen> seen = seen_by(plants, kinds, frustum, gathering, crowd.hidden);
     crowd.fineness = fitting_fineness(seen, kinds, gathering);
     // By species, then large to small: every level's plants lie side by side, nearest first.
     std::ranges::sort(seen, [](const Seen& a, const Seen& b) {

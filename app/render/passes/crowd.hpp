@@ -9,6 +9,7 @@
 
 #include "mesh/image.hpp"
 #include "render/passes/frustum.hpp"
+#include "render/passes/horizon.hpp"
 #include "render/passes/view_block.hpp"
 #include "scene/flora.hpp"
 
@@ -72,12 +73,14 @@ struct Gathering {
     float growth = 1;
     float fineness = 1;  // 1 is the standard; lowered by itself to keep the budget
     std::size_t triangle_budget = 60'000;
+    const Horizon* horizon = nullptr;  // of the ground before them; null: none
 };
 
 struct Crowd {
     std::vector<Batch> batches;  // near ones before far ones within a species
     std::size_t triangles = 0;
-    float fineness = 1;  // what the budget left
+    float fineness = 1;      // what the budget left
+    std::size_t hidden = 0;  // plants that are in sight but for the ground
 };
 
 // Culls, chooses detail, sorts front to back, appends to instances. plants are sorted by species.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/passes/falling.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -14,6 +15,7 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr std::size_t kDrops = 4200;
+constexpr float kFewestShare = 0.25F;  // with fewer, single drops draw the eye
 
 struct DropCorner {
     glm::vec3 home;
@@ -40,6 +42,14 @@ std::vector<std::uint16_t> drop_indices() {
     return indices;
 }
 
+// Of the drops there are; any prefix of them is even in the box.
+float share_of_drops(float alpha) { return std::clamp(std::sqrt(alpha), kFewestShare, 1.0F); }
+
+std::size_t drops_of(const scene::Precipitation& what, float alpha) {
+    if (what.kind == scene::Precipitation::Kind::None) return 0;
+    return static_cast<std::size_t>(std::lround(what.amount * share_of_drops(alpha) * static_cast<float>(kDrops)));
+}
+
 }  // namespace
 
 FallingPass::FallingPass()
@@ -57,13 +67,21 @@ FallingPass::FallingPass()
     indices_.write<std::uint16_t>(0, indices);
 }
 
-gl::Work FallingPass::draw(const scene::Precipitation& what, const ViewBlock& view, float pixels_per_radian) const {
+std::size_t FallingPass::triangles(const scene::Precipitation& what, float alpha) { return 2 * drops_of(what, alpha); }
+
+gl::Work FallingPass::draw(const scene::Precipitation& what, const ViewBlock& view, float pixels_per_radian,
+                           float alpha) const {
     using Kind = scene::Precipitation::Kind;
     if (what.kind == Kind::None) return {};
     program_.use();
-    glUniform4f(0, what.speed_m_s.x, what.speed_m_s.y, what.speed_m_s.z, what.width_m);
     const bool is_snow = what.kind == Kind::Snow;
-    glUniform4f(1, what.streak_s, is_snow ? 0.22F : 0, 0.7F / pixels_per_radian, 0);
+    // A streak keeps its length, a flake is as high as wide, and so is the least of it that is drawn.
+    const float fewer = 1 / share_of_drops(alpha);
+    // Of thin strokes a byte's rounding loses some light, of wide ones less.
+    const float wider = std::pow(fewer, is_snow ? 0.5F : 0.9F);
+    const float least_rad = 0.7F / pixels_per_radian * (is_snow ? wider : 1);
+    glUniform4f(0, what.speed_m_s.x, what.speed_m_s.y, what.speed_m_s.z, wider * what.width_m);
+    glUniform4f(1, what.streak_s, is_snow ? 0.22F : 0, least_rad, 0);
     const glm::vec3 shown = encode(what.colour) * view.to_sun.w;
     glUniform4f(2, shown.r, shown.g, shown.b, what.opacity);
     vertices_.bind();
@@ -73,13 +91,12 @@ gl::Work FallingPass::draw(const scene::Precipitation& what, const ViewBlock& vi
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     glDisable(GL_CULL_FACE);
-    const auto drops = static_cast<GLsizei>(std::lround(what.amount * static_cast<float>(kDrops)));
-    glDrawElements(GL_TRIANGLES, 6 * drops, GL_UNSIGNED_SHORT, nullptr);
+    const std::size_t drops = drops_of(what, alpha);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * drops), GL_UNSIGNED_SHORT, nullptr);
     glEnable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
-    const auto count = static_cast<std::size_t>(drops);
-    return {1, 2 * count, 4 * count};
+    return {1, 2 * drops, 4 * drops};
 }
 
 }  // namespace quadrat::render::passes

@@ -13,7 +13,9 @@ namespace quadrat::render::passes {
 class FallingPass {
   public:
     FallingPass();
-    gl::Work draw(const scene::Precipitation& what, const ViewBlock& view, float pixels_per_radian) const;
+    // In less detail fewer drops fall, each wider: as much light comes through them.
+    gl::Work draw(const scene::Precipitation& what, const ViewBlock& view, float pixels_per_radian, float alpha) const;
+    static std::size_t triangles(const scene::Precipitation& what, float alpha);
 
   private:
     gl::Program program_;

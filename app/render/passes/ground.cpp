@@ -64,7 +64,7 @@ gl::Work GroundPass::draw(const LandOnGpu& land, const GroundPictureOnGpu& pictu
                           const IndexRange& range, float grain_m) const {
     gl::Work work;
     if (range.count == 0) return work;
-    picture.lit.bind(0);
+    picture.lit->bind(0);
     picture.grain.bind(1);
     vertices_.bind();
     vertices_.feed(0, land.land.places.name());

@@ -50,12 +50,19 @@ constexpr std::size_t kPaintedBytes = 8;
 constexpr std::chrono::seconds kLongest{2};
 
 struct Painting {
-    std::shared_ptr<const gl::Texture2D> canvas;  // or null: onto the picture itself
-    gl::Fence done;
-    mesh::Image roots;  // all of them where a visitor waits for it; or none
-
-    const gl::Texture2D& onto(const GroundPictureOnGpu& picture) const { return canvas ? *canvas : picture.lit; }
+    std::shared_ptr<const gl::Texture2D> canvas;  // or the picture itself
+    gl::Fence done;                               // what was asked of the GPU last
+    mesh::Image roots;                            // all of them where a visitor waits for it; or none
 };
+
+// What comes next would make the drawing thread wait for what was asked for before: not in this frame then.
+void add_pause(gl::Slices& slices, const std::shared_ptr<Painting>& painting) {
+    slices.add(0, [painting] { painting->done.set(); });
+    const auto is_done = [painting](bool may_wait) {
+        return painting->done.is_done_within(may_wait ? kLongest : std::chrono::nanoseconds{0});
+    };
+    slices.add_when(is_done, 0, [] {});
+}
 
 std::span<const std::uint8_t> rows_of(const mesh::Image& image, int first, int count) {
     return {image.pixel(0, first), image.pixel(0, first + count)};
@@ -92,15 +99,6 @@ void add_material(gl::Slices& slices, MaterialOnGpu& material, const std::shared
 }
 
 GroundPainter::GroundPainter() : program_("paint_ground.vert", "paint_ground.frag") {}
-
-std::shared_ptr<const gl::Texture2D> GroundPainter::canvas(const gl::TextureShape& shape) {
-    const auto is_free = [&](const std::shared_ptr<const gl::Texture2D>& canvas) {
-        return canvas.use_count() == 1 && canvas->shape() == shape;
-    };
-    const auto found = std::ranges::find_if(canvases_, is_free);
-    if (found != canvases_.end()) return *found;
-    return canvases_.emplace_back(std::make_shared<gl::Texture2D>(shape));
-}
 
 void GroundPainter::paint(const Sheet& sheet, const gl::Texture2D& grain, const gl::Texture2D& canvas, int first_row,
                           int rows) const {
@@ -153,8 +151,8 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const s
         slices.prepare(
             [painting, scene, shape] { painting->roots = roots_of_rows(scene->land->albedo, shape, 0, shape.height); });
     slices.add(0, [&picture, shape, painter, painting, stays] {
-        picture.lit = gl::Texture2D{shape};
-        if (stays) painting->canvas = painter->canvas(shape);
+        painting->canvas = painter->canvases.take(shape);
+        picture.lit = stays ? painter->copies.take(shape) : painting->canvas;
     });
     const float tiles = kReliefTiles * land.side_m() / land.detail_tile_m;
     const std::size_t row_bytes = kPaintedBytes * static_cast<std::size_t>(shape.width);
@@ -163,7 +161,7 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const s
         [&picture, painter, painting, light, material, scene, tiles](std::size_t first, std::size_t rows) {
             const auto row = static_cast<int>(first);
             const auto count = static_cast<int>(rows);
-            const gl::Texture2D& onto = painting->onto(picture);
+            const gl::Texture2D& onto = *painting->canvas;
             const bool is_here = !painting->roots.bytes.empty();
             const mesh::Image now =
                 is_here ? mesh::Image{} : roots_of_rows(scene->land->albedo, onto.shape(), row, count);
@@ -171,17 +169,20 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const s
                 is_here ? rows_of(painting->roots, row, count) : std::span<const std::uint8_t>(now.bytes);
             painter->paint({roots, *light, *material, tiles}, picture.grain, onto, row, count);
         });
+    add_pause(slices, painting);
     const std::size_t level_bytes = row_bytes / kPaintedBytes * 2 * static_cast<std::size_t>(shape.height);
-    slices.add(level_bytes, [&picture, painting] {
-        painting->onto(picture).fill_levels();
-        if (painting->canvas) painting->done.set();
-    });
+    slices.add(level_bytes, [painting] { painting->canvas->fill_levels(); });
     if (!stays) return;
-    const auto is_done = [painting](bool may_wait) {
-        return painting->done.is_done_within(may_wait ? kLongest : std::chrono::nanoseconds{0});
-    };
-    slices.add_when(is_done, 2 * level_bytes,
-                    [&picture, painter, painting] { painter->show(*painting->canvas, picture.lit); });
+    add_pause(slices, painting);
+    slices.add_pieces(static_cast<std::size_t>(shape.height), kBandPixels / static_cast<std::size_t>(shape.width),
+                      row_bytes / 2, [&picture, painter, painting](std::size_t first, std::size_t rows) {
+                          painter->copy_rows(*painting->canvas, *picture.lit, static_cast<int>(first),
+                                             static_cast<int>(rows));
+                      });
+    slices.add(level_bytes, [&picture, painter, painting] {
+        painter->copy_coarser(*painting->canvas, *picture.lit);
+        painting->canvas.reset();
+    });
 }
 
 }  // namespace quadrat::render::passes

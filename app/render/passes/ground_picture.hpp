@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "render/gl/picture_upload.hpp"
 #include "render/gl/program.hpp"
+#include "render/gl/texture_pool.hpp"
 #include "render/gl/texture_target.hpp"
 #include "scene/scene.hpp"
 
@@ -22,7 +22,8 @@ void add_material(gl::Slices& slices, MaterialOnGpu& material, const std::shared
 
 // The ground as it is seen, under a sun that stands still.
 struct GroundPictureOnGpu {
-    gl::Texture2D lit;  // what it sends to the eye, shown, its coarse relief in it; alpha: how deep water over it looks
+    // What it sends to the eye, shown, its coarse relief in it; alpha: how deep water over it looks.
+    std::shared_ptr<const gl::Texture2D> lit;
     gl::Texture2D grain;  // of soft ground and of stone, lit; 0.5 is level ground
 };
 
@@ -41,18 +42,20 @@ class GroundPainter {
         const MaterialOnGpu& material;
         float relief_tiles;  // of the coarse relief, to a side of the land
     };
-    // Of this shape, nobody else's as long as it is held.
-    std::shared_ptr<const gl::Texture2D> canvas(const gl::TextureShape& shape);
+    gl::TexturePool canvases;  // to paint on, and some of them to be seen too
+    gl::TexturePool copies;    // never painted on
     // So many rows of it. Leaves the framebuffer that was bound bound, and no test enabled.
     void paint(const Sheet& sheet, const gl::Texture2D& grain, const gl::Texture2D& canvas, int first_row,
                int rows) const;
-    // What was painted, with all its coarser levels.
-    void show(const gl::Texture2D& canvas, const gl::Texture2D& lit) const { target_.copy(canvas, lit); }
+    // Some rows of what was painted, of its finest level.
+    void copy_rows(const gl::Texture2D& canvas, const gl::Texture2D& lit, int first_row, int rows) const {
+        target_.copy_rows(canvas, lit, 0, {first_row, rows});
+    }
+    void copy_coarser(const gl::Texture2D& canvas, const gl::Texture2D& lit) const { target_.copy(canvas, lit, 1); }
 
   private:
     gl::Program program_;
     gl::TextureTarget target_;
-    std::vector<std::shared_ptr<const gl::Texture2D>> canvases_;
 };
 
 // Adds the slices that paint picture, which must stay where it is until they are done.

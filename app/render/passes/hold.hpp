@@ -18,10 +18,13 @@ class Hold {
     static constexpr float kMoved_m = 0.07F;
     static constexpr float kTurned_rad = 0.007F;
 
+    explicit Hold(float moved_m = kMoved_m, float turned_rad = kTurned_rad)
+        : moved_m_(moved_m), turned_rad_(turned_rad) {}
+
     bool serves(const scene::Camera& camera) const {
         return chosen_for_ && chosen_for_->vertical_fov_deg == camera.vertical_fov_deg &&
-               glm::distance(chosen_for_->eye_m, camera.eye_m) < kMoved_m &&
-               glm::distance(ahead(*chosen_for_), ahead(camera)) < kTurned_rad;
+               glm::distance(chosen_for_->eye_m, camera.eye_m) < moved_m_ &&
+               glm::distance(ahead(*chosen_for_), ahead(camera)) < turned_rad_;
     }
     void choose(const scene::Camera& camera) { chosen_for_ = camera; }
     void drop() { chosen_for_.reset(); }
@@ -37,6 +40,8 @@ class Hold {
 
   private:
     static glm::vec3 ahead(const scene::Camera& camera) { return glm::normalize(camera.target_m - camera.eye_m); }
+    float moved_m_;
+    float turned_rad_;
     std::optional<scene::Camera> chosen_for_;
 };
 

@@ -102,12 +102,18 @@ void Pieces::add_coarser(const scene::Stone& stone, std::span<const std::uint32_
     }
 }
 
+bool Pieces::is_hidden(const Piece& piece, const Horizon* horizon) {
+    return horizon && horizon->hides_standing({piece.middle_m.x, piece.middle_m.z}, piece.radius_m,
+                                              piece.middle_m.y + piece.radius_m);
+}
+
 void Pieces::select(const Frustum& frustum, const Wish& wish, std::vector<std::uint32_t>& indices) const {
     for (const Piece& piece : pieces_) {
         const float distance_m = std::max(glm::distance(piece.middle_m, wish.eye_m) - piece.radius_m, 0.5F);
         const float px_per_m = wish.pixels_per_radian / distance_m;
         if (piece.radius_m * px_per_m < kLeast_px * wish.error_px) continue;
         if (!frustum.may_see_sphere(piece.middle_m, piece.radius_m)) continue;
+        if (is_hidden(piece, wish.horizon)) continue;
         const Level* level = &levels_[piece.first_level];
         for (std::uint32_t coarser = 1; coarser < piece.levels; ++coarser)
             if (level[1].error_m * px_per_m <= wish.error_px) ++level;

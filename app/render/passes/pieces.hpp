@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/passes/frustum.hpp"
+#include "render/passes/horizon.hpp"
 #include "scene/land.hpp"
 
 namespace quadrat::render::passes {
@@ -31,6 +32,7 @@ class Pieces {
         glm::vec3 eye_m{0};
         float pixels_per_radian = 500;
         float error_px = 1;
+        const Horizon* horizon = nullptr;  // of the ground before them; null: none
     };
     // Appends the corners of what may be seen, three a triangle.
     void select(const Frustum& frustum, const Wish& wish, std::vector<std::uint32_t>& indices) const;
@@ -46,6 +48,7 @@ class Pieces {
         float radius_m = 0;
         std::uint32_t first_level = 0, levels = 0;  // finest first
     };
+    static bool is_hidden(const Piece& piece, const Horizon* horizon);
     void add_piece(const scene::Stone& stone, std::span<const std::uint32_t> triangles);
     void add_coarser(const scene::Stone& stone, std::span<const std::uint32_t> triangles);
 

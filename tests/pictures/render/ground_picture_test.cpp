@@ -59,7 +59,7 @@ class GroundPicture : public Stage {
         const scene::GroundColours colours(albedo);
         const MaterialOnGpu material{texture(filled(1, {255, 0}))};
         GroundPainter painter;
-        const auto canvas = painter.canvas({.width = kSide, .height = kSide});
+        const auto canvas = painter.canvases.take({.width = kSide, .height = kSide});
         const render::gl::Texture2D lit{canvas->shape()};
         const render::gl::Texture2D grains = texture(filled(2, {grain, grain}));
         const render::gl::Texture2D light_texture = texture(light);
@@ -67,7 +67,8 @@ class GroundPicture : public Stage {
             const mesh::Image roots = render::passes::roots_of_rows(colours, canvas->shape(), row, 8);
             painter.paint({roots.bytes, light_texture, material, 3}, grains, *canvas, row, 8);
         }
-        painter.show(*canvas, lit);
+        for (int row = 0; row < kSide; row += 8) painter.copy_rows(*canvas, lit, row, 8);
+        painter.copy_coarser(*canvas, lit);
         return read_back(lit);
     }
 };
@@ -118,7 +119,7 @@ TEST_F(GroundPicture, ReliefIsBrighterWhereItFacesTheSun) {
 
 TEST_F(GroundPicture, ShowsEveryLevelOfTheCanvas) {
     GroundPainter painter;
-    const auto canvas = painter.canvas({.width = 64, .height = 32});
+    const auto canvas = painter.canvases.take({.width = 64, .height = 32});
     base::RandomStream random{base::Seed{21}};
     mesh::Image noise(64, 32, 4);
     for (std::uint8_t& byte : noise.bytes) byte = static_cast<std::uint8_t>(random.below(256));
@@ -126,7 +127,9 @@ TEST_F(GroundPicture, ShowsEveryLevelOfTheCanvas) {
     filled_canvas.write_rows(0, 0, 32, noise.bytes);
     filled_canvas.fill_levels();
     const render::gl::Texture2D lit{canvas->shape()};
-    painter.show(filled_canvas, lit);
+    painter.copy_rows(filled_canvas, lit, 0, 20);
+    painter.copy_rows(filled_canvas, lit, 20, 12);
+    painter.copy_coarser(filled_canvas, lit);
     for (int level = 0; level < canvas->shape().levels(); ++level)
         EXPECT_EQ(read_back(lit, level), read_back(filled_canvas, level)) << level;
     const mesh::Image coarser = read_back(lit, 1);
@@ -139,13 +142,13 @@ TEST_F(GroundPicture, ShowsEveryLevelOfTheCanvas) {
 
 TEST_F(GroundPicture, ACanvasIsNobodyElsesWhileItIsHeld) {
     GroundPainter painter;
-    auto first = painter.canvas({.width = 64, .height = 64});
-    const auto second = painter.canvas({.width = 64, .height = 64});
+    auto first = painter.canvases.take({.width = 64, .height = 64});
+    const auto second = painter.canvases.take({.width = 64, .height = 64});
     EXPECT_NE(first, second);
-    EXPECT_NE(painter.canvas({.width = 32, .height = 32})->shape(), second->shape());
+    EXPECT_NE(painter.canvases.take({.width = 32, .height = 32})->shape(), second->shape());
     const auto* free = first.get();
     first.reset();
-    EXPECT_EQ(painter.canvas({.width = 64, .height = 64}).get(), free);
+    EXPECT_EQ(painter.canvases.take({.width = 64, .height = 64}).get(), free);
 }
 
 // What is brought ahead, in whatever pieces, makes the same picture.

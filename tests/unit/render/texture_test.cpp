@@ -8,6 +8,7 @@
 
 #include "render/gl/picture_upload.hpp"
 #include "render/gl/slices.hpp"
+#include "render/gl/texture_pool.hpp"
 #include "unit/render/gpu_fixture.hpp"
 
 namespace quadrat::render::gl {
@@ -104,6 +105,31 @@ TEST_F(Pictures, ArriveWholeInSmallSlices) {
     glReadPixels(0, 0, 300, 200, GL_RGBA, GL_UNSIGNED_BYTE, back.data());
     glDeleteFramebuffers(1, &framebuffer);
     EXPECT_EQ(back, image->bytes);
+}
+
+class TexturesOfAPool : public Gpu {};
+
+TEST_F(TexturesOfAPool, AreTakenAgainOnceNobodyHoldsThem) {
+    TexturePool pool;
+    auto first = pool.take({.width = 16, .height = 8});
+    const auto second = pool.take({.width = 16, .height = 8});
+    EXPECT_NE(first, second);
+    EXPECT_NE(pool.take({.width = 8, .height = 8})->shape(), second->shape());
+    const Texture2D* free = first.get();
+    first.reset();
+    EXPECT_EQ(pool.take({.width = 16, .height = 8}).get(), free);
+}
+
+TEST_F(TexturesOfAPool, GoWhenManyAreFree) {
+    const std::size_t before = LiveObjects::count();
+    TexturePool pool;
+    std::vector<std::shared_ptr<const Texture2D>> held;
+    for (int i = 0; i < 60; ++i) held.push_back(pool.take({.width = 4, .height = 4}));
+    EXPECT_EQ(LiveObjects::count(), before + 60);
+    held.clear();
+    held.push_back(pool.take({.width = 8, .height = 4}));  // none of them will do
+    EXPECT_LE(LiveObjects::count(), before + 25);
+    EXPECT_GE(LiveObjects::count(), before + 10);
 }
 
 class LiveObjectsOnGpu : public Gpu {};
