@@ -50,9 +50,13 @@ class ButtonSource {
     virtual std::vector<ButtonEdge> poll(Instant now) = 0;
 
     virtual SourceStatus status() const = 0;
+    // Whether the hardware is there and could be had, by looking alone: nothing is taken from whoever uses it, and what
+    // a running exhibit has taken is as good as free.
+    virtual SourceStatus look() { return status(); }
     virtual const Contacts& contacts() const = 0;
 
-    // At once, as far as the moment of the last poll tells how far a breath has gone. A source without lamps ignores it.
+    // At once, as far as the moment of the last poll tells how far a breath has gone. A source without lamps ignores
+    // it.
     virtual void set_lamps(const Lamps&) {}
 
     // A key of a window, for the source that listens to a keyboard; the others ignore it. Letters are upper case, the

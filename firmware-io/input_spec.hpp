@@ -32,8 +32,12 @@ using InputSpec = std::variant<KeyboardSpec, ScriptSpec, HidSpec, gpio::Wiring>;
 // line: the spec, what is wrong and what would be right.
 InputSpec parse_input_spec(std::string_view spec);
 
-// The source itself. Missing hardware is no error here (see ButtonSource); an unreadable script is.
-// Throws std::invalid_argument as above.
-std::unique_ptr<ButtonSource> open_buttons(std::string_view spec);
+// The source itself. Missing hardware is no error here (see ButtonSource), nor is a map of HID devices that cannot be
+// read or is damaged: the usual bindings apply. An unreadable script is one. Throws std::invalid_argument as above.
+struct Opened {
+    std::unique_ptr<ButtonSource> source;
+    std::string map_trouble;  // what is wrong with the map and mends it; "" when it is used or none is named
+};
+Opened open_buttons(std::string_view spec);
 
 }  // namespace quadrat::firmware_io

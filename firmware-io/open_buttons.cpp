@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <stdexcept>
+
 #include "firmware-io/gpio/libgpiod.hpp"
 #include "firmware-io/hid/hidraw.hpp"
 #include "firmware-io/input_spec.hpp"
@@ -8,7 +10,19 @@
 namespace quadrat::firmware_io {
 namespace {
 
+std::vector<hid::HidMapping> mappings_in(const std::string& file, std::string& trouble) {
+    if (file.empty()) return {};
+    try {
+        return hid::read_mappings(file);
+    } catch (const std::invalid_argument& error) {
+        trouble = error.what();
+        return {};
+    }
+}
+
 struct Open {
+    std::string& trouble;
+
     std::unique_ptr<ButtonSource> operator()(const KeyboardSpec&) const {
         return std::make_unique<keyboard::KeyboardButtons>();
     }
@@ -16,10 +30,8 @@ struct Open {
         return std::make_unique<scripted::ScriptedButtons>(scripted::read_script(spec.file));
     }
     std::unique_ptr<ButtonSource> operator()(const HidSpec& spec) const {
-        auto mappings =
-            spec.mappings_file.empty() ? std::vector<hid::HidMapping>{} : hid::read_mappings(spec.mappings_file);
         return std::make_unique<hid::HidButtons>(std::make_unique<hid::Hidraw>(), spec.selector, spec.debounce,
-                                                 std::move(mappings));
+                                                 mappings_in(spec.mappings_file, trouble));
     }
     std::unique_ptr<ButtonSource> operator()(const gpio::Wiring& wiring) const {
         return std::make_unique<gpio::GpioButtons>(gpio::open_libgpiod(), wiring);
@@ -28,6 +40,10 @@ struct Open {
 
 }  // namespace
 
-std::unique_ptr<ButtonSource> open_buttons(std::string_view spec) { return std::visit(Open{}, parse_input_spec(spec)); }
+Opened open_buttons(std::string_view spec) {
+    Opened opened;
+    opened.source = std::visit(Open{opened.map_trouble}, parse_input_spec(spec));
+    return opened;
+}
 
 }  // namespace quadrat::firmware_io

@@ -2,7 +2,6 @@
 #include "kiosk/diagnosis.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -10,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "display/display.hpp"
-#include "firmware-io/input_spec.hpp"
+#include "kiosk/diagnosis_access.hpp"
 #include "kiosk/staff/machine.hpp"
 
 namespace quadrat::kiosk {
@@ -25,18 +24,8 @@ std::string first_line(const fs::path& path) {
     return line;
 }
 
-bool is_accessible(const fs::path& path) { return ::access(path.c_str(), R_OK | W_OK) == 0; }
-
 // card0, card1 …: nodes that can set a mode. card0-HDMI-A-1 …: their connectors.
 bool is_card(const std::string& name) { return name.starts_with("card") && name.find('-') == std::string::npos; }
-
-std::vector<fs::path> entries_of(const fs::path& directory) {
-    std::vector<fs::path> paths;
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(directory, error)) paths.push_back(entry.path());
-    std::ranges::sort(paths);
-    return paths;
-}
 
 Finding connector_finding(const fs::path& connector) {
     const std::string name = connector.filename().string();
@@ -53,7 +42,7 @@ Finding connector_finding(const fs::path& connector) {
     return {"screen", Health::Good, fmt::format("{}: plugged in, prefers {}", plain, mode), ""};
 }
 
-Finding state_file_finding(const fs::path& file) {
+Finding state_file_finding(const fs::path& file, const std::optional<Account>& exhibit) {
     std::error_code error;
     if (!fs::exists(file, error)) return {"state", Health::Good, "no visit has been kept yet", ""};
     std::ifstream stream(file, std::ios::binary);
@@ -61,35 +50,11 @@ Finding state_file_finding(const fs::path& file) {
     if (!stream.read(head, sizeof head) || std::string_view(head, 15) != "SQLite format 3")
         return {"state", Health::Doubtful, fmt::format("{} is not a database any more", file.string()),
                 "nothing to do: the exhibit sets it aside under a dated name and starts a fresh one"};
+    if (!is_usable(file, exhibit))
+        return {
+            "state", Health::Bad, fmt::format("{} is somebody else's: the exhibit may not write it", file.string()),
+            "visits are kept in memory only; give it to the exhibit's user: systemd-tmpfiles --create quadrat.conf"};
     return {"state", Health::Good, fmt::format("{}, {} kB", file.string(), fs::file_size(file, error) / 1024), ""};
-}
-
-Finding input_finding(const std::string& spec) {
-    try {
-        const auto source = firmware_io::open_buttons(spec);
-        source->poll(firmware_io::Instant{0});
-        const auto status = source->status();
-        if (status.presence == firmware_io::Presence::Present)
-            return {"buttons", Health::Good, fmt::format("{} {}", spec, status.reason), ""};
-        return {"buttons", Health::Bad, fmt::format("{}: {}", spec, status.reason),
-                "plug it in; the exhibit keeps looking for it"};
-    } catch (const std::invalid_argument& error) {
-        return {"buttons", Health::Bad, error.what(), "correct it in the configuration, buttons.inputs"};
-    }
-}
-
-Finding permission_finding(const char* kind, const char* prefix, const char* group) {
-    std::string closed;
-    int seen = 0;
-    for (const fs::path& path : entries_of("/dev")) {
-        if (!path.filename().string().starts_with(prefix)) continue;
-        ++seen;
-        if (!is_accessible(path)) closed += fmt::format(" {}", path.string());
-    }
-    if (seen == 0) return {"buttons", Health::Good, fmt::format("this machine has no {}", kind), ""};
-    if (closed.empty()) return {"buttons", Health::Good, fmt::format("{}: {} may be used", kind, seen), ""};
-    return {"buttons", Health::Bad, fmt::format("{}: no permission for{}", kind, closed),
-            fmt::format("add the exhibit's user to the group {}: usermod -aG {} USER", group, group)};
 }
 
 }  // namespace
@@ -112,7 +77,8 @@ std::vector<Finding> examine_gpu() {
     }
 }
 
-std::vector<Finding> examine_screen(const fs::path& sysfs_drm, const fs::path& dev_dri) {
+std::vector<Finding> examine_screen(const std::optional<Account>& exhibit, const fs::path& sysfs_drm,
+                                    const fs::path& dev_dri) {
     std::vector<Finding> findings;
     for (const fs::path& path : entries_of(sysfs_drm)) {
         const std::string name = path.filename().string();
@@ -122,13 +88,15 @@ std::vector<Finding> examine_screen(const fs::path& sysfs_drm, const fs::path& d
             if (!fs::exists(node, error))
                 findings.push_back({"screen", Health::Bad, fmt::format("{} is missing", node.string()),
                                     "is udev running? systemctl status systemd-udevd"});
-            else if (!is_accessible(node))
+            else if (!is_usable(node, exhibit))
                 findings.push_back({"screen", Health::Bad, fmt::format("{}: no permission", node.string()),
-                                    "add the exhibit's user to the group video: usermod -aG video USER"});
+                                    "add the exhibit's user to the group video: " + joining("video", exhibit)});
         } else if (name.starts_with("card") && fs::exists(path / "status")) {
             findings.push_back(connector_finding(path));
         }
     }
+    const Finding drawing = access_finding({"gpu", "GPU's nodes to draw with", "renderD", "render"}, dev_dri, exhibit);
+    if (drawing.health != Health::Good) findings.push_back(drawing);
     if (findings.empty())
         findings.push_back({"screen", Health::Doubtful, "no graphics card with outputs was found",
                             "on a Raspberry Pi: dtoverlay=vc4-kms-v3d in config.txt; elsewhere: is the GPU's kernel "
@@ -136,29 +104,19 @@ std::vector<Finding> examine_screen(const fs::path& sysfs_drm, const fs::path& d
     return findings;
 }
 
-std::vector<Finding> examine_buttons(const Configuration& configuration) {
-    std::vector<Finding> findings;
-    for (const std::string& spec : configuration.inputs) findings.push_back(input_finding(spec));
-    if (configuration.inputs.empty())
-        findings.push_back({"buttons", Health::Doubtful, "none are named in the configuration",
-                            "without them the first HID controller is used; name yours under buttons.inputs"});
-    findings.push_back(permission_finding("GPIO chips", "gpiochip", "gpio"));
-    findings.push_back(permission_finding("HID devices", "hidraw", "input"));
-    return findings;
-}
-
-std::vector<Finding> examine_state(const fs::path& directory) {
+std::vector<Finding> examine_state(const fs::path& directory, const std::optional<Account>& exhibit) {
     std::error_code error;
     fs::path existing = fs::absolute(directory);
     while (!fs::exists(existing, error) && existing.has_relative_path()) existing = existing.parent_path();
-    return examine_state(directory, staff::free_mb(existing));
+    return examine_state(directory, staff::free_mb(existing), exhibit);
 }
 
-std::vector<Finding> examine_state(const fs::path& directory, std::optional<double> free_mb) {
+std::vector<Finding> examine_state(const fs::path& directory, std::optional<double> free_mb,
+                                   const std::optional<Account>& exhibit) {
     std::error_code error;
     fs::path existing = fs::absolute(directory);
     while (!fs::exists(existing, error) && existing.has_relative_path()) existing = existing.parent_path();
-    if (!fs::is_directory(existing, error) || ::access(existing.c_str(), W_OK) != 0)
+    if (!fs::is_directory(existing, error) || !is_usable(existing, exhibit))
         return {{"state", Health::Bad, fmt::format("{}: cannot be written", existing.string()),
                  "visits are kept in memory only; give the exhibit's user this folder, or name another with --state"}};
     std::vector<Finding> findings;
@@ -168,7 +126,7 @@ std::vector<Finding> examine_state(const fs::path& directory, std::optional<doub
                             "make room: the exhibit goes on, but keeps nothing once the disk is full; what is large: "
                             "du -xh " +
                                 existing.string() + " | sort -h | tail"});
-    findings.push_back(state_file_finding(directory / "quadrat.db"));
+    findings.push_back(state_file_finding(directory / "quadrat.db", exhibit));
     return findings;
 }
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "firmware-io/input_spec.hpp"
+#include "kiosk/account.hpp"
 #include "kiosk/configuration.hpp"
 #include "kiosk/staff/hours.hpp"
+#include "kiosk/unit_state.hpp"
 
 namespace quadrat::kiosk {
 
@@ -20,16 +24,24 @@ struct Finding {
     std::string remedy;  // one line; empty when there is nothing to do
 };
 
-// Looks and touches nothing: safe beside a running exhibit. Each finds at least one thing to say.
+// Looks and touches nothing: safe beside a running exhibit. `exhibit` is whose
+// rights count, whoever looks; nothing: those of whoever looks.
 std::vector<Finding> examine_gpu();
-std::vector<Finding> examine_screen(const std::filesystem::path& sysfs_drm = "/sys/class/drm",
+std::vector<Finding> examine_screen(const std::optional<Account>& exhibit = {},
+                                    const std::filesystem::path& sysfs_drm = "/sys/class/drm",
                                     const std::filesystem::path& dev_dri = "/dev/dri");
-std::vector<Finding> examine_buttons(const Configuration& configuration);
-std::vector<Finding> examine_state(const std::filesystem::path& directory);
+using OpenButtons = std::function<firmware_io::Opened(std::string_view spec)>;
+std::vector<Finding> examine_buttons(const Configuration& configuration, const std::optional<Account>& exhibit = {},
+                                     const OpenButtons& open = firmware_io::open_buttons,
+                                     const std::filesystem::path& dev = "/dev");
+std::vector<Finding> examine_state(const std::filesystem::path& directory, const std::optional<Account>& exhibit = {});
 // The same on a disk with so much room.
-std::vector<Finding> examine_state(const std::filesystem::path& directory, std::optional<double> free_mb);
+std::vector<Finding> examine_state(const std::filesystem::path& directory, std::optional<double> free_mb,
+                                   const std::optional<Account>& exhibit = {});
 std::vector<Finding> examine_clock();
 std::vector<Finding> examine_clock(const staff::WallClock& wall, bool closes_by_the_clock);
+// What systemd says of the exhibit's unit; nothing to say where it knows none.
+std::vector<Finding> examine_unit(const std::optional<UnitState>& unit);
 // What a running exhibit last said of itself in its runtime folder.
 std::vector<Finding> examine_service(const std::filesystem::path& runtime);
 

@@ -60,6 +60,26 @@ std::vector<Finding> findings_in(const json& health) {
 
 }  // namespace
 
+std::vector<Finding> examine_unit(const std::optional<UnitState>& unit) {
+    if (!unit || unit->load == "not-found") return {};
+    const auto found = [](Health how, const std::string& what, std::string remedy) {
+        return std::vector{Finding{"service", how, fmt::format("quadrat.service {}", what), std::move(remedy)}};
+    };
+    if (unit->load == "masked")
+        return found(Health::Bad, "is masked: nothing starts it",
+                     "systemctl unmask quadrat; systemctl enable --now quadrat");
+    if (unit->active == "failed")
+        return found(Health::Bad, fmt::format("has failed ({})", unit->result),
+                     "see why: journalctl -u quadrat -n 50; start it: systemctl restart quadrat");
+    if (unit->file != "enabled")
+        return found(Health::Doubtful, "does not start with the machine", "systemctl enable --now quadrat");
+    if (unit->active == "inactive") return found(Health::Bad, "is stopped", "start it: systemctl start quadrat");
+    if (unit->active != "active")
+        return found(Health::Doubtful, fmt::format("is {}; its last end was: {}", unit->active, unit->result),
+                     "if it stays so: journalctl -u quadrat -n 50");
+    return found(Health::Good, "is enabled and runs", "");
+}
+
 std::vector<Finding> examine_service(const fs::path& runtime) {
     const fs::path file = runtime / "health.json";
     std::error_code error;

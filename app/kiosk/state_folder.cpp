@@ -3,6 +3,8 @@
 
 #include <cstdlib>
 
+#include "kiosk/staff/machine.hpp"
+
 namespace quadrat::kiosk {
 
 std::filesystem::path state_folder(const std::string& named) {
@@ -11,6 +13,24 @@ std::filesystem::path state_folder(const std::string& named) {
     if (const char* state = std::getenv("XDG_STATE_HOME")) return std::filesystem::path(state) / "quadrat";
     if (const char* home = std::getenv("HOME")) return std::filesystem::path(home) / ".local/state/quadrat";
     return "quadrat-state";
+}
+
+std::filesystem::path tended_state_folder(const std::string& named, const ServiceFolders& service) {
+    std::error_code error;
+    if (named.empty() && std::filesystem::is_directory(service.state, error)) return service.state;
+    return state_folder(named);
+}
+
+bool is_the_services(const std::string& named_state, const ServiceFolders& service) {
+    std::error_code error;
+    return named_state.empty() || std::filesystem::equivalent(named_state, service.state, error);
+}
+
+std::filesystem::path watched_folder(const std::string& named_state, const ServiceFolders& service) {
+    std::error_code error;
+    if (is_the_services(named_state, service) && std::filesystem::is_directory(service.runtime, error))
+        return service.runtime;
+    return staff::runtime_folder(state_folder(named_state));
 }
 
 }  // namespace quadrat::kiosk

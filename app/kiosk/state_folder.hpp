@@ -8,4 +8,21 @@ namespace quadrat::kiosk {
 // Where visits are kept: the named folder, else the service's ($STATE_DIRECTORY), else the user's.
 std::filesystem::path state_folder(const std::string& named);
 
+// The folders of the installed service.
+struct ServiceFolders {
+    std::filesystem::path state = "/var/lib/quadrat";
+    std::filesystem::path runtime = "/run/quadrat";
+};
+
+// The same for whoever looks after an exhibit from a terminal: the named folder, else the installed service's where
+// there is one, else as above.
+std::filesystem::path tended_state_folder(const std::string& named, const ServiceFolders& service = {});
+
+// Whether the installed service is meant: no other state folder is named.
+bool is_the_services(const std::string& named_state, const ServiceFolders& service = {});
+
+// The folder in which a running exhibit tells how it is and looks for requests: the installed service's, unless the
+// state folder of another is named.
+std::filesystem::path watched_folder(const std::string& named_state, const ServiceFolders& service = {});
+
 }  // namespace quadrat::kiosk

@@ -45,14 +45,14 @@ std::string to_string(const LineAddress& address) {
     return address.name.empty() ? to_string(address.place) : address.name;
 }
 
-LinePlace find_line(std::span<const ChipFacts> chips, const LineAddress& address) {
+LinePlace find_line(std::span<const ChipFacts> chips, const LineAddress& address, std::string_view us) {
     LinePlace place = address.name.empty() ? address.place : find_by_name(chips, address.name);
     const auto chip =
         std::find_if(chips.begin(), chips.end(), [&](const ChipFacts& facts) { return facts.path == place.chip_path; });
     if (chip == chips.end() || place.offset >= chip->lines.size())
         refuse_missing(chip == chips.end() ? chips : std::span{&*chip, 1}, "GPIO line " + to_string(address));
     const std::string& holder = chip->lines[place.offset].holder;
-    if (!holder.empty())
+    if (!holder.empty() && holder != us)
         throw GpioError{"GPIO line " + to_string(address) + " is held by " + holder +
                         "; stop that, or wire the button to another line"};
     return place;

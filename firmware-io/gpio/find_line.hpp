@@ -17,7 +17,7 @@ std::string to_string(const LineAddress& address);
 
 // Where the line is. A name is looked for on the chips whose label begins "pinctrl-" (the header of a Raspberry Pi,
 // whatever number its chip has this year), then on all chips. Throws GpioError with the remedy: no such line, two of
-// that name, held by someone else, or no chip may be opened.
-LinePlace find_line(std::span<const ChipFacts> chips, const LineAddress& address);
+// that name, held by someone else, or no chip may be opened. Held by `us`, it is as good as free.
+LinePlace find_line(std::span<const ChipFacts> chips, const LineAddress& address, std::string_view us = {});
 
 }  // namespace quadrat::firmware_io::gpio

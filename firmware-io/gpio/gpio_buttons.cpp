@@ -153,6 +153,22 @@ bool GpioButtons::drive_lamps(Instant now) {
     return true;
 }
 
+SourceStatus GpioButtons::look() {
+    const std::vector<ChipFacts> chips = host_->chips();
+    std::string found, trouble;
+    const auto look_for = [&](const Wire& wire, const char* what) {
+        try {
+            find_line(chips, wire.line, kConsumer);
+            found.append(found.empty() ? "GPIO lines " : ", ").append(what).append(to_string(wire));
+        } catch (const GpioError& error) {
+            trouble.append(trouble.empty() ? "" : "; ").append(error.what());
+        }
+    };
+    for (const Wire& wire : wiring_.contacts) look_for(wire, "");
+    for (const Wire& wire : wiring_.lamps) look_for(wire, "lamp ");
+    return trouble.empty() ? SourceStatus{Presence::Present, found} : SourceStatus{Presence::Absent, trouble};
+}
+
 // A lamp that cannot be written to is found out by the next poll.
 void GpioButtons::set_lamps(const Lamps& lamps) {
     patterns_ = lamps;

@@ -32,6 +32,7 @@ class GpioButtons final : public ButtonSource {
 
     std::vector<ButtonEdge> poll(Instant now) override;
     SourceStatus status() const override { return status_; }
+    SourceStatus look() override;  // Absent if any line cannot be had: who mends one mends all
     const Contacts& contacts() const override { return debouncer_.contacts(); }
     void set_lamps(const Lamps& lamps) override;
     std::optional<Instant> next_event_at() const override { return debouncer_.next_event_at(); }

@@ -11,6 +11,9 @@
 // What we need of the machine's GPIO chips, and no more: libgpiod 1.6 and 2.x stand behind it, and so does a fake.
 namespace quadrat::firmware_io::gpio {
 
+// How our requests are called where another program asks who holds a line.
+inline constexpr const char* kConsumer = "quadrat";
+
 struct LineFacts {
     std::string name;    // "" where the device tree gives none
     std::string holder;  // who has requested it: a consumer, a driver, or "" for nobody

@@ -11,7 +11,4 @@ std::unique_ptr<GpioHost> open_libgpiod();
 // The character devices /dev/gpiochip*, sorted. Links are left out: Raspberry Pi OS puts one beside the true node.
 std::vector<std::string> chip_paths();
 
-// How our requests are called where another program asks who holds a line.
-inline constexpr const char* kConsumer = "quadrat";
-
 }  // namespace quadrat::firmware_io::gpio

@@ -95,12 +95,21 @@ bool HidButtons::open(Candidate& candidate, Instant now) {
     return true;
 }
 
+SourceStatus HidButtons::nothing_plugged_in() const {
+    return {Presence::Absent, to_string(selector_) + (selector_ == HidSelector{} ? " with buttons" : "") +
+                                  " is not plugged in; plug it in (a gamepad must be switched to D-input or PC mode)"};
+}
+
+SourceStatus HidButtons::look() {
+    const std::vector<Candidate> found = candidates();
+    if (found.empty()) return nothing_plugged_in();
+    return {Presence::Present, describe(found.front().device)};
+}
+
 void HidButtons::open(Instant now) {
     if (retry_at_ && now < *retry_at_) return;
     retry_at_ = now + kRetryEvery;
-    status_ = {Presence::Absent,
-               to_string(selector_) + (selector_ == HidSelector{} ? " with buttons" : "") +
-                   " is not plugged in; plug it in (a gamepad must be switched to D-input or PC mode)"};
+    status_ = nothing_plugged_in();
     for (Candidate& candidate : candidates())
         if (open(candidate, now)) return;
 }

@@ -30,6 +30,7 @@ class HidButtons final : public ButtonSource {
 
     std::vector<ButtonEdge> poll(Instant now) override;
     SourceStatus status() const override { return status_; }
+    SourceStatus look() override;
     const Contacts& contacts() const override { return debouncer_.contacts(); }
     std::optional<Instant> next_event_at() const override { return debouncer_.next_event_at(); }
 
@@ -41,6 +42,7 @@ class HidButtons final : public ButtonSource {
         int likelihood;
     };
     std::vector<Candidate> candidates();
+    SourceStatus nothing_plugged_in() const;
     void open(Instant now);
     bool open(Candidate& candidate, Instant now);
     void lose(Instant now);

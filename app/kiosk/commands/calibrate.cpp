@@ -102,7 +102,7 @@ int calibrate(const Configuration& configuration, const std::filesystem::path& s
         exhibit::Archive::open(
             state, std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now()))
             .archive;
-    if (const auto trouble = archive.remember("detail", to_text(governor, screen->description()))) {
+    if (const auto trouble = archive.remember("detail", to_text(governor, *screen))) {
         std::printf("this could not be kept: %s\n", trouble->c_str());
         return 3;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 
 #include "kiosk/commands/calibrate.hpp"
 #include "kiosk/commands/commands.hpp"
@@ -15,6 +17,7 @@ namespace {
 struct Options {
     std::string configuration;
     std::string state;
+    std::vector<std::string> only;
     bool learns_buttons = false;
     bool calibrates = false;
     std::string device;
@@ -24,27 +27,49 @@ struct Options {
 // By severity: 1 and 2 are a crash and bad usage, as everywhere.
 constexpr int kStatus[] = {0, 3, 4};
 
+std::vector<Finding> service_findings(const std::string& state) {
+    std::vector<Finding> findings = examine_service(watched_folder(state));
+    if (!is_the_services(state)) return findings;
+    const std::vector<Finding> unit = examine_unit(read_unit_state("quadrat.service"));
+    findings.insert(findings.begin(), unit.begin(), unit.end());
+    return findings;
+}
+
+std::vector<Finding> examine_parts(const Options& options) {
+    const Examined examined = examine_configuration(options.configuration);
+    const Configuration& configuration = examined.configuration;
+    // Who names another state folder has an exhibit of their own, and runs it themselves.
+    const auto user = is_the_services(options.state) ? account_named("quadrat") : std::nullopt;
+    const std::pair<const char*, std::function<std::vector<Finding>()>> parts[] = {
+        {"settings", [&] { return examined.findings; }},
+        {"gpu", [] { return examine_gpu(); }},
+        {"screen", [&] { return examine_screen(user); }},
+        {"buttons", [&] { return examine_buttons(configuration, user); }},
+        {"state", [&] { return examine_state(tended_state_folder(options.state), user); }},
+        {"clock", [&] { return examine_clock(staff::read_wall_clock(), !configuration.hours.is_always_open); }},
+        {"service", [&] { return service_findings(options.state); }},
+    };
+    std::vector<Finding> all;
+    for (const auto& [name, look] : parts) {
+        if (!options.only.empty() && std::ranges::find(options.only, name) == options.only.end()) continue;
+        const std::vector<Finding> some = look();
+        all.insert(all.end(), some.begin(), some.end());
+    }
+    return all;
+}
+
 int examine(const Options& options) {
     if (options.learns_buttons) {
-        const auto map =
-            options.map.empty() ? state_folder(options.state) / "buttons.map" : std::filesystem::path(options.map);
-        return learn_buttons(options.device, map.string());
+        const auto map = options.map.empty() ? tended_state_folder(options.state) / "buttons.map"
+                                             : std::filesystem::path(options.map);
+        return learn_buttons(options.device, map);
     }
     if (options.calibrates) {
         const Configuration configuration =
             options.configuration.empty() ? Configuration{} : read_configuration(options.configuration);
         return calibrate(configuration, state_folder(options.state));
     }
-    Examined examined = examine_configuration(options.configuration);
-    std::vector<Finding> all = std::move(examined.findings);
-    const auto add = [&](std::vector<Finding> some) { all.insert(all.end(), some.begin(), some.end()); };
-    const auto state = state_folder(options.state);
-    add(examine_gpu());
-    add(examine_screen());
-    add(examine_buttons(examined.configuration));
-    add(examine_state(state));
-    add(examine_clock(staff::read_wall_clock(), !examined.configuration.hours.is_always_open));
-    add(examine_service(staff::runtime_folder(state)));
+    const std::vector<Finding> all = examine_parts(options);
     std::fputs(report_of(all).c_str(), stdout);
     return kStatus[static_cast<std::size_t>(worst_of(all))];
 }
@@ -58,7 +83,14 @@ void add_doctor(CLI::App& app, Action& chosen) {
         "Look at settings, GPU, screen, buttons, state, clock and service, and say what is wrong and what mends it.\n"
         "Ends with 0 when all is good, 3 when something is doubtful, 4 when something is bad");
     command->add_option("--config", options->configuration, "The site's settings, which are checked too");
-    command->add_option("--state", options->state, "Folder of what is kept between runs");
+    command->add_option("--state", options->state,
+                        "Folder of what is kept between runs; without it, the service's where it is installed");
+    command
+        ->add_option("--only", options->only,
+                     "Look at this part alone, repeatable: settings, gpu, screen, buttons, state, clock, service")
+        ->check(CLI::IsMember({"settings", "gpu", "screen", "buttons", "state", "clock", "service"}))
+        ->expected(1)
+        ->take_all();
     command->add_flag("--learn-buttons", options->learns_buttons,
                       "Instead: learn what the buttons of a HID device are, by asking for them one after the other");
     command->add_flag("--calibrate", options->calibrates,

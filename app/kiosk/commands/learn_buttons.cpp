@@ -28,8 +28,20 @@ hid::HidSelector selector_of(const std::string& device) {
     }
 }
 
-std::vector<hid::HidMapping> known_in(const std::string& file) {
-    if (!std::filesystem::exists(file)) return {};
+namespace fs = std::filesystem;
+
+// Before anybody presses anything: what was learned shall not be lost for want of a place.
+void require_place(const fs::path& file) {
+    const fs::path folder = fs::absolute(file).parent_path();
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (::access(folder.c_str(), W_OK) != 0)
+        throw base::InputError(
+            fmt::format("{}: cannot be written; run this as root, or name a file with --map", folder.string()));
+}
+
+std::vector<hid::HidMapping> known_in(const fs::path& file) {
+    if (!fs::exists(file)) return {};
     try {
         return hid::read_mappings(file);
     } catch (const std::invalid_argument& error) {
@@ -51,11 +63,19 @@ Line wait_for_line() {
 
 }  // namespace
 
-int learn_buttons(const std::string& device, const std::string& file) {
+void keep_mappings(const fs::path& file, std::span<const hid::HidMapping> mappings) {
+    using enum fs::perms;
+    base::write_file(file, hid::to_text(mappings));
+    std::error_code ignored;  // it is somebody else's, who has seen to it
+    fs::permissions(file, owner_read | owner_write | group_read | others_read, ignored);
+}
+
+int learn_buttons(const std::string& device, const fs::path& file) {
     std::vector<hid::HidMapping> mappings = known_in(file);
     hid::Hidraw host;
     hid::Teaching teaching(host, selector_of(device));
     if (!teaching.has_devices()) throw base::InputError(teaching.trouble());
+    require_place(file);
     std::printf("Press and let go what is asked for. Enter: there is no such button. Ctrl+C: forget it all.\n");
     std::optional<firmware_io::Button> told;
     std::string trouble;
@@ -78,8 +98,8 @@ int learn_buttons(const std::string& device, const std::string& file) {
         throw base::InputError(teaching.trouble().empty() ? "nothing was pressed, so nothing was learned"
                                                           : teaching.trouble());
     hid::remember(mappings, mapping);
-    base::write_file(file, hid::to_text(mappings));
-    const std::string path = std::filesystem::absolute(file).lexically_normal().string();
+    keep_mappings(file, mappings);
+    const std::string path = fs::absolute(file).lexically_normal().string();
     std::printf("%zu buttons of %s are kept in %s\nwrite in the configuration: inputs = [\"hid:map=%s\"]\n",
                 mapping.bindings.size(), teaching.pupil()->identity.name.c_str(), path.c_str(), path.c_str());
     return 0;

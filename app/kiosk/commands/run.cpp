@@ -83,7 +83,10 @@ Buttons open_buttons(const std::vector<std::string>& specs) {
     std::vector<std::unique_ptr<firmware_io::ButtonSource>> sources;
     for (const std::string& spec : specs) {
         try {
-            sources.push_back(firmware_io::open_buttons(spec));
+            auto opened = firmware_io::open_buttons(spec);
+            sources.push_back(std::move(opened.source));
+            if (!opened.map_trouble.empty())
+                base::log::warn("buttons: {}; until then the usual order of buttons is used", opened.map_trouble);
         } catch (const std::invalid_argument& error) {
             throw base::InputError(fmt::format("--input {}", error.what()));
         }
@@ -221,12 +224,11 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
         presence.emplace(staff::runtime_folder(state));
         keepsakes.emplace(state);
         caretaker.emplace(staff::CaretakerParts{configuration, options.configuration, staff::runtime_folder(state),
-                                                state, ladder, screen->description()});
+                                                state, ladder, *screen});
     }
     std::optional<DetailGovernor> governor;
     if (!clock->is_simulated() && !options.budget.is_bound())
-        governor.emplace(
-            options_for(static_cast<float>(configuration.picture.alpha), kept.detail, screen->description()));
+        governor.emplace(options_for(static_cast<float>(configuration.picture.alpha), kept.detail, *screen));
     RunLoopParts parts{configuration, *clock, *screen, panel, *buttons.source, show};
     parts.caretaker = caretaker ? &*caretaker : nullptr;
     parts.keepsakes = keepsakes ? &*keepsakes : nullptr;
@@ -239,7 +241,7 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
     const RunEnd end = run_loop(parts);
     announce_stopping();
     show.remember("buttons", to_text(panel.health().memory()));
-    if (governor) show.remember("detail", to_text(*governor, screen->description()));
+    if (governor) show.remember("detail", to_text(*governor, *screen));
     if (end != RunEnd::DisplayFault) ladder.note_end();
     if (album) {
         album->finish();
@@ -250,7 +252,7 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
 }
 
 int run(const Options& options) {
-    give_memory_back();
+    hold_memory();  // until the first landscapes are on the screen
     if (!options.log_file.empty()) base::open_log(base::LogDetail::Normal, options.log_file);
     stop_on_signals();
     const fs::path state = state_folder(options.state);

@@ -24,14 +24,6 @@ struct Options {
 
 constexpr std::chrono::seconds kPatience{10};
 
-// The folder that a running exhibit watches: the service's, unless another is named.
-fs::path watched_folder(const std::string& state) {
-    fs::path service = "/run/quadrat";
-    std::error_code error;
-    if (state.empty() && fs::exists(service, error)) return service;
-    return staff::runtime_folder(state_folder(state));
-}
-
 void require_exhibit(const fs::path& folder) {
     if (staff::is_exhibit_present(folder)) return;
     std::error_code ignored;

@@ -46,6 +46,14 @@ TEST(FindLine, RefusesWhatIsAmbiguousMissingOrHeldAndSaysTheRemedy) {
     EXPECT_THAT(refusal({held}, {"GPIO17", {}}), HasSubstr("GPIO17 is held by spi0 CS1;"));
 }
 
+TEST(FindLine, TakesWhatWeHoldForFreeWhereItIsOnlyLookedAt) {
+    gpio::ChipFacts held = kHeader;
+    held.lines[1].holder = gpio::kConsumer;
+    EXPECT_THAT(refusal({held}, {"GPIO17", {}}), HasSubstr("GPIO17 is held by quadrat;"));
+    EXPECT_EQ(gpio::find_line(std::span{&held, 1}, {"GPIO17", {}}, gpio::kConsumer),
+              (gpio::LinePlace{"/dev/gpiochip4", 1}));
+}
+
 TEST(KernelClock, IsNeverLaterThanNowAndKeepsTheDistancesOfTheKernel) {
     gpio::KernelClock clock;
     clock.saw(100s, 7s);  // waited 3 ms, which nobody knows yet

@@ -67,7 +67,7 @@ TEST(InputSpec, ErrorsNameTheSpecTheTroubleAndTheRemedy) {
 
 TEST(OpenButtons, MissingHardwareIsASourceThatIsAbsent) {
     for (const char* spec : {"gpio:A=NO_SUCH_LINE", "hid:ffff:fffe", "hid:path=/dev/hidraw9999"}) {
-        const auto source = open_buttons(spec);
+        const auto source = open_buttons(spec).source;
         EXPECT_TRUE(source->poll(1s).empty());
         EXPECT_EQ(source->status().presence, Presence::Absent) << spec;
         EXPECT_THAT(source->status().reason, HasSubstr(";")) << spec;

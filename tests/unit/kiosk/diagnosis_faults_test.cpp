@@ -2,10 +2,13 @@
 // Set-ups that are broken, each in one way: the doctor names the cause and what mends it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include "firmware-io/merged_buttons.hpp"
 #include "kiosk/diagnosis.hpp"
 #include "kiosk/staff/vitals.hpp"
 #include "support/process.hpp"
+#include "unit/firmware-io/fake_gpio.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -31,13 +34,42 @@ void add_connector(const tests::TemporaryFolder& machine, const std::string& sta
 }
 
 std::vector<Finding> screen_of(const tests::TemporaryFolder& machine) {
-    return examine_screen(machine / "sys", machine / "dev");
+    return examine_screen({}, machine / "sys", machine / "dev");
 }
 
 std::vector<Finding> buttons_of(const std::string& input) {
     Configuration configuration;
     configuration.inputs = {input};
     return examine_buttons(configuration);
+}
+
+// Lines may be looked at, and never taken: a running exhibit's are its own.
+class UntouchableGpio final : public tests::FakeGpioHost {
+  public:
+    using FakeGpioHost::FakeGpioHost;
+    std::unique_ptr<firmware_io::gpio::InputLines> request_inputs(const std::string& chip, const std::vector<unsigned>&,
+                                                                  firmware_io::gpio::InputOptions) override {
+        throw std::logic_error(chip + " was taken");
+    }
+    std::unique_ptr<firmware_io::gpio::OutputLines> request_outputs(const std::string& chip,
+                                                                    const std::vector<unsigned>&) override {
+        throw std::logic_error(chip + " was taken");
+    }
+};
+
+// What is said of a button and a lamp on lines that somebody holds.
+std::vector<Finding> lines_held_by(const std::string& holder) {
+    const auto open = [&](std::string_view spec) {
+        auto machine = std::make_shared<tests::FakeGpioMachine>();
+        machine->chips = {tests::chip_of("/dev/gpiochip0", "pinctrl-rp1", {"GPIO17", "GPIO5"})};
+        for (auto& line : machine->chips.front().lines) line.holder = holder;
+        const auto wiring = std::get<firmware_io::gpio::Wiring>(firmware_io::parse_input_spec(spec));
+        return firmware_io::Opened{
+            std::make_unique<firmware_io::gpio::GpioButtons>(std::make_unique<UntouchableGpio>(machine), wiring), ""};
+    };
+    Configuration configuration;
+    configuration.inputs = {"gpio:A=GPIO17,lampA=GPIO5"};
+    return {examine_buttons(configuration, {}, open).front()};
 }
 
 std::vector<Finding> service_that_says(const tests::TemporaryFolder& machine, const staff::Vitals& vitals) {
@@ -47,6 +79,17 @@ std::vector<Finding> service_that_says(const tests::TemporaryFolder& machine, co
 
 std::vector<Finding> configured(const tests::TemporaryFolder& machine, const std::string& toml) {
     return examine_configuration(machine.write("quadrat.toml", toml)).findings;
+}
+
+// The exhibit's user, to whom nothing of the machine's was given; whoever runs the test may be root.
+Account stranger(const tests::TemporaryFolder& machine) {
+    fs::permissions(machine.path(), fs::perms{0755});
+    return {"quadrat", ::getuid() + 12345, {}};
+}
+
+void add_closed_node(const tests::TemporaryFolder& machine, const std::string& name) {
+    fs::create_directories(machine / "dev");
+    fs::permissions(machine.write("dev/" + name, ""), fs::perms{0600});
 }
 
 const std::vector<Broken>& broken_machines() {
@@ -75,6 +118,88 @@ const std::vector<Broken>& broken_machines() {
          "gpio:A=NO_SUCH_LINE", "plug it in"},
         {"MisspeltInput", [](const tests::TemporaryFolder&) { return buttons_of("telepathy:"); }, Health::Bad,
          "telepathy", "buttons.inputs"},
+        {"CardOfAnotherGroup",
+         [](const tests::TemporaryFolder& m) {
+             add_connector(m, "connected", "edid");
+             add_closed_node(m, "card0");
+             return examine_screen(stranger(m), m / "sys", m / "dev");
+         },
+         Health::Bad, "card0: no permission", "usermod -aG video quadrat"},
+        {"GpuOfAnotherGroup",
+         [](const tests::TemporaryFolder& m) {
+             add_closed_node(m, "renderD128");
+             return examine_screen(stranger(m), m / "sys", m / "dev");
+         },
+         Health::Bad, "renderD128", "usermod -aG render quadrat"},
+        {"LinesOfAnotherGroup",
+         [](const tests::TemporaryFolder& m) {
+             add_closed_node(m, "gpiochip0");
+             return examine_buttons({}, stranger(m), firmware_io::open_buttons, m / "dev");
+         },
+         Health::Bad, "GPIO chips: may not be used by the user quadrat", "usermod -aG gpio quadrat"},
+        {"HidOfAnotherGroup",
+         [](const tests::TemporaryFolder& m) {
+             add_closed_node(m, "hidraw3");
+             return examine_buttons({}, stranger(m), firmware_io::open_buttons, m / "dev");
+         },
+         Health::Bad, "hidraw3", "usermod -aG input quadrat"},
+        {"MapInSomebodysHome",
+         [](const tests::TemporaryFolder& m) {
+             Configuration configuration;
+             configuration.inputs = {"hid:map=/root/.local/state/quadrat/buttons.map"};
+             const auto open = [](std::string_view) {
+                 return firmware_io::Opened{std::make_unique<firmware_io::MergedButtons>(
+                                                std::vector<std::unique_ptr<firmware_io::ButtonSource>>{}),
+                                            ""};
+             };
+             return examine_buttons(configuration, stranger(m), open, m / "dev");
+         },
+         Health::Doubtful, "the user quadrat cannot read this map", "move it to /var/lib/quadrat"},
+        {"StateOfAnotherUser", [](const tests::TemporaryFolder& m) { return examine_state(m.path(), stranger(m)); },
+         Health::Bad, "cannot be written", "give the exhibit's user this folder"},
+        {"StateFileOfAnotherUser",
+         [](const tests::TemporaryFolder& m) {
+             m.write("quadrat.db", "SQLite format 3 and more");
+             const Account exhibit = stranger(m);
+             fs::permissions(m.path(), fs::perms{0777});
+             return examine_state(m.path(), exhibit);
+         },
+         Health::Bad, "somebody else's", "systemd-tmpfiles --create quadrat.conf"},
+        {"FailedUnit",
+         [](const tests::TemporaryFolder&) {
+             return examine_unit(UnitState{"loaded", "enabled", "failed", "exit-code"});
+         },
+         Health::Bad, "has failed (exit-code)", "journalctl -u quadrat"},
+        {"StoppedUnit",
+         [](const tests::TemporaryFolder&) {
+             return examine_unit(UnitState{"loaded", "enabled", "inactive", "success"});
+         },
+         Health::Bad, "is stopped", "systemctl start quadrat"},
+        {"DisabledUnit",
+         [](const tests::TemporaryFolder&) {
+             return examine_unit(UnitState{"loaded", "disabled", "active", "success"});
+         },
+         Health::Doubtful, "does not start with the machine", "systemctl enable --now quadrat"},
+        {"MaskedUnit",
+         [](const tests::TemporaryFolder&) {
+             return examine_unit(UnitState{"masked", "masked", "inactive", "success"});
+         },
+         Health::Bad, "is masked", "systemctl unmask quadrat"},
+        {"UnitThatStartsAgainAndAgain",
+         [](const tests::TemporaryFolder&) {
+             return examine_unit(UnitState{"loaded", "enabled", "activating", "watchdog"});
+         },
+         Health::Doubtful, "its last end was: watchdog", "journalctl -u quadrat"},
+        {"HeldLine", [](const tests::TemporaryFolder&) { return lines_held_by("spi0 CS1"); }, Health::Bad,
+         "GPIO17 is held by spi0 CS1", "GPIO line GPIO5 is held by spi0 CS1; stop that"},
+        {"HeldByUs", [](const tests::TemporaryFolder&) { return lines_held_by("quadrat"); }, Health::Good,
+         "GPIO lines A=GPIO17, lamp A=GPIO5", ""},
+        {"DamagedMapOfButtons",
+         [](const tests::TemporaryFolder& m) {
+             const auto findings = buttons_of("hid:map=" + m.write("buttons.map", "A is the red one\n").string());
+             return std::vector{findings.front()};
+         },
+         Health::Doubtful, "buttons.map:1", "doctor --learn-buttons"},
         {"DamagedState",
          [](const tests::TemporaryFolder& m) {
              m.write("quadrat.db", "no database any more");
@@ -143,6 +268,12 @@ TEST_P(EveryBrokenMachine, HasItsCauseNamedAndItsRemedy) {
 
 INSTANTIATE_TEST_SUITE_P(Doctor, EveryBrokenMachine, testing::ValuesIn(broken_machines()),
                          [](const auto& broken) { return broken.param.name; });
+
+TEST(Doctor, HasNothingAgainstAUnitThatRunsNorAgainstAMachineWithoutOne) {
+    EXPECT_EQ(worst_of(examine_unit(UnitState{"loaded", "enabled", "active", "success"})), Health::Good);
+    EXPECT_THAT(examine_unit(UnitState{"not-found", "", "inactive", "success"}), testing::IsEmpty());
+    EXPECT_THAT(examine_unit(std::nullopt), testing::IsEmpty());
+}
 
 TEST(Doctor, FindsNothingWrongWithAnExhibitThatRuns) {
     const tests::TemporaryFolder machine;

@@ -33,7 +33,7 @@ class Machine {
         folder_.write("sys/" + name + "/edid", edid);
         return *this;
     }
-    std::string report() const { return report_of(examine_screen(sys(), dev())); }
+    std::string report() const { return report_of(examine_screen({}, sys(), dev())); }
 
   private:
     tests::TemporaryFolder folder_;
@@ -60,7 +60,7 @@ TEST(Doctor, MissesTheNodeOfACard) {
     machine.card("card0").connector("card0-HDMI-A-1", "connected", "1024x768\n", "edid");
     std::filesystem::remove(machine.dev() / "card0");
     EXPECT_THAT(machine.report(), HasSubstr("card0 is missing"));
-    EXPECT_THAT(report_of(examine_screen("/nowhere", "/nowhere")), HasSubstr("no graphics card"));
+    EXPECT_THAT(report_of(examine_screen({}, "/nowhere", "/nowhere")), HasSubstr("no graphics card"));
 }
 
 TEST(Doctor, KnowsADamagedStateFileWithoutTouchingIt) {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "kiosk/diagnosis_access.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+namespace fs = std::filesystem;
+
+Finding input_finding(const std::string& spec, const OpenButtons& open) {
+    try {
+        const auto [source, map_trouble] = open(spec);
+        const auto status = source->look();
+        if (!map_trouble.empty())
+            return {"buttons", Health::Doubtful, fmt::format("{}: {}", spec, map_trouble),
+                    "until then the usual order of buttons is used; teach them: sudo quadrat doctor --learn-buttons"};
+        if (status.presence == firmware_io::Presence::Present)
+            return {"buttons", Health::Good, fmt::format("{} {}", spec, status.reason), ""};
+        return {"buttons", Health::Bad, fmt::format("{}: {}", spec, status.reason),
+                "plug it in, or free it; the exhibit keeps looking for it"};
+    } catch (const std::invalid_argument& error) {
+        return {"buttons", Health::Bad, error.what(), "correct it in the configuration, buttons.inputs"};
+    }
+}
+
+// What the service cannot read, or does not see at all (ProtectHome=), whoever may read it from a terminal.
+bool is_hidden_from(const Account& exhibit, const fs::path& file) {
+    const std::string path = fs::absolute(file).lexically_normal().string();
+    for (const char* home : {"/root/", "/home/", "/run/user/"})
+        if (path.starts_with(home)) return true;
+    return !may_read(exhibit, file);
+}
+
+std::optional<Finding> map_finding(const std::string& spec, const std::optional<Account>& exhibit) {
+    try {
+        const auto parsed = firmware_io::parse_input_spec(spec);
+        const auto* hid = std::get_if<firmware_io::HidSpec>(&parsed);
+        if (hid == nullptr || hid->mappings_file.empty() || !exhibit || !is_hidden_from(*exhibit, hid->mappings_file))
+            return std::nullopt;
+        return Finding{
+            "buttons", Health::Doubtful,
+            fmt::format("{}: the user {} cannot read this map of buttons", hid->mappings_file, exhibit->name),
+            "move it to /var/lib/quadrat and name it there, buttons.inputs; chmod 644"};
+    } catch (const std::invalid_argument&) {
+        return std::nullopt;  // as the finding of the input itself says
+    }
+}
+
+}  // namespace
+
+std::vector<Finding> examine_buttons(const Configuration& configuration, const std::optional<Account>& exhibit,
+                                     const OpenButtons& open, const fs::path& dev) {
+    std::vector<Finding> findings;
+    for (const std::string& spec : configuration.inputs) {
+        findings.push_back(input_finding(spec, open));
+        if (auto map = map_finding(spec, exhibit)) findings.push_back(std::move(*map));
+    }
+    if (configuration.inputs.empty())
+        findings.push_back({"buttons", Health::Doubtful, "none are named in the configuration",
+                            "without them the first HID controller is used; name yours under buttons.inputs"});
+    findings.push_back(access_finding({"buttons", "GPIO chips", "gpiochip", "gpio"}, dev, exhibit));
+    findings.push_back(access_finding({"buttons", "HID devices", "hidraw", "input"}, dev, exhibit));
+    return findings;
+}
+
+}  // namespace quadrat::kiosk
