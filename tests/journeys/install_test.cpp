@@ -25,6 +25,8 @@ class Machine {
         folder_.write("root/usr/lib/systemd/system/multi-user.target", "[Unit]\n");
         folder_.write("root/usr/lib/systemd/system/graphical.target", "[Unit]\n");
         folder_.write("root/usr/lib/systemd/system/getty@.service", "[Service]\nExecStart=/bin/true\n");
+        folder_.write("root/usr/lib/systemd/system/reboot.target", "[Unit]\n[Install]\nAlias=ctrl-alt-del.target\n");
+        fs::create_symlink("reboot.target", folder_ / "root/usr/lib/systemd/system/ctrl-alt-del.target");
         folder_.write("root/etc/fstab", "LABEL=root / ext4 defaults 0 1\n");
         folder_.write("root/boot/firmware/cmdline.txt", "root=LABEL=root rootwait quiet\n");
         fs::create_symlink("/usr/lib/systemd/system/graphical.target",
@@ -51,6 +53,11 @@ class Machine {
         }
         return all;
     }
+    void remove(const std::string& name) const { fs::remove(folder_ / ("root/" + name)); }
+    void write(const std::string& name, const std::string& text) const {
+        fs::create_directories((folder_ / ("root/" + name)).parent_path());
+        folder_.write("root/" + name, text);
+    }
     std::string file(const std::string& name) const { return contents_of(folder_ / "root" / name); }
 
   private:
@@ -66,8 +73,9 @@ TEST(Install, DryRunSaysEverythingAndDoesNothing) {
     const auto before = machine.files();
     const Ended ended = machine.install({"--dry-run", "--data", "LABEL=quadrat-data", "--read-only"});
     ASSERT_TRUE(succeeds(ended));
-    for (const char* what : {"quadrat.service", "60-quadrat.rules", "journald.conf.d", "user quadrat", "fstab",
-                             "quadrat-overlay", "cmdline.txt", "login prompt", "/etc/quadrat/quadrat.toml"})
+    for (const char* what :
+         {"quadrat.service", "71-quadrat.rules", "journald.conf.d", "user quadrat", "fstab", "quadrat-overlay",
+          "cmdline.txt", "login prompt", "Ctrl+Alt+Del", "logind.conf.d", "/etc/quadrat/quadrat.toml"})
         EXPECT_THAT(ended.out, HasSubstr(what));
     for (const std::string& line : lines_of(ended.out)) EXPECT_TRUE(line.starts_with("would ")) << line;
     EXPECT_EQ(machine.files(), before);
@@ -81,6 +89,10 @@ TEST(Install, DoesNothingTheSecondTimeAndIsTakenBackWhole) {
     const auto installed = machine.files();
     EXPECT_TRUE(installed.contains("usr/lib/systemd/system/quadrat.service"));
     EXPECT_EQ(installed.at("etc/systemd/system/getty@tty1.service"), "/dev/null");
+    EXPECT_EQ(installed.at("etc/systemd/system/ctrl-alt-del.target"), "/dev/null");
+    for (const char* line : {"\nNAutoVTs=0\n", "\nReserveVT=0\n"})
+        EXPECT_THAT(machine.file("etc/systemd/logind.conf.d/quadrat.conf"), HasSubstr(line));
+    EXPECT_THAT(machine.file("etc/systemd/system.conf.d/quadrat.conf"), HasSubstr("\nCtrlAltDelBurstAction=none\n"));
     EXPECT_THAT(installed.at("etc/systemd/system/default.target"), HasSubstr("multi-user"));
     EXPECT_THAT(machine.file("etc/fstab"), HasSubstr("LABEL=quadrat-data /var/lib/quadrat ext4"));
     EXPECT_THAT(machine.file("etc/passwd"), HasSubstr("quadrat:"));
@@ -98,6 +110,18 @@ TEST(Install, DoesNothingTheSecondTimeAndIsTakenBackWhole) {
     EXPECT_EQ(nothing.out, "Nothing of the exhibit is installed.\n");
 }
 
+TEST(Install, GoesToItsEndOnAMachineThatIsNoRaspberryPi) {
+    const Machine machine;
+    machine.remove("boot/firmware/cmdline.txt");
+    const auto before = machine.files();
+    const Ended ended = machine.install_program();
+    ASSERT_TRUE(succeeds(ended));
+    EXPECT_THAT(ended.out, HasSubstr("\nDone. "));
+    EXPECT_EQ(machine.install_program().out, "Everything is as it should be.\n");
+    ASSERT_TRUE(succeeds(machine.install({"--remove"})));
+    EXPECT_EQ(machine.files(), before);
+}
+
 TEST(Install, LeavesTheSitesOwnSettingsAlone) {
     const Machine machine;
     ASSERT_TRUE(succeeds(machine.install_program()));
@@ -113,6 +137,42 @@ TEST(Install, RefusesWhatWouldLoseWhatVisitorsDid) {
     EXPECT_EQ(ended.status, 2);
     EXPECT_THAT(ended.err, HasSubstr("--read-only needs --data"));
     EXPECT_EQ(machine.install({"--nonsense"}).status, 2);
+}
+
+TEST(Install, KeyboardsLoseTheirPowerKeysAfterSystemdHasGivenThemThese) {
+    const Machine machine;
+    machine.write("usr/lib/udev/rules.d/60-quadrat.rules", "# of an earlier version\n");
+    ASSERT_TRUE(succeeds(machine.install_program()));
+    std::vector<std::string> ours;
+    for (const auto& [name, text] : machine.files())
+        if (text.find("TAG-=\"power-switch\"") != std::string::npos) ours.push_back(name);
+    ASSERT_THAT(ours, testing::SizeIs(1));
+    EXPECT_GT(fs::path(ours.front()).filename(), "70-power-switch.rules");
+    EXPECT_FALSE(machine.files().contains("usr/lib/udev/rules.d/60-quadrat.rules"));
+}
+
+// A broken partition is worth no black screen. StateDirectory= and its like make systemd require the mount.
+TEST(Install, NoServiceRequiresThePartitionOfWhatVisitorsDid) {
+    for (const char* name : {"quadrat.service", "quadrat-fleet.service"}) {
+        const std::string unit = contents_of(QUADRAT_SOURCE_DIR "/deploy/system/" + std::string(name));
+        for (const char* requires_it : {"\nStateDirectory=", "\nCacheDirectory=", "\nLogsDirectory=",
+                                        "\nWorkingDirectory=", "\nRequires", "\nBindsTo=", "\nRequisite="})
+            EXPECT_THAT(unit, Not(HasSubstr(requires_it))) << name;
+        EXPECT_THAT(unit, HasSubstr("\nReadWritePaths=-/var/lib/quadrat\n")) << name;
+        EXPECT_THAT(unit, HasSubstr("\nWants=var-lib-quadrat.mount\n")) << name;
+        EXPECT_THAT(unit, HasSubstr("\nAfter=var-lib-quadrat.mount systemd-tmpfiles-setup.service\n")) << name;
+    }
+}
+
+TEST(Install, AFreshPartitionBelongsToTheExhibitOnceItIsMounted) {
+    const Machine machine;
+    ASSERT_TRUE(succeeds(machine.install_program({"--data", "LABEL=quadrat-data"})));
+    EXPECT_THAT(machine.file("usr/lib/tmpfiles.d/quadrat.conf"),
+                HasSubstr("\nd /var/lib/quadrat 0755 quadrat quadrat -\n"));
+    const std::string fstab = machine.file("etc/fstab");
+    for (const char* option :
+         {",nofail,", ",x-systemd.device-timeout=5s,", ",x-systemd.before=systemd-tmpfiles-setup.service "})
+        EXPECT_THAT(fstab, HasSubstr(option));
 }
 
 // How much of the machine the service could harm, by systemd's own reckoning: 0 nothing, 10 everything.
