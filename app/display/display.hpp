@@ -128,6 +128,9 @@ class Display {
     virtual std::string_view kind() const = 0;  // "kms", "window", "headless"
     // One line for people: GPU, driver and mode.
     virtual std::string description() const = 0;
+    // The GPU alone, as its driver calls it: the same whatever its card's number is and whatever is plugged in. "" before
+    // there is one.
+    virtual std::string renderer() const = 0;
     // One line for people: what Auto chose and why not the others.
     const std::string& why() const { return why_; }
 

@@ -62,6 +62,7 @@ struct Configuration {
         std::string user;           // for the broker
         std::string password_file;  // its first line
         std::string ca_file;        // who vouches for the broker; the system's, without one
+        friend bool operator==(const Fleet&, const Fleet&) = default;
     } fleet;
 
     staff::Hours hours;                // when the house is open; always, unless it says

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+// How the allocator of the whole process behaves from now on. With an arena for each thread that grows, glibc's holds
+// on to ten times what is in use: both leave it two, so the first call comes before there are other threads.
 namespace quadrat::kiosk {
 
-// For months, what growing frees must go back to the system: with an arena for each thread that grows, glibc's
-// allocator holds on to ten times what is in use. What drivers take for a frame and free after it, some megabytes in
-// small pieces, stays: given back, it would be cleared and mapped again page by page, every frame. Call once, before
-// there are other threads.
+// For a start: what is freed is kept and taken again; nobody waits for the system to find pages and clear them.
+void hold_memory();
+
+// For months: what growing frees goes back to the system, and what is free now goes at once. What drivers take for a
+// frame and free after it, some megabytes in small pieces, stays: it would be mapped and cleared again every frame.
 void give_memory_back();
 
 }  // namespace quadrat::kiosk

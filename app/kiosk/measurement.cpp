@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/sysinfo.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,14 @@ double peak_memory_mb() {
     struct rusage usage {};
     ::getrusage(RUSAGE_SELF, &usage);
     return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+double resident_memory_mb() {
+    std::ifstream statm("/proc/self/statm");
+    double all_pages = 0;
+    double resident_pages = 0;
+    if (!(statm >> all_pages >> resident_pages)) return 0;
+    return resident_pages * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1 << 20);
 }
 
 double cpu_seconds() {

@@ -18,8 +18,9 @@ struct Measurement {
 // The share-th smallest, by the nearest rank; 0 for none.
 double percentile(std::vector<double> samples, double share);
 
-double peak_memory_mb();  // of this process so far, resident
-double cpu_seconds();     // of this process so far, all threads
+double peak_memory_mb();      // of this process so far, resident
+double resident_memory_mb();  // of this process now; 0 where the system does not tell
+double cpu_seconds();         // of this process so far, all threads
 
 std::string machine_description();  // processor, cores, memory
 

@@ -10,6 +10,7 @@
 #include "base/log.hpp"
 #include "firmware-io/keyboard/keyboard_buttons.hpp"
 #include "kiosk/detail/memory.hpp"
+#include "kiosk/heap.hpp"
 #include "kiosk/service.hpp"
 #include "kiosk/start_report.hpp"
 
@@ -81,7 +82,9 @@ class Loop {
             if (!parts_.clock.is_simulated() && theatre_.is_drawn_within(kLongestFrame) && frames_ > 0)
                 start_.drawn(had_landscapes_);
             hear(now);
+            const Instant begun = parts_.clock.now();
             show_what_has_grown(now);
+            if (parts_.record != nullptr) parts_.record->uploads_took.push_back(parts_.clock.now() - begun);
             if (!is_dark()) draw(canvas, now);
             had_landscapes_ = !parts_.show.on_stage().scenes.empty();
             ++frames_;
@@ -140,16 +143,25 @@ class Loop {
             parts_.caretaker->keep_picture(theatre_.read_back(), file);
     }
 
+    // The governor's; where nobody governs, alpha.
+    float level() const {
+        const bool is_governed = !budget_ && parts_.governor != nullptr;
+        return is_governed ? parts_.governor->level() : alpha();
+    }
+
     float alpha() const {
         const auto configured = static_cast<float>(parts_.configuration.picture.alpha);
         if (budget_) return theatre_.detail().alpha;
-        return parts_.governor != nullptr ? parts_.governor->level() : configured;
+        return parts_.governor != nullptr ? alpha_for(parts_.governor->level()) : configured;
     }
 
     float scale() const {
         if (budget_) return theatre_.detail().scale;
         return parts_.governor != nullptr ? scale_for(parts_.governor->level()) : 1;
     }
+
+    // Of the screen's, that a frame is meant to take.
+    int periods() const { return parts_.governor != nullptr ? parts_.governor->periods() : 1; }
 
     Instant period_of(const display::Presented& presented) const {
         return presented.period.count() > 0 ? presented.period : kFrame;
@@ -178,10 +190,11 @@ class Loop {
         theatre_.set_detail({alpha_for(governor.level()), scale_for(governor.level())});
         if (const auto why = governor.take_reason()) {
             base::log::info("{}", *why);
+            if (parts_.record != nullptr) parts_.record->decisions.push_back({now, *why});
             // The plug may be pulled at any moment; once a minute is often enough for the disk.
             if (remembered_at_ && now - *remembered_at_ < std::chrono::minutes{1}) return;
             remembered_at_ = now;
-            parts_.show.remember("detail", to_text(governor, parts_.display.description()));
+            parts_.show.remember("detail", to_text(governor, parts_.display));
         }
     }
 
@@ -196,8 +209,7 @@ class Loop {
         // While nothing is on stage, no frame can come late.
         const bool is_dark_yet = parts_.show.on_stage().scenes.empty();
         const bool is_all = parts_.clock.is_simulated() || is_dark_yet;
-        const int periods = parts_.governor != nullptr ? parts_.governor->periods() : 1;
-        const Instant until = parts_.clock.now() + period_ * periods / kUploadShare;
+        const Instant until = parts_.clock.now() + period_ * periods() / kUploadShare;
         const Theatre::Haste haste =
             is_all ? Theatre::Haste::everything()
                    : Theatre::Haste{kUploadBytes, [this, until] { return parts_.clock.now() < until; }, 1};
@@ -214,6 +226,7 @@ class Loop {
             parts_.show.uploaded(now);
             theatre_.keep_only(parts_.show.in_use());
             if (is_all) theatre_.prepare(parts_.show.on_stage(), haste);
+            if (!std::exchange(has_given_back_, true)) give_memory_back();
         } else if (const Act* refined = parts_.show.waiting_to_refine(); refined != nullptr) {
             if (!theatre_.prepare(*refined, haste)) return;
             parts_.show.refined();
@@ -256,8 +269,8 @@ class Loop {
     void report(const display::Presented& presented, Instant now) {
         using display::Outcome;
         if (parts_.caretaker != nullptr)
-            parts_.caretaker->framed(presented, now,
-                                     {alpha(), scale(), drawn_.triangles, drawn_.draws, drawn_.objects});
+            parts_.caretaker->framed(
+                presented, now, {level(), alpha(), scale(), periods(), drawn_.triangles, drawn_.draws, drawn_.objects});
         if (presented.outcome != last_outcome_) {
             last_outcome_ = presented.outcome;
             if (presented.outcome == Outcome::Shown)
@@ -307,19 +320,17 @@ class Loop {
             parts_.clock.skip_to(std::max(now + std::chrono::milliseconds{1}, next_moment().value_or(now)));
             return;
         }
-        const int periods = parts_.governor != nullptr ? parts_.governor->periods() : 1;
         if (presented.period.count() == 0 || presented.outcome != display::Outcome::Shown)
             std::this_thread::sleep_until(std::chrono::steady_clock::now() +
-                                          std::max(Instant{0}, now + kFrame * periods - parts_.clock.now()));
+                                          std::max(Instant{0}, now + kFrame * periods() - parts_.clock.now()));
     }
 
     // A frame that is meant to take two of the screen's periods, and is ready in the first, is handed over in the
     // second.
     void wait_for_its_period() {
-        const int periods = parts_.governor != nullptr ? parts_.governor->periods() : 1;
-        if (periods == 1 || shown_at_.count() == 0) return;
+        if (periods() == 1 || shown_at_.count() == 0) return;
         std::this_thread::sleep_until(
-            std::chrono::steady_clock::time_point{shown_at_ + period_ / 4 + period_ * (periods - 1)});
+            std::chrono::steady_clock::time_point{shown_at_ + period_ / 4 + period_ * (periods() - 1)});
     }
 
     const RunLoopParts& parts_;
@@ -331,6 +342,7 @@ class Loop {
     StartReport start_;
     std::uint64_t frames_ = 0;
     bool had_landscapes_ = false;  // the last frame
+    bool has_given_back_ = false;  // what the first landscapes took, once they were there
     bool wants_to_quit_ = false;
     bool is_announced_ = false;
     float progress_ = -1;

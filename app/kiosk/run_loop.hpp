@@ -3,6 +3,8 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "display/display.hpp"
 #include "firmware-io/button_source.hpp"
@@ -17,6 +19,16 @@
 #include "kiosk/theatre.hpp"
 
 namespace quadrat::kiosk {
+
+// What a run that is measured leaves behind.
+struct RunRecord {
+    struct Decision {
+        Instant at{0};
+        std::string why;
+    };
+    std::vector<Instant> uploads_took;  // a frame: what bringing things to the GPU took of it
+    std::vector<Decision> decisions;    // the governor's
+};
 
 struct RunLoopParts {
     const Configuration& configuration;
@@ -33,6 +45,7 @@ struct RunLoopParts {
     Album* album = nullptr;                       // borrowed; nothing: no pictures are kept
     bool ends_after_visit = false;                // the program ends with the first visit that ends
     const std::atomic<bool>* stop = nullptr;
+    RunRecord* record = nullptr;  // borrowed; nothing: none is kept
 };
 
 enum class RunEnd { Stopped, WindowClosed, VisitOver, ScriptOver, DisplayFault, Restart };

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any triangles at all become levels with half the vertices each: every number finite, every index and parent inside,
-// no corner twice; and it ends.
+// no corner twice, no border where there was none; and it ends.
 #include "mesh/progressive.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace mesh = quadrat::mesh;
 
@@ -38,6 +42,56 @@ void require_sound(const mesh::Progressive& progressive) {
     }
 }
 
+using Places = std::vector<std::uint32_t>;  // a vertex: which of those at one place it is one with
+
+Places places_of(const mesh::Mesh& mesh) {
+    std::map<std::array<float, 3>, std::uint32_t> known;
+    Places places;
+    for (const glm::vec3& p : mesh.positions_m)
+        places.push_back(known.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(places.size())).first->second);
+    return places;
+}
+
+// How often triangles run along an edge from its lower place to its higher one, less how often the other way: 0, left
+// out, within a surface.
+using Border = std::map<std::pair<std::uint32_t, std::uint32_t>, int>;
+
+void add(Border& border, std::uint32_t from, std::uint32_t to, int times) {
+    if (from > to) return add(border, to, from, -times);
+    if (from == to || times == 0) return;
+    const auto at = border.try_emplace({from, to}, 0).first;
+    at->second += times;
+    if (at->second == 0) border.erase(at);
+}
+
+Border border_of(const mesh::Mesh& mesh, const Places& places) {
+    Border border;
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+        add(border, places[mesh.indices[i]], places[mesh.indices[next]], 1);
+    }
+    return border;
+}
+
+// An edge within the surface has become one within it, or none; and nothing else has become of the border.
+void require_whole_borders(const mesh::Progressive::Level& level, const mesh::Mesh& next) {
+    const Places places = places_of(level.mesh);
+    const Places places_after = places_of(next);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Border> become;  // of each edge
+    Border all;
+    for (std::size_t i = 0; i < level.mesh.indices.size(); ++i) {
+        const std::uint32_t a = level.mesh.indices[i];
+        const std::uint32_t b = level.mesh.indices[i % 3 == 2 ? i - 2 : i + 1];
+        const std::uint32_t from = places_after[level.parents[a]];
+        const std::uint32_t to = places_after[level.parents[b]];
+        add(become[std::minmax({places[a], places[b]})], from, to, 1);
+        add(all, from, to, 1);
+    }
+    require(border_of(next, places_after) == all);
+    const Border before = border_of(level.mesh, places);
+    for (const auto& [edge, after] : become) require(before.contains(edge) || after.empty());
+}
+
 }  // namespace
 
 // Its first byte says how many vertices, on a coarse lattice so that they meet and lie in one plane, and what else;
@@ -65,8 +119,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     options.attributes = ages;
     options.attributes_a_vertex = 1;
     options.placement = data[0] >= 128 ? mesh::Placement::Line : mesh::Placement::Fitted;
-    require_sound(mesh::make_progressive(any, options));
-    options.materials = materials;
-    require_sound(mesh::make_progressive(any, options));
+    for (const bool has_materials : {false, true}) {
+        if (has_materials) options.materials = materials;
+        const mesh::Progressive progressive = mesh::make_progressive(any, options);
+        require_sound(progressive);
+        for (std::size_t i = 0; i + 1 < progressive.levels.size(); ++i)
+            require_whole_borders(progressive.levels[i], progressive.levels[i + 1].mesh);
+    }
     return 0;
 }

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -291,6 +293,64 @@ TEST(Bench, PrintsItsResultsAsJson) {
     for (const char* name : {"frame.median_ms", "frame.p99_ms", "frame.cpu_ms", "frame.triangles",
                              "start.first_frame_ms", "memory.peak_mb"})
         EXPECT_GT(values[name], 0) << name;
+    EXPECT_GE(values["frame.trees_least"], 200) << "what it is compared with draws as many";
+}
+
+TEST(Bench, OfARaspberryPiTellsWhatItsShadersTakeAndWhatIsLeftOut) {
+    const TemporaryFolder folder;
+    const Ended ended = run(
+        program({"bench", "detail", "--profile", "pi4", "--json", "--size", "160x90", "--triangles", "20000"}), folder);
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    std::map<std::string, double> values;
+    const auto json = nlohmann::json::parse(ended.out);
+    for (const auto& result : json["results"]) values[result["name"]] = result["value"];
+    EXPECT_EQ(values["detail.pi4_instructions.leaves.frag"], 17);
+    EXPECT_EQ(values["detail.pi4_instructions.sky.frag"], 47);
+    for (const char* name : {"detail.pi4_assumed_signs_ms", "detail.pi4_assumed_spread_ms"})
+        EXPECT_TRUE(values.contains(name)) << name;
+}
+
+// Whether every element that begins also ends, within the one that it began in.
+bool is_well_formed(const std::string& xml) {
+    std::vector<std::string> open;
+    for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at + 1)) {
+        const std::size_t end = xml.find('>', at);
+        if (end == std::string::npos) return false;
+        const std::string tag = xml.substr(at + 1, end - at - 1);
+        if (std::ranges::count(tag, '"') % 2 != 0 || tag.find('<') != std::string::npos) return false;
+        if (tag.ends_with('/')) continue;
+        if (!tag.starts_with('/')) {
+            open.push_back(tag.substr(0, tag.find(' ')));
+            continue;
+        }
+        if (open.empty() || open.back() != tag.substr(1)) return false;
+        open.pop_back();
+    }
+    return open.empty();
+}
+
+TEST(Bench, OfAVisitPlotsItsFrames) {
+    const TemporaryFolder folder;
+    const Ended ended = run(program({"bench", "visit", "--json", "--minutes", "0.1", "--size", "160x90", "--busy",
+                                     "--hz", "60", "--then-hz", "30", "--plot", "visit.svg"}),
+                            folder);
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    std::map<std::string, double> values;
+    const auto json = nlohmann::json::parse(ended.out);
+    for (const auto& result : json["results"]) values[result["name"]] = result["value"];
+    // How many frames there are in six seconds depends on who else has the machine.
+    for (const char* name : {"visit.longest_frame_ms", "visit.upload_p99_ms", "visit.upload_longest_ms",
+                             "visit.two_periods_percent", "visit.late_of_screen_percent"})
+        EXPECT_TRUE(values.contains(name)) << name;
+    EXPECT_GT(values["visit.resident_mb"], 10);
+    EXPECT_GE(values["visit.late_of_screen_percent"], values["visit.late_frames_percent"]);
+    EXPECT_GE(values["visit.resident_peak_mb"], values["visit.resident_mb"]);
+    const std::string svg = contents_of(folder / "visit.svg");
+    EXPECT_TRUE(is_well_formed(svg)) << svg.substr(0, 2000);
+    const std::size_t points = svg.find("points=\"");
+    ASSERT_NE(points, std::string::npos);
+    EXPECT_GE(std::count(svg.begin() + static_cast<std::ptrdiff_t>(points), svg.end(), ','), 3)
+        << "a point a frame, in three lines";
 }
 
 TEST(Doctor, LooksAtEveryPartAndSaysWhatToDo) {
@@ -301,6 +361,68 @@ TEST(Doctor, LooksAtEveryPartAndSaysWhatToDo) {
         EXPECT_NE(ended.out.find(subject), std::string::npos) << subject;
     EXPECT_FALSE(std::filesystem::exists(folder / "state")) << "the doctor only looks";
 }
+
+// A set-up with one thing wrong, and the exit status that says how bad that is.
+struct SetUp {
+    const char* name;
+    void (*spoil)(const TemporaryFolder& folder);
+    std::vector<std::string> only;
+    int status;
+    const char* said;
+};
+void PrintTo(const SetUp& set_up, std::ostream* os) { *os << set_up.name; }
+
+class DoctorsStatus : public testing::TestWithParam<SetUp> {};
+
+TEST_P(DoctorsStatus, IsAsBadAsTheWorstOfWhatWasLookedAt) {
+    const TemporaryFolder folder;
+    folder.write("quadrat.toml", contents_of(QUADRAT_SOURCE_DIR "/deploy/quadrat.toml"));
+    std::filesystem::create_directory(folder / "state");
+    GetParam().spoil(folder);
+    std::vector<std::string> arguments{"doctor", "--config", "quadrat.toml", "--state", "state"};
+    for (const std::string& part : GetParam().only) arguments.insert(arguments.end(), {"--only", part});
+    const Ended ended = run(program(arguments), folder);
+    EXPECT_EQ(ended.status, GetParam().status) << ended.out << ended.err;
+    EXPECT_NE(ended.out.find(GetParam().said), std::string::npos) << ended.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Doctor, DoctorsStatus,
+    testing::Values(
+        SetUp{"NothingWrong", [](const TemporaryFolder&) {}, {"settings", "state", "service"}, 0, "can be used"},
+        SetUp{"DamagedState",
+              [](const TemporaryFolder& folder) { folder.write("state/quadrat.db", "no database any more"); },
+              {"settings", "state", "service"},
+              3,
+              "is not a database any more"},
+        SetUp{"ExhibitInSafeMode",
+              [](const TemporaryFolder& folder) { folder.write("state/health.json", R"({"mode": "safe"})"); },
+              {"settings", "state", "service"},
+              3,
+              "safe mode"},
+        SetUp{"ExhibitThatStopped",
+              [](const TemporaryFolder& folder) {
+                  std::filesystem::last_write_time(
+                      folder.write("state/health.json", "{}"),
+                      std::filesystem::file_time_type::clock::now() - std::chrono::hours{1});
+              },
+              {"settings", "state", "service"},
+              4,
+              "the exhibit has stopped"},
+        // Whatever the machine that it looks at is like.
+        SetUp{"BrokenSettings",
+              [](const TemporaryFolder& folder) { folder.write("quadrat.toml", "[visit]\nrounds = 900\n"); },
+              {},
+              4,
+              "quadrat.toml:2: visit.rounds is 900"},
+        SetUp{"NoSuchLine",
+              [](const TemporaryFolder& folder) {
+                  folder.write("quadrat.toml", "[buttons]\ninputs = [\"gpio:A=NO_SUCH_LINE\"]\n");
+              },
+              {},
+              4,
+              "NO_SUCH_LINE"}),
+    [](const auto& set_up) { return std::string(set_up.param.name); });
 
 TEST(Help, IsThereForEverySubcommand) {
     const TemporaryFolder folder;

@@ -127,6 +127,32 @@ TEST(Staff, TheChordOpensTheServiceScreenAndARestartIsAnOrderlyEnd) {
     EXPECT_THAT(contents_of(service.folder / "run/starts"), HasSubstr("well"));
 }
 
+TEST(Staff, WhereNoStateCanBeKeptTheShowGoesOn) {
+    const Service service(kAtWork + "press A\nwait 600s\n");
+    auto command = service.command();
+    std::ranges::replace(command, "state", "/proc/version/state");
+    Process exhibit(command, service.folder.path());
+    service.wait_for_log(exhibit, "press A at");
+    EXPECT_TRUE(exhibit.is_running());
+    exhibit.kill(SIGTERM);
+    EXPECT_EQ(exhibit.wait().status, 0);
+}
+
+TEST(Staff, AMapOfButtonsThatCannotBeUsedIsAWarningAndTheShowGoesOn) {
+    const Service service(kAtWork + "press A\nwait 600s\n");
+    service.folder.write("damaged.map", "device 0079:0006\nA is the red one\n");
+    auto command = service.command();
+    command.insert(command.end(), {"--input", "hid:map=damaged.map", "--input", "hid:map=/nowhere/buttons.map"});
+    Process exhibit(command, service.folder.path());
+    service.wait_for_log(exhibit, "press A at");
+    EXPECT_THAT(service.log(), HasSubstr("damaged.map:2: "));
+    EXPECT_THAT(service.log(), HasSubstr("/nowhere/buttons.map: cannot be read"));
+    EXPECT_THAT(service.log(), HasSubstr("the usual order of buttons is used"));
+    EXPECT_TRUE(exhibit.is_running());
+    exhibit.kill(SIGTERM);
+    EXPECT_EQ(exhibit.wait().status, 0);
+}
+
 TEST(Staff, ShuttingDownIsAskedOfWhoeverMay) {
     const Service service(kAtWork + "chord A+Back for 6s\nwait 1s\npress D\nafter 400ms press D\nwait 600s\n");
     Process exhibit(service.command(), service.folder.path());
@@ -224,9 +250,11 @@ TEST(Staff, OnADiskOfTwoSecondsAFlushTheFirstPictureWaitsForNone) {
     exhibit.wait();
 }
 
-TEST(Staff, ADiskThatTakesASecondAFlushStopsNeitherTheShowNorAFrame) {
-    const Service service("press A\nwait 12s\npress A\nwait 1s\npress B\nwait 1s\npress C\nwait 600s\n");
-    ::setenv("SLOW_DISK_MS", "1000", 1);
+// The longest frame of a visit that begins while the state file is made and goes on when that is done.
+double longest_frame_ms(const char* flush_ms) {
+    // Making the file takes twelve flushes; after 25 s without a press it would ask whether anybody is still there.
+    const Service service("at 3s press A\nwait 24s\npress A\nwait 1s\npress B\nwait 1s\npress C\nwait 600s\n");
+    ::setenv("SLOW_DISK_MS", flush_ms, 1);
     ::setenv("LD_PRELOAD", QUADRAT_SLOW_DISK, 1);
     Process exhibit(service.command(), service.folder.path());
     ::unsetenv("LD_PRELOAD");
@@ -238,13 +266,22 @@ TEST(Staff, ADiskThatTakesASecondAFlushStopsNeitherTheShowNorAFrame) {
     });
     const auto health = nlohmann::json::parse(contents_of(service.folder / "run/health.json"));
     EXPECT_GT(health["frames"]["shown"], 30);
-    EXPECT_LT(health["frames"]["longest_ms"], 900);
     exhibit.kill(SIGTERM);
     EXPECT_EQ(exhibit.wait().status, 0);
     // All of it has reached the disk in the end.
     EXPECT_EQ(Database(service.folder / "state/quadrat.db")
                   .number("SELECT count(trees)+count(land)+count(sky) FROM generation"),
               3);
+    return health["frames"]["longest_ms"];
+}
+
+TEST(Staff, ADiskThatTakesTwoSecondsAFlushStopsNeitherTheShowNorAFrame) {
+    const double usual_ms = longest_frame_ms("0");
+    const double slow_ms = longest_frame_ms("2000");
+    RecordProperty("longest_frame_usual_ms", static_cast<int>(usual_ms));
+    RecordProperty("longest_frame_slow_disk_ms", static_cast<int>(slow_ms));
+    // Who waits for one flush waits two seconds; how long a frame takes by itself is this machine's affair.
+    EXPECT_LT(slow_ms, usual_ms + 1000);
 }
 #endif
 

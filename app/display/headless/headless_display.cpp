@@ -38,6 +38,7 @@ class HeadlessDisplay final : public Display {
         const Size size = canvas().size;
         return fmt::format("{}, {}x{} without a screen", renderer_, size.width, size.height);
     }
+    std::string renderer() const override { return renderer_; }
     Canvas canvas() const override {
         if (!context_) return {};
         return {context_->number(), target_->framebuffer(), target_->size(),

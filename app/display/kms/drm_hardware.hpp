@@ -24,6 +24,7 @@ class DrmHardware final : public ScreenHardware {
     // What the next frame is drawn into, its context current. Without rotation and the like.
     Canvas canvas();
     std::string description() const;
+    std::string renderer() const { return target_ ? target_->renderer() : ""; }  // "" before there is a GPU
     bool is_denied() const { return is_denied_; }  // the last probe found a card that is not ours to use
 
     Instant now() override;

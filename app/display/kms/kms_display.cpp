@@ -37,6 +37,7 @@ class KmsDisplay final : public Display {
 
     std::string_view kind() const override { return "kms"; }
     std::string description() const override { return hardware_.description(); }
+    std::string renderer() const override { return hardware_.renderer(); }
     Canvas canvas() const override { return canvas_; }
     Canvas begin_frame() override {
         keeper_.attend();

@@ -113,6 +113,7 @@ class WindowDisplay final : public Display {
         const Size size = canvas().size;
         return fmt::format("{}, {}x{} window", renderer_, size.width, size.height);
     }
+    std::string renderer() const override { return renderer_; }
     Canvas canvas() const override {
         Size size;
         glfwGetFramebufferSize(window_.get(), &size.width, &size.height);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kiosk/benches/four_views.hpp"
 
+#include <tbb/parallel_for_each.h>
+
 #include "kiosk/detail/budget.hpp"
+#include "kiosk/heap.hpp"
 
 namespace quadrat::kiosk::benches {
 
@@ -22,12 +25,17 @@ void FourViews::grow(std::uint64_t seed) {
     scenes = *grower.take();
     picture.views.clear();
     const auto places = quarters(picture.size.x, picture.size.y);
+    std::vector<std::unique_ptr<render::SceneUpload>> uploads;
+    for (const auto& scene : scenes) uploads.push_back(easel.renderer().begin_upload(scene));
+    tbb::parallel_for_each(uploads, [](const auto& upload) { upload->prepare(); });
     for (std::size_t i = 0; i < scenes.size(); ++i) {
+        while (!uploads[i]->advance(static_cast<std::size_t>(-1))) continue;
         render::View view;
-        view.scene = upload_now(easel.renderer(), scenes[i]);
+        view.scene = uploads[i]->take();
         view.viewport = places[i];
         picture.views.push_back(view);
     }
+    give_memory_back();  // as quadrat run does, here
     look(0);
 }
 

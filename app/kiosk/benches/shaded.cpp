@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kiosk/benches/shaded.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace quadrat::kiosk::benches {
@@ -57,6 +59,17 @@ const Chip kChips[] = {{"pi4", &kPi4Costs, &kPi4Dome, 16e9, 15e6, 0.35 * 12.8e9}
 
 // Pixels come in squares of four: those of a small triangle's rim are shaded beside it.
 double beside(render::Kind kind) { return kind <= render::Kind::Wood ? 1.6 : 1.1; }
+
+// What each shader takes on that chip, as its own compiler counts.
+void add_costs(Results& results, const Chip& chip) {
+    const auto add = [&](const ShaderCosts& costs) {
+        const std::string row = std::string("detail.") + chip.name + "_instructions." + costs.fragment_shader;
+        results.push_back({row, static_cast<double>(costs.fragment),
+                           fmt::format("a pixel; a vertex {}, in binning {}", costs.vertex, costs.binning), 1});
+    };
+    for (const ShaderCosts& costs : *chip.costs) add(costs);
+    add(*chip.dome);
+}
 
 }  // namespace
 
@@ -147,7 +160,10 @@ void estimate(Results& results, const std::string& profile, Easel& easel, const 
     add("assumed_triangles", chip.triangles_per_s / 1e6, "M triangles a second");
     add("assumed_memory", chip.bytes_per_s / 1e9, "GB/s for the GPU");
     add("assumed_beside", beside(render::Kind::Leaves), "pixels shaded for each of a plant's");
+    add("assumed_signs_ms", 0, "ms: letters and frames are left out");
+    add("assumed_spread_ms", 0, "ms: spreading views that are drawn smaller is left out");
     add("busy_for_60hz", kHz * (shading + vertices) / chip.lanes_per_s, "of the cycles would be enough for 60 Hz");
+    add_costs(results, chip);
 }
 
 }  // namespace quadrat::kiosk::benches

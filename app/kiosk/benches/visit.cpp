@@ -22,6 +22,7 @@ using std::chrono::seconds;
 
 constexpr Instant kPause = seconds{2};  // between presses
 constexpr Instant kSlowUpload = std::chrono::milliseconds{3};
+constexpr Instant kWeighEvery = std::chrono::milliseconds{500};
 
 // Another screen, and what was seen on it.
 class WatchedScreen final : public display::Display {
@@ -39,6 +40,7 @@ class WatchedScreen final : public display::Display {
 
     std::string_view kind() const override { return screen_.kind(); }
     std::string description() const override { return screen_.description(); }
+    std::string renderer() const override { return screen_.renderer(); }
     display::Canvas canvas() const override { return screen_.canvas(); }
     display::Canvas begin_frame() override { return screen_.begin_frame(); }
     display::Presented present() override {
@@ -54,6 +56,7 @@ class WatchedScreen final : public display::Display {
         FrameSeen frame{now,
                         is_first ? Instant{0} : presented.shown_at - shown_at_,
                         presented.period * governor_.periods(),
+                        presented.period,
                         governor_.level(),
                         show_.is_growing(),
                         act};
@@ -67,12 +70,15 @@ class WatchedScreen final : public display::Display {
             frame.since_press = now - answered_at_;
         screen_before_ = screen;
         shown_at_ = presented.shown_at;
+        if (frames_.empty() || now / kWeighEvery != frames_.back().at / kWeighEvery)
+            resident_mb_.push_back(resident_memory_mb());
         frames_.push_back(frame);
         if (now >= until_) stop_ = true;
         return presented;
     }
     void set_power(display::Power power) override { screen_.set_power(power); }
     const std::vector<FrameSeen>& frames() const { return frames_; }
+    const std::vector<double>& resident_mb() const { return resident_mb_; }
 
   private:
     display::Display& screen_;
@@ -86,6 +92,7 @@ class WatchedScreen final : public display::Display {
     Instant answered_at_{0};
     exhibit::Screen screen_before_ = exhibit::Screen::Attract;
     std::vector<FrameSeen> frames_;
+    std::vector<double> resident_mb_;  // now and then
 };
 
 std::unique_ptr<firmware_io::ButtonSource> visitor_for(Instant span) {
@@ -108,12 +115,50 @@ std::jthread competitor(Instant span) {
     });
 }
 
+constexpr double kLate = 1.25;  // of its time
+
 double milliseconds(Instant span) { return std::chrono::duration<double, std::milli>(span).count(); }
+
+// What is said of the frames from then on.
+void add_frames(Results& results, const std::vector<FrameSeen>& all, Instant from) {
+    std::size_t late = 0;
+    std::size_t late_of_screen = 0;
+    std::size_t in_two_periods = 0;
+    double longest = 0;
+    Instant longest_took{0};
+    const auto first = std::ranges::lower_bound(all, from, {}, &FrameSeen::at);
+    for (auto frame = first; frame != all.end(); ++frame) {
+        const double took_ms = milliseconds(frame->took);
+        late += took_ms > kLate * milliseconds(frame->deadline);
+        late_of_screen += took_ms > kLate * milliseconds(frame->period);
+        in_two_periods += frame->deadline > frame->period;
+        longest = std::max(longest, took_ms / milliseconds(frame->deadline));
+        longest_took = std::max(longest_took, frame->took);
+    }
+    const auto frames = std::max<std::ptrdiff_t>(all.end() - first, 1);
+    const auto percent = [&](std::size_t count) {
+        return 100.0 * static_cast<double>(count) / static_cast<double>(frames);
+    };
+    results.push_back({"visit.late_frames_percent", percent(late), "%", cores()});
+    results.push_back({"visit.two_periods_percent", percent(in_two_periods), "% meant to take two", cores()});
+    results.push_back({"visit.late_of_screen_percent", percent(late_of_screen), "% of one period", cores()});
+    results.push_back({"visit.longest_frame", longest, "deadlines", cores()});
+    results.push_back({"visit.longest_frame_ms", milliseconds(longest_took), "ms", cores()});
+}
+
+void add_uploads(Results& results, const std::vector<FrameSeen>& frames, const RunRecord& record, Instant from) {
+    // The frame that ended the visit is in both, in the same place.
+    std::vector<double> took_ms;
+    for (std::size_t i = 0; i < std::min(frames.size(), record.uploads_took.size()); ++i)
+        if (frames[i].at >= from) took_ms.push_back(milliseconds(record.uploads_took[i]));
+    results.push_back({"visit.upload_p99_ms", percentile(took_ms, 0.99), "ms", cores()});
+    results.push_back({"visit.upload_longest_ms", percentile(took_ms, 1), "ms", cores()});
+}
 
 }  // namespace
 
 void visit(Results& results, const Options& options) {
-    give_memory_back();  // as quadrat run does
+    hold_memory();  // as quadrat run does
     const Scratch scratch;
     Configuration configuration;
     display::DisplayOptions wanted;
@@ -131,40 +176,34 @@ void visit(Results& results, const Options& options) {
     };
     Show show(configuration, {base::Seed{1}, {}, wall_time, wall_time, scratch.path},
               exhibit::Archive::open(scratch.path, wall_time()).archive);
-    DetailGovernor governor(options_for(options.alpha, "", screen->description()));
+    DetailGovernor governor(options_for(options.alpha, "", *screen));
     std::atomic<bool> stop{false};
     WatchedScreen watched(*screen, clock, show, governor, span, options.is_busy, stop);
     RunLoopParts parts{configuration, clock, watched, panel, *buttons, show};
     parts.governor = &governor;
     parts.stop = &stop;
+    RunRecord record;
+    parts.record = &record;
     {
         std::jthread busy;
         if (options.is_busy) busy = competitor(span);
         run_loop(parts);
     }
     // Until it has found what the machine can do, every frame may be late.
-    constexpr Instant kSettled = seconds{20};
+    const Instant settled = std::min<Instant>(seconds{20}, span / 2);
     std::vector<double> to_scenes;
-    std::size_t frames = 0;
-    std::size_t late = 0;
-    double longest = 0;
-    for (const FrameSeen& frame : watched.frames()) {
+    for (const FrameSeen& frame : watched.frames())
         if (frame.since_press.count() > 0) to_scenes.push_back(milliseconds(frame.since_press));
-        if (frame.at < kSettled) continue;
-        ++frames;
-        const double periods = milliseconds(frame.took) / milliseconds(frame.deadline);
-        late += periods > 1.25;
-        longest = std::max(longest, periods);
-    }
-    const double share = frames == 0 ? 0 : 100.0 * static_cast<double>(late) / static_cast<double>(frames);
-    results.push_back({"visit.late_frames_percent", share, "%", cores()});
-    results.push_back({"visit.longest_frame", longest, "deadlines", cores()});
+    add_frames(results, watched.frames(), settled);
+    add_uploads(results, watched.frames(), record, settled);
+    results.push_back({"visit.resident_mb", percentile(watched.resident_mb(), 0.5), "MB, the median", cores()});
+    results.push_back({"visit.resident_peak_mb", percentile(watched.resident_mb(), 1), "MB", cores()});
     results.push_back({"visit.press_to_scenes_p50_ms", percentile(to_scenes, 0.5), "ms", cores()});
     results.push_back({"visit.press_to_scenes_p95_ms", percentile(to_scenes, 0.95), "ms", cores()});
     results.push_back({"visit.generations", static_cast<double>(to_scenes.size()), "", cores()});
     results.push_back({"visit.level", governor.settled(), "", cores()});
     results.push_back({"visit.deadline_ms", milliseconds(watched.frames().back().deadline), "ms", cores()});
-    if (!options.plot.empty()) base::write_file(options.plot, plot_of(watched.frames()));
+    if (!options.plot.empty()) base::write_file(options.plot, plot_of(watched.frames(), record.decisions));
 }
 
 }  // namespace quadrat::kiosk::benches

@@ -53,9 +53,24 @@ std::string line(const std::vector<FrameSeen>& frames, const Scale& scale, const
     return fmt::format(R"(<polyline fill="none" stroke="{}" stroke-width="1" points="{}"/>)", colour, points) + "\n";
 }
 
+std::string escaped(const std::string& text) {
+    std::string safe;
+    for (const char c : text) safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+    return safe;
+}
+
+std::string marks(const std::vector<RunRecord::Decision>& decisions, const Scale& scale) {
+    std::string svg;
+    for (const RunRecord::Decision& decision : decisions)
+        svg += fmt::format(R"(<circle cx="{:.1f}" cy="{}" r="4" fill="#c05010"><title>{:.1f} s: {}</title></circle>)",
+                           scale.x(seconds(decision.at)), kTop, seconds(decision.at), escaped(decision.why)) +
+               "\n";
+    return svg;
+}
+
 }  // namespace
 
-std::string plot_of(const std::vector<FrameSeen>& frames) {
+std::string plot_of(const std::vector<FrameSeen>& frames, const std::vector<RunRecord::Decision>& decisions) {
     if (frames.empty()) return R"(<svg xmlns="http://www.w3.org/2000/svg"/>)";
     const double deadline_ms = 1e3 * seconds(std::ranges::max(frames, {}, &FrameSeen::deadline).deadline);
     const Scale scale{std::max(seconds(frames.back().at), 1.0), 4 * deadline_ms};
@@ -88,8 +103,9 @@ std::string plot_of(const std::vector<FrameSeen>& frames) {
     svg += line(frames, scale, "#3060a0", [&](const FrameSeen& f) { return scale.y(1e3 * seconds(f.took)); });
     svg += line(frames, scale, "#909090", [&](const FrameSeen& f) { return scale.y(1e3 * seconds(f.deadline)); });
     svg += line(frames, scale, "#c05010", [&](const FrameSeen& f) { return scale.y_of_level(f.level); });
+    svg += marks(decisions, scale);
     svg += fmt::format(
-        R"(<text x="{}" y="18">frame times (blue), their deadline (grey), level of detail (orange, right), growing (shaded), arrivals (green)</text>)",
+        R"(<text x="{}" y="18">frame times (blue), their deadline (grey), level of detail (orange, right; a dot: why it changed), growing (shaded), arrivals (green)</text>)",
         kLeft);
     return svg + "\n</svg>\n";
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kiosk/clock.hpp"
+#include "kiosk/run_loop.hpp"
 
 namespace quadrat::kiosk::benches {
 
@@ -11,13 +12,15 @@ struct FrameSeen {
     Instant at{0};
     Instant took{0};      // since the frame before it reached the screen
     Instant deadline{0};  // what it was meant to take
+    Instant period{0};    // of the screen's
     float level = 1;
     bool is_growing = false;
     int act = 0;             // on stage
     Instant since_press{0};  // of the first frame that shows a new generation; else 0
 };
 
-// SVG: how long each frame took, when landscapes grew and came, and what the governor made of it.
-std::string plot_of(const std::vector<FrameSeen>& frames);
+// SVG: how long each frame took, when landscapes grew and came, and what the governor made of it, with a mark for each
+// of its decisions that says why where a viewer's pointer rests on it.
+std::string plot_of(const std::vector<FrameSeen>& frames, const std::vector<RunRecord::Decision>& decisions);
 
 }  // namespace quadrat::kiosk::benches

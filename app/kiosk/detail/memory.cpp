@@ -8,11 +8,11 @@
 
 namespace quadrat::kiosk {
 
-std::string to_text(const DetailGovernor& governor, std::string_view gpu) {
-    return fmt::format("{} {:.4f} {}", governor.periods(), governor.settled(), gpu);
+std::string to_text(const DetailGovernor& governor, const display::Display& screen) {
+    return fmt::format("{} {:.4f} {}", governor.periods(), governor.settled(), screen.renderer());
 }
 
-GovernorOptions options_for(float most, std::string_view remembered, std::string_view gpu) {
+GovernorOptions options_for(float most, std::string_view remembered, const display::Display& screen) {
     GovernorOptions options;
     options.most = options.start = most;
     const char* const end = remembered.data() + remembered.size();
@@ -22,7 +22,8 @@ GovernorOptions options_for(float most, std::string_view remembered, std::string
     float alpha = 0;
     const auto second = std::from_chars(first.ptr + 1, end, alpha);
     if (second.ec != std::errc{} || second.ptr == end || !std::isfinite(alpha) || alpha <= 0) return options;
-    if (std::string_view(second.ptr + 1, static_cast<std::size_t>(end - second.ptr - 1)) != gpu) return options;
+    if (std::string_view(second.ptr + 1, static_cast<std::size_t>(end - second.ptr - 1)) != screen.renderer())
+        return options;
     options.start = alpha;
     options.periods = periods;
     return options;

@@ -7,8 +7,9 @@
 // something else.
 namespace quadrat::kiosk {
 
-// Watches whether every frame of a minute, those beside growing landscapes too, would have been ready in one
-// period. Where that was wrong it waits twice as long before it watches again.
+// Watches whether all frames of a minute in which landscapes grew, or of ten minutes in which none did, would have been
+// ready in one period, but for one, and one more of each four hundred. Where one would not do after all, it waits twice
+// as long before it watches again.
 class WayBack {
   public:
     using Instant = std::chrono::nanoseconds;

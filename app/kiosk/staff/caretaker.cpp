@@ -147,7 +147,7 @@ void Caretaker::ask_for_power(const char* what) {
 
 void Caretaker::framed(const display::Presented& presented, Instant now, const DrawnWith& drawn) {
     drawn_ = drawn;
-    frames_.frame(now, presented.period);
+    frames_.frame(now, presented.period, drawn.periods);
     if (!shown_since_) shown_since_ = now;
     const bool is_fine = presented.outcome == display::Outcome::Shown || presented.outcome == display::Outcome::Off;
     screen_trouble_ = is_fine ? "" : presented.reason;
@@ -196,10 +196,11 @@ Vitals Caretaker::vitals(const Panel& panel, const Show& show, Instant now) cons
     vitals.failures = parts_.ladder.rung().failures;
     vitals.running = std::chrono::duration_cast<std::chrono::seconds>(now);
     vitals.machine = seen_.machine;
-    vitals.display = parts_.display;
+    vitals.display = parts_.screen.description();
     vitals.screen_trouble = screen_trouble_;
     vitals.frames = frames_;
     vitals.level = drawn_.level;
+    vitals.alpha = drawn_.alpha;
     vitals.scale = drawn_.scale;
     vitals.triangles = drawn_.triangles;
     vitals.draws = drawn_.draws;

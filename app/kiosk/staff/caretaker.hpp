@@ -23,7 +23,7 @@ struct CaretakerParts {
     std::filesystem::path runtime;  // health, requests and pictures; memory, not disk, where there is a service
     std::filesystem::path state;
     Ladder& ladder;
-    std::string display;  // GPU, driver and mode, for people
+    const display::Display& screen;  // which GPU and mode that is, is asked when it is told: they come and go
 };
 
 // Everything about the exhibit that is not the visit: opening hours, the service screen, health, requests, a changed
@@ -38,7 +38,9 @@ class Caretaker {
     bool hear(const firmware_io::ButtonEdge& edge, Instant now);
     struct DrawnWith {
         float level;  // the governor's
+        float alpha;
         float scale;
+        int periods;  // of the screen's, that a frame is meant to take
         std::size_t triangles;
         std::size_t draws;
         std::size_t objects;  // of the GPU's, that there are
@@ -84,7 +86,7 @@ class Caretaker {
     int fault_pictures_ = 0;
     std::optional<Instant> looked_at_, shown_since_, reported_at_, remembered_at_, drawn_at_;
     bool has_looked_ = false;
-    DrawnWith drawn_{1, 1, 0, 0, 0};  // the last frame
+    DrawnWith drawn_{1, 1, 1, 1, 0, 0, 0};  // the last frame
     enum class Figures { None, Shown, WithWires } figures_ = Figures::None;
     bool is_good_ = false;
     bool wants_restart_ = false;

@@ -56,6 +56,33 @@ std::optional<double> warmest(const fs::path& sys) {
     return most;
 }
 
+// What a Raspberry Pi's firmware says, under /soc/soc:firmware or, on a Pi 5, /soc@107c000000/soc@107c000000:firmware.
+std::optional<bool> firmware_throttles(const fs::path& sys) {
+    std::optional<bool> told;
+    const auto ask = [&](const fs::path& device) {
+        const std::string name = device.filename().string();
+        if (!name.starts_with("soc") || !name.ends_with(":firmware")) return;
+        const std::string word = word_in(device / "get_throttled");
+        // Bits of what happens now: under voltage, frequency capped, throttled, soft temperature limit.
+        if (!word.empty()) told = (std::strtoul(word.c_str(), nullptr, 16) & 0xfU) != 0;
+    };
+    for_each_entry(sys / "devices/platform", [&](const fs::path& bus) {
+        if (bus.filename().string().starts_with("soc")) for_each_entry(bus, ask);
+    });
+    return told;
+}
+
+// What the Raspberry Pi's driver for its voltage says, where the firmware is not asked.
+std::optional<bool> voltage_is_low(const fs::path& sys) {
+    std::optional<bool> told;
+    for_each_entry(sys / "class/hwmon", [&](const fs::path& sensor) {
+        if (word_in(sensor / "name") != "rpi_volt") return;
+        const std::string alarm = word_in(sensor / "in0_lcrit_alarm");
+        if (!alarm.empty()) told = alarm != "0";
+    });
+    return told;
+}
+
 std::vector<std::string> addresses() {
     std::vector<std::string> found;
     ifaddrs* list = nullptr;
@@ -97,9 +124,8 @@ MachineFacts read_machine(const fs::path& sys, const fs::path& proc) {
     if (::gethostname(name.data(), name.size() - 1) == 0) facts.name = name.data();
     facts.addresses = addresses();
     facts.temperature_c = warmest(sys);
-    // Bits of what happens now: under voltage, frequency capped, throttled, soft temperature limit.
-    const std::string throttled = word_in(sys / "devices/platform/soc/soc:firmware/get_throttled");
-    facts.is_throttled = (std::strtoul(throttled.c_str(), nullptr, 16) & 0xfU) != 0;
+    facts.is_throttled = firmware_throttles(sys);
+    if (!facts.is_throttled) facts.is_throttled = voltage_is_low(sys);
     facts.memory_mb = static_cast<double>(number_after(proc / "self/status", "VmRSS:")) / 1024;
     facts.written_bytes = number_after(proc / "self/io", "write_bytes:");
     for_each_entry(proc / "self/fd", [&](const fs::path&) { ++facts.descriptors; });

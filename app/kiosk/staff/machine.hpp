@@ -19,7 +19,7 @@ struct MachineFacts {
     std::string name;                     // of the host
     std::vector<std::string> addresses;   // of its networks, without the loopback
     std::optional<double> temperature_c;  // the warmest
-    bool is_throttled = false;            // by heat or for want of voltage, as a Raspberry Pi tells
+    std::optional<bool> is_throttled;     // by heat or for want of voltage, as a Raspberry Pi tells
     double memory_mb = 0;                 // resident, of this program
     std::uint64_t written_bytes = 0;      // by this program, to any disk
     int descriptors = 0;                  // open, of this program

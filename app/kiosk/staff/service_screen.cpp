@@ -33,8 +33,9 @@ std::string span(std::chrono::seconds s) {
 std::string machine_line(const Vitals& vitals) {
     std::string line = fmt::format("memory {:.0f} MB", vitals.machine.memory_mb);
     if (vitals.machine.temperature_c) line += fmt::format(" · {:.0f} °C", *vitals.machine.temperature_c);
-    line += vitals.machine.is_throttled ? " · THROTTLED by heat or low voltage" : " · not throttled";
-    return line;
+    const auto& is_throttled = vitals.machine.is_throttled;
+    if (!is_throttled) return line + " · throttling not known";
+    return line + (*is_throttled ? " · THROTTLED by heat or low voltage" : " · not throttled");
 }
 
 std::string disk_line(const Vitals& vitals) {
@@ -53,8 +54,9 @@ std::string live_line(const Vitals& vitals) {
 
 std::string frames_line(const Vitals& vitals) {
     return fmt::format(
-        "{:.0f} frames/s · {} late of {} · detail {:.2f} · {} thousand triangles in {} draws · views at {:.0f} %",
-        vitals.frames.per_second, vitals.frames.late, vitals.frames.frames, vitals.level,
+        "{:.0f} frames/s · {} late of {} · detail {:.2f} (α {:.2f}) · {} thousand triangles in {} draws · views at "
+        "{:.0f} %",
+        vitals.frames.per_second, vitals.frames.late, vitals.frames.frames, vitals.level, vitals.alpha,
         (vitals.triangles + 500) / 1000, vitals.draws, 100 * vitals.scale);
 }
 

@@ -33,12 +33,12 @@ std::string metric(const char* name, const char* kind, const char* help, Number 
 
 }  // namespace
 
-void FrameCount::frame(std::chrono::nanoseconds now, std::chrono::nanoseconds period) {
+void FrameCount::frame(std::chrono::nanoseconds now, std::chrono::nanoseconds period, int periods) {
     ++frames;
     if (last_) {
         const auto took = now - *last_;
         longest_ms = std::max(longest_ms, std::chrono::duration<double, std::milli>(took).count());
-        if (period.count() > 0 && took > period + period / 2) ++late;
+        if (period.count() > 0 && took > period * periods + period / 2) ++late;
     }
     last_ = now;
     ++in_second_;
@@ -53,7 +53,7 @@ void FrameCount::frame(std::chrono::nanoseconds now, std::chrono::nanoseconds pe
 Verdict verdict_of(const Vitals& vitals) {
     if (vitals.buttons.presence == Presence::Absent || !vitals.screen_trouble.empty()) return Verdict::Bad;
     const bool is_doubtful = vitals.mode == Mode::Safe || !vitals.state_trouble.empty() ||
-                             vitals.machine.is_throttled || vitals.free_mb.value_or(1000) < 20 ||
+                             vitals.machine.is_throttled.value_or(false) || vitals.free_mb.value_or(1000) < 20 ||
                              std::any_of(vitals.findings.begin(), vitals.findings.end(), is_serious);
     return is_doubtful ? Verdict::Doubtful : Verdict::Good;
 }
@@ -72,7 +72,8 @@ std::string to_json(const Vitals& vitals) {
                       {"late", vitals.frames.late},
                       {"longest_ms", vitals.frames.longest_ms},
                       {"per_second", vitals.frames.per_second}};
-    json["alpha"] = vitals.level;
+    json["level"] = vitals.level;
+    json["alpha"] = vitals.alpha;
     json["gpu_objects"] = vitals.gpu_objects;
     json["buttons"] = {{"present", vitals.buttons.presence == Presence::Present},
                        {"reason", vitals.buttons.reason},
@@ -88,7 +89,7 @@ std::string to_json(const Vitals& vitals) {
     json["state_trouble"] = vitals.state_trouble;
     if (vitals.free_mb) json["free_mb"] = *vitals.free_mb;
     if (vitals.machine.temperature_c) json["temperature_c"] = *vitals.machine.temperature_c;
-    json["throttled"] = vitals.machine.is_throttled;
+    if (vitals.machine.is_throttled) json["throttled"] = *vitals.machine.is_throttled;
     json["memory_mb"] = vitals.machine.memory_mb;
     json["written_bytes"] = vitals.machine.written_bytes;
     json["descriptors"] = vitals.machine.descriptors;
@@ -122,8 +123,9 @@ std::string to_prometheus(const Vitals& vitals) {
     if (vitals.free_mb) text += metric("free_megabytes", "gauge", "Left on the state's disk", *vitals.free_mb);
     if (vitals.machine.temperature_c)
         text += metric("temperature_celsius", "gauge", "The warmest sensor", *vitals.machine.temperature_c);
-    text += metric("throttled", "gauge", "1 while heat or low voltage slow the machine",
-                   vitals.machine.is_throttled ? 1 : 0);
+    if (vitals.machine.is_throttled)
+        text += metric("throttled", "gauge", "1 while heat or low voltage slow the machine",
+                       *vitals.machine.is_throttled ? 1 : 0);
     text += metric("memory_megabytes", "gauge", "Resident", vitals.machine.memory_mb);
     text += metric("written_bytes_total", "counter", "Written to disk by the program", vitals.machine.written_bytes);
     return text;

@@ -14,11 +14,13 @@
 // How the exhibit is: what staff see on the screen, and what a fleet collects.
 namespace quadrat::kiosk::staff {
 
-// Frames of the running program. A frame is late when it came more than half a frame after it should have.
+// Frames of the running program. A frame is late when it came more than half of the screen's period after it should
+// have.
 class FrameCount {
   public:
-    // A frame was handed over; `period` is the screen's, 0 where it has none.
-    void frame(std::chrono::nanoseconds now, std::chrono::nanoseconds period);
+    // A frame was handed over; `period` is the screen's, 0 where it has none, and `periods` how many of them it was
+    // meant to take.
+    void frame(std::chrono::nanoseconds now, std::chrono::nanoseconds period, int periods = 1);
 
     std::uint64_t frames = 0;
     std::uint64_t late = 0;
@@ -41,6 +43,7 @@ struct Vitals {
     std::string screen_trouble;  // "" while it shows
     FrameCount frames;
     double level = 1;  // of detail, the governor's
+    double alpha = 1;  // that is drawn with at this level
     double scale = 1;  // of a side of the views, as they are drawn
     std::size_t triangles = 0;
     std::size_t draws = 0;

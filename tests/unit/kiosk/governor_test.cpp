@@ -12,6 +12,7 @@
 
 #include "base/seed.hpp"
 #include "kiosk/detail/memory.hpp"
+#include "unit/display/named_screen.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -168,7 +169,7 @@ TEST(Governor, ComesBackToOnePeriodWhenWhatSlowedItHasPassed) {
     EXPECT_LE(seen.late, seen.frames / 1000);
     EXPECT_GT(governor.settled(), 0.9F);
     // Also after a night without power, and where nobody visits.
-    DetailGovernor next(options_for(1, "2 0.5 V3D", "V3D"));
+    DetailGovernor next(options_for(1, "2 0.5 V3D", tests::NamedScreen("V3D")));
     watch(next, machine, 10min, 25min, throttled, kNothingGrows);
     EXPECT_EQ(next.periods(), 1);
 }
@@ -285,12 +286,13 @@ TEST(Governor, StartsWhereItEndedOnTheSameGpuOnly) {
     DetailGovernor governor({});
     Machine machine{5, 30};
     watch(governor, machine, 0s, 60s, kSteady, kNothingGrows);
-    const std::string text = to_text(governor, "V3D 4.2, 1920x1080");
-    EXPECT_NEAR(options_for(1, text, "V3D 4.2, 1920x1080").start, governor.settled(), 1e-3F);
-    EXPECT_EQ(options_for(1, text, "V3D 7.1, 1920x1080").start, 1.0F);
-    for (const char* broken : {"", "1", "1 ", "1 x V3D 4.2, 1920x1080", "9 0.5 V3D 4.2, 1920x1080",
-                               "1 nan V3D 4.2, 1920x1080", "1 -3 V3D 4.2, 1920x1080", "1 0.5"})
-        EXPECT_EQ(options_for(0.7F, broken, "V3D 4.2, 1920x1080").start, 0.7F) << broken;
+    const std::string text = to_text(governor, tests::NamedScreen("V3D 4.2", "/dev/dri/card0, HDMI-A-1 1920x1080@60"));
+    for (const char* now : {"/dev/dri/card0, HDMI-A-1 1920x1080@60", "/dev/dri/card1, HDMI-A-1 1920x1080@60",
+                            "/dev/dri/card0, HDMI-A-2 1280x720@50"})
+        EXPECT_NEAR(options_for(1, text, tests::NamedScreen("V3D 4.2", now)).start, governor.settled(), 1e-3F) << now;
+    EXPECT_EQ(options_for(1, text, tests::NamedScreen("V3D 7.1", "/dev/dri/card0, HDMI-A-1 1920x1080@60")).start, 1.0F);
+    for (const char* broken : {"", "1", "1 ", "1 x V3D 4.2", "9 0.5 V3D 4.2", "1 nan V3D 4.2", "1 -3 V3D 4.2", "1 0.5"})
+        EXPECT_EQ(options_for(0.7F, broken, tests::NamedScreen("V3D 4.2")).start, 0.7F) << broken;
 }
 
 }  // namespace

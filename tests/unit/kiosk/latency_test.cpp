@@ -52,6 +52,7 @@ class EmulatedScreen : public display::Display {
         : Display("emulated"), screen_(screen), keeper_(screen), world_(std::move(world)), seen_(std::move(seen)) {}
     std::string_view kind() const override { return "emulated"; }
     std::string description() const override { return "emulated"; }
+    std::string renderer() const override { return ""; }
     display::Canvas canvas() const override { return {}; }
     display::Canvas begin_frame() override {
         keeper_.attend();

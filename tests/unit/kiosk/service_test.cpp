@@ -58,6 +58,7 @@ class WatchedScreen : public display::Display {
         : Display("watched"), systemd_(systemd), show_(show), stop_(stop) {}
     std::string_view kind() const override { return "watched"; }
     std::string description() const override { return "watched"; }
+    std::string renderer() const override { return ""; }
     display::Canvas canvas() const override { return {}; }
     display::Canvas begin_frame() override { return {}; }
     display::Presented present() override {

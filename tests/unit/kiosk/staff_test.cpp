@@ -44,6 +44,15 @@ TEST(Vitals, AreJsonWhateverADeviceCallsItself) {
     EXPECT_EQ(nlohmann::json::parse(to_json(Vitals{}))["verdict"], "good");
 }
 
+TEST(Vitals, TellTheLevelApartFromTheAlphaThatIsDrawnWith) {
+    Vitals vitals;
+    vitals.level = 0.12;
+    vitals.alpha = 0.19;
+    const auto json = nlohmann::json::parse(to_json(vitals));
+    EXPECT_EQ(json["level"], 0.12);
+    EXPECT_EQ(json["alpha"], 0.19);
+}
+
 TEST(Vitals, AreMetricsThatPrometheusReads) {
     std::istringstream lines{to_prometheus(ailing())};
     int samples = 0;
@@ -66,6 +75,14 @@ TEST(Vitals, CountLateFrames) {
     EXPECT_NEAR(count.per_second, 60, 3);
 }
 
+TEST(Vitals, CountAFrameLateByWhatItWasMeantToTake) {
+    FrameCount count;
+    for (int i = 0; i < 100; ++i) count.frame(i * 32ms, 16ms, 2);
+    EXPECT_EQ(count.late, 0U);
+    count.frame(99 * 32ms + 48ms, 16ms, 2);
+    EXPECT_EQ(count.late, 1U) << "one of the screen's periods more";
+}
+
 TEST(ServiceScreen, ShowsWhatStaffAskOnTheTelephone) {
     ServiceScreen service;
     service.open(0s);
@@ -81,6 +98,8 @@ TEST(ServiceScreen, ShowsWhatStaffAskOnTheTelephone) {
 TEST(ServiceScreen, ItsFiguresLieInACornerOfThePicture) {
     Vitals vitals = ailing();
     vitals.triangles = 123'456;
+    vitals.level = 0.12;
+    vitals.alpha = 0.19;
     vitals.scale = 0.75;
     vitals.draws = 210;
     const Board board = figures_board(vitals, false);
@@ -88,6 +107,7 @@ TEST(ServiceScreen, ItsFiguresLieInACornerOfThePicture) {
     EXPECT_FALSE(board.has_wires);
     EXPECT_TRUE(figures_board(vitals, true).has_wires);
     ASSERT_FALSE(board.lines.empty());
+    EXPECT_THAT(board.lines.front(), HasSubstr("detail 0.12 (α 0.19) · "));
     EXPECT_THAT(board.lines.front(), HasSubstr("123 thousand triangles in 210 draws · views at 75 %"));
 }
 
@@ -156,6 +176,8 @@ TEST(Watch, AppliesAtOnceWhatARunningExhibitMayChangeAndNamesTheRest) {
     changed.screen.mode = "1280x720";
     changed.inputs = {"hid:"};
     EXPECT_EQ(apply(changed, running), "screen, buttons.inputs");
+    changed.fleet.broker = "mqtts://broker.example:8883";
+    EXPECT_EQ(apply(changed, running), "screen, buttons.inputs, fleet (systemctl restart quadrat-fleet)");
     EXPECT_EQ(running.screen.mode, "");
 }
 
@@ -169,13 +191,47 @@ TEST(Machine, TellsAPiThatIsThrottledAndTheWarmestSensor) {
     sys.write("class/thermal/thermal_zone0/temp", "48000\n");
     sys.write("class/thermal/thermal_zone1/temp", "61500\n");
     MachineFacts facts = read_machine(sys.path());
-    EXPECT_TRUE(facts.is_throttled);
+    EXPECT_EQ(facts.is_throttled, true);
     EXPECT_EQ(facts.temperature_c, 61.5);
     sys.write("devices/platform/soc/soc:firmware/get_throttled", "50000\n");
-    EXPECT_FALSE(read_machine(sys.path()).is_throttled) << "it was once, and is not now";
+    EXPECT_EQ(read_machine(sys.path()).is_throttled, false) << "it was once, and is not now";
     EXPECT_FALSE(read_machine("/nowhere", "/nowhere").temperature_c.has_value());
     sys.write("class/rtc/rtc0/hctosys", "1\n");
     EXPECT_TRUE(read_wall_clock(sys.path()).is_trusted);
+}
+
+TEST(Machine, FindsTheFirmwareOfAPi5AndElseItsVoltage) {
+    const tests::TemporaryFolder sys;
+    EXPECT_EQ(read_machine(sys.path()).is_throttled, std::nullopt) << "nobody answered";
+    std::filesystem::create_directories(sys / "class/hwmon/hwmon0");
+    std::filesystem::create_directories(sys / "class/hwmon/hwmon1");
+    sys.write("class/hwmon/hwmon0/name", "cpu_thermal\n");
+    sys.write("class/hwmon/hwmon0/in0_lcrit_alarm", "1\n");
+    EXPECT_EQ(read_machine(sys.path()).is_throttled, std::nullopt) << "another sensor's alarm";
+    sys.write("class/hwmon/hwmon1/name", "rpi_volt\n");
+    sys.write("class/hwmon/hwmon1/in0_lcrit_alarm", "1\n");
+    EXPECT_EQ(read_machine(sys.path()).is_throttled, true);
+    sys.write("class/hwmon/hwmon1/in0_lcrit_alarm", "0\n");
+    EXPECT_EQ(read_machine(sys.path()).is_throttled, false);
+    const std::string firmware = "devices/platform/soc@107c000000/soc@107c000000:firmware";
+    std::filesystem::create_directories(sys / firmware);
+    sys.write(firmware + "/get_throttled", "4\n");
+    EXPECT_EQ(read_machine(sys.path()).is_throttled, true) << "the firmware knows more than the voltage";
+}
+
+TEST(ServiceScreen, SaysWhetherThrottlingIsKnown) {
+    const auto lines_of = [](std::optional<bool> is_throttled) {
+        Vitals vitals;
+        vitals.machine.is_throttled = is_throttled;
+        ServiceScreen service;
+        service.open(0s);
+        return service.board(vitals, 1s).lines;
+    };
+    EXPECT_THAT(lines_of(std::nullopt), testing::Contains(HasSubstr("throttling not known")));
+    EXPECT_THAT(lines_of(false), testing::Contains(HasSubstr("not throttled")));
+    EXPECT_THAT(lines_of(true), testing::Contains(HasSubstr("THROTTLED")));
+    EXPECT_FALSE(nlohmann::json::parse(to_json(Vitals{})).contains("throttled"));
+    EXPECT_THAT(to_prometheus(Vitals{}), testing::Not(HasSubstr("quadrat_throttled")));
 }
 
 TEST(Errands, NeverKeepTheirSenderWaitingAndAreRefusedWhenTooManyWait) {

@@ -158,6 +158,24 @@ TEST(ProgressiveMesh, LiesNoFartherFromTheSurfaceThanItSays) {
         EXPECT_LE(deviation_of(level.mesh, ball()).rms_m, level.error_m + 1e-6F);
 }
 
+// What meshoptimizer 1.2 with update has on the same sphere, where errors are a share of the bounding box's diagonal.
+TEST(ProgressiveMesh, ErrsNoMoreThanItsBestPeerFromAHundredThousandVertices) {
+    struct Figure {
+        std::size_t level;
+        double vertices, rms_1e5;
+    };
+    const Mesh exact = displaced_sphere(159, base::Seed{1});
+    const Progressive progressive = make_progressive(exact);
+    ASSERT_GT(progressive.levels.size(), 9U);
+    for (const Figure& figure :
+         {Figure{1, 50'700, 8.7}, {3, 12'700, 28}, {5, 3'200, 68}, {7, 794, 156}, {9, 200, 336}}) {
+        const Mesh& level = progressive.levels[figure.level].mesh;
+        const auto vertices = static_cast<double>(level.positions_m.size());
+        EXPECT_NEAR(vertices, figure.vertices, 0.02 * figure.vertices);
+        EXPECT_LE(1e5 * deviation_of(level, exact).rms_m / diagonal_m(exact), figure.rms_1e5) << figure.vertices;
+    }
+}
+
 TEST(ProgressiveMesh, KeepsAVertexOnTheLinesOfItsEdgesWhereAsked) {
     std::vector<float> places;
     for (const glm::vec3& p : ball().positions_m) places.insert(places.end(), {p.x, p.y, p.z});

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// What staff are told of frames, by the whole frame loop on a screen and a clock of ours.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "firmware-io/merged_buttons.hpp"
+#include "kiosk/run_loop.hpp"
+#include "support/process.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+constexpr Instant kPeriod{16'666'667};
+
+class HandMovedClock final : public Clock {
+  public:
+    Instant now() override { return now_; }
+    void move(Instant by) { now_ += by; }
+
+  private:
+    Instant now_{0};
+};
+
+// Without a GPU; each of its frames takes two periods, and after so many it is over.
+class SlowScreen final : public display::Display {
+  public:
+    SlowScreen(HandMovedClock& clock, int frames, std::atomic<bool>& stop)
+        : Display("slow"), clock_(clock), left_(frames), stop_(stop) {}
+
+    std::string_view kind() const override { return "slow"; }
+    std::string description() const override { return "slow"; }
+    std::string renderer() const override { return "slow"; }
+    display::Canvas canvas() const override { return {}; }
+    display::Canvas begin_frame() override { return {}; }
+    display::Presented present() override {
+        clock_.move(2 * kPeriod);
+        stop_ = --left_ == 0;
+        display::Presented presented;
+        presented.outcome = display::Outcome::Shown;
+        presented.shown_at = clock_.now();
+        presented.period = kPeriod;
+        return presented;
+    }
+    void set_power(display::Power) override {}
+
+  private:
+    HandMovedClock& clock_;
+    int left_;
+    std::atomic<bool>& stop_;
+};
+
+// The line of figures after a hundred frames of two periods each.
+std::string figures_with(const GovernorOptions& governing) {
+    const tests::TemporaryFolder folder;
+    Configuration configuration;
+    configuration.picture.land_samples = 65;
+    Show show(
+        configuration,
+        {base::Seed{1}, {1, {65, 64, 128}}, [] { return exhibit::WallTime{}; }, [] { return exhibit::WallTime{}; }, ""},
+        exhibit::Archive::open(folder.path(), {}).archive);
+    firmware_io::MergedButtons buttons{{}};
+    Panel panel(buttons);
+    staff::Ladder ladder("", folder.path(), 0s);
+    DetailGovernor governor(governing);
+    HandMovedClock clock;
+    std::atomic<bool> stop{false};
+    SlowScreen screen(clock, 100, stop);
+    staff::Caretaker caretaker({configuration, "", folder.path(), folder.path(), ladder, screen});
+    RunLoopParts parts{configuration, clock, screen, panel, buttons, show};
+    parts.caretaker = &caretaker;
+    parts.governor = &governor;
+    parts.stop = &stop;
+    run_loop(parts);
+    caretaker.step_figures();
+    caretaker.look(panel, show, clock.now());
+    return caretaker.board() == nullptr ? "" : caretaker.board()->lines.front();
+}
+
+TEST(Caretaker, CountsNoFrameLateThatIsMeantToTakeTwoPeriods) {
+    GovernorOptions governing;
+    governing.periods = 2;
+    EXPECT_THAT(figures_with(governing), HasSubstr(" 0 late of 100 "));
+}
+
+TEST(Caretaker, TellsTheAlphaThatBelongsToTheLevel) {
+    GovernorOptions governing;
+    governing.periods = 2;
+    governing.start = 0.12F;
+    const std::string figures = figures_with(governing);
+    float level = 0;
+    float alpha = 0;
+    const std::size_t at = figures.find("detail ");
+    ASSERT_NE(at, std::string::npos) << figures;
+    ASSERT_EQ(std::sscanf(figures.c_str() + at, "detail %f (α %f)", &level, &alpha), 2) << figures;
+    EXPECT_LT(level, 0.13F);
+    EXPECT_NEAR(alpha, alpha_for(level), 0.015F) << figures << ": both are rounded";
+}
+
+}  // namespace
+}  // namespace quadrat::kiosk
