@@ -218,8 +218,9 @@ class Planter {
             for (int attempt = 0; attempt < 24; ++attempt) {
                 Candidate c;
                 const float along_m = random.between(20.0F, 52.0F);
-                c.at_m = middle.at_m + along_m * middle.ahead +
-                         side * (along_m * random.between(0.48F, 0.72F) + random.between(6.0F, 16.0F)) * aside;
+                const float wide_m = along_m * random.between(0.48F, 0.72F);
+                const float aside_m = side * (wide_m + random.between(6.0F, 16.0F));
+                c.at_m = middle.at_m + along_m * middle.ahead + aside_m * aside;
                 c.scale = random.between(0.95F, 1.22F);
                 c.species = kinds_.trees.front();
                 c.mark = 0;

@@ -110,8 +110,8 @@ std::vector<Place> shuffled_places(const TreeSkeleton& skeleton, const FoliageOp
         // A tuft: the blade moves to the first of its group of neighbours.
         if (random.unit_f() < options.clumping) at -= at % 5;
         const Site& site = skeleton.sites[at];
-        const glm::vec3 off =
-            options.scatter_m * (1 - 0.55F * options.clumping) * random.unit_f() * any_direction(random);
+        const glm::vec3 way = any_direction(random);
+        const glm::vec3 off = options.scatter_m * (1 - 0.55F * options.clumping) * random.unit_f() * way;
         places.push_back({site.organ == Organ::Leaf ? site.at_m + off : site.at_m + 0.5F * off, &site,
                           skeleton.limbs[site.limb].nodes[site.node].sway});
     }

@@ -258,7 +258,8 @@ TreeSkeleton grow_stems(const Form& f, base::Seed seed) {
         const float unit = 1.0F / std::max(one.high_m.y, 1.0e-3F);
         stretch(one, glm::vec3{unit}, unit);
         const float bearing = kGoldenAngle_rad * static_cast<float>(i) + random.between(0, 6.28F);
-        const float lean_deg = f.lean_deg * random.between(0.3F, 1.0F) + (f.stems > 1 ? random.between(7, 15) : 0.0F);
+        const float own_lean_deg = f.lean_deg * random.between(0.3F, 1.0F);
+        const float lean_deg = own_lean_deg + (f.stems > 1 ? random.between(7, 15) : 0.0F);
         const glm::vec3 axis{std::cos(bearing), 0, std::sin(bearing)};
         const float apart = f.stems > 1 ? 0.018F : 0.0F;
         if (f.stems > 1) stretch(one, glm::vec3{i == 0 ? 1.0F : random.between(0.72F, 0.98F)}, 1);

@@ -126,10 +126,11 @@ scene::Species grass_tuft(const GrassOptions& o, base::Seed seed) {
         blade.length_m = o.height_m * random.between(0.55F, 1.1F);
         blade.half_width_m = 0.05F * o.height_m;
         blade.bow_m = (0.05F + 0.3F * o.spread) * blade.length_m * random.unit_f();
-        add_spike(
-            species.leaves, blade,
-            vertex_of(scene::shifted_colour(o.colour, random.between(0.88F, 1.12F)), glm::vec3{0, 1, 0} + 0.3F * out,
-                      0.6F + 0.3F * random.unit_f(), random.between(0.8F, 1.0F)));
+        const float shade = random.between(0.8F, 1.0F);
+        const float age = 0.6F + 0.3F * random.unit_f();
+        add_spike(species.leaves, blade,
+                  vertex_of(scene::shifted_colour(o.colour, random.between(0.88F, 1.12F)),
+                            glm::vec3{0, 1, 0} + 0.3F * out, age, shade));
     }
     species.shade_liking = -0.3F;
     return species;
@@ -153,10 +154,11 @@ scene::Species reeds(const GrassOptions& o, base::Seed seed) {
         blade.half_width_m = (is_head ? 0.028F : 0.02F) * o.height_m;
         blade.bow_m = is_head ? 0.0F : 0.12F * blade.length_m * random.unit_f();
         if (is_head) blade.site_m += 0.82F * o.height_m * blade.along;
-        add_spike(
-            species.leaves, blade,
-            vertex_of(is_head ? head : scene::shifted_colour(o.colour, random.between(0.85F, 1.1F)),
-                      glm::vec3{0, 1, 0} + 0.4F * out, 0.5F + 0.4F * random.unit_f(), random.between(0.8F, 1.0F)));
+        const float shade = random.between(0.8F, 1.0F);
+        const float age = 0.5F + 0.4F * random.unit_f();
+        add_spike(species.leaves, blade,
+                  vertex_of(is_head ? head : scene::shifted_colour(o.colour, random.between(0.85F, 1.1F)),
+                            glm::vec3{0, 1, 0} + 0.4F * out, age, shade));
     }
     species.moisture = 1;
     species.moisture_width = 0.35F;
@@ -179,9 +181,11 @@ scene::Species fern(const glm::vec3& colour, float height_m, base::Seed seed) {
         blade.half_width_m = 0.17F * height_m;
         blade.fold_m = -0.02F * height_m;
         blade.bow_m = -0.5F * height_m;
+        const float shade = random.between(0.75F, 1.0F);
+        const float age = 0.5F + 0.4F * random.unit_f();
         add_blade(species.leaves, LeafKind::Feather, blade,
-                  vertex_of(scene::shifted_colour(colour, random.between(0.9F, 1.1F)), blade.face + 0.4F * out,
-                            0.5F + 0.4F * random.unit_f(), random.between(0.75F, 1.0F)));
+                  vertex_of(scene::shifted_colour(colour, random.between(0.9F, 1.1F)), blade.face + 0.4F * out, age,
+                            shade));
     }
     species.shade_liking = 0.9F;
     species.moisture = 0.75F;

@@ -2,6 +2,8 @@
 // What has grown, its sky and its light with it, looks as it did.
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "kiosk/easel.hpp"
 #include "pictures/golden.hpp"
 #include "pictures/weather.hpp"
@@ -21,6 +23,7 @@ struct Looked {
     const char* golden;
     const char* weather;
     const char* hour;
+    friend void PrintTo(const Looked& looked, std::ostream* to) { *to << looked.weather << ", " << looked.hour; }
 };
 
 class GrownPictures : public testing::TestWithParam<Looked> {};
