@@ -23,9 +23,8 @@ using firmware_io::LampPattern;
 using firmware_io::Motion;
 
 // Of each frame, for what is brought to the GPU: by the clock for what this processor copies, an eighth of the frame's
-// time, but no more than is planned for; by bytes for what the GPU does with it.
+// time; by bytes for what the GPU does with it.
 constexpr int kUploadShare = 8;
-constexpr Instant kLongestUpload = std::chrono::milliseconds{2};
 constexpr std::size_t kUploadBytes = 4U << 20U;
 constexpr Instant kFrame = std::chrono::nanoseconds{16'666'667};
 constexpr Instant kLongestFrame = std::chrono::seconds{1};
@@ -210,7 +209,7 @@ class Loop {
         // While nothing is on stage, no frame can come late.
         const bool is_dark_yet = parts_.show.on_stage().scenes.empty();
         const bool is_all = parts_.clock.is_simulated() || is_dark_yet;
-        const Instant until = parts_.clock.now() + std::min(period_ * periods() / kUploadShare, kLongestUpload);
+        const Instant until = parts_.clock.now() + period_ * periods() / kUploadShare;
         const Theatre::Haste haste =
             is_all ? Theatre::Haste::everything()
                    : Theatre::Haste{kUploadBytes, [this, until] { return parts_.clock.now() < until; }, 1};
