@@ -10,9 +10,9 @@
 
 namespace quadrat::render::gl {
 
-// Syncs of one context, in the order they were set. One that is done is deleted only when a later one is: llvmpipe's
-// lp_fence_signalled() looks at its counter without the lock, so that what polls may free the lock under the thread that
-// is just leaving it, and four bytes of the heap become zero. Who has signalled a later one has left all before it.
+// Syncs of one context, in the order they were set. One that is done is deleted only when a later one is: llvmpipe
+// looks at a fence's counter without its lock, so whoever polls and deletes may free the lock under the thread that is
+// just leaving it. Who has signalled a later one has left all before it.
 class Fences {
   public:
     Fences() = default;
