@@ -107,8 +107,7 @@ struct Renderer::Parts {
     std::vector<gl::StreamBuffer> instances;  // one a view
     std::shared_ptr<Shelves> shelves = std::make_shared<Shelves>();
     gl::ReducedTarget reduced;
-    gl::Fence last_drawn{shelves->painter.fences};
-    gl::Fence view_drawn{shelves->painter.fences};
+    gl::Fence last_drawn;
     std::vector<passes::Instance> view_instances;  // kept from view to view for its memory only
     bool draws_meanwhile = is_software();
 
@@ -221,9 +220,7 @@ void Renderer::Parts::draw_views(const Frame& frame, std::vector<Selection>& sel
         draw_one(i, drawn);
         // Its other threads draw this view while the next one is chosen. A tiler would write its tiles out for it, and
         // fetch them again.
-        if (!draws_meanwhile) continue;
-        view_drawn.set();  // as long as it is kept, so is what its threads signal (gl/fence.hpp)
-        glFlush();
+        if (draws_meanwhile) glFlush();
     }
     if (frame.is_wired) {
         glDisable(GL_POLYGON_OFFSET_FILL);

@@ -6,7 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <span>
-#include <utility>
+
+#include "render/gl/fence.hpp"
 
 namespace quadrat::render::passes {
 namespace {
@@ -49,8 +50,6 @@ constexpr std::size_t kPaintedBytes = 8;
 constexpr std::chrono::seconds kLongest{2};
 
 struct Painting {
-    explicit Painting(std::shared_ptr<gl::Fences> fences) : done(std::move(fences)) {}
-
     std::shared_ptr<const gl::Texture2D> canvas;  // or the picture itself
     gl::Fence done;                               // what was asked of the GPU last
     mesh::Image roots;                            // all of them where a visitor waits for it; or none
@@ -147,7 +146,7 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const s
     shape.height = land.albedo.height() >> halved;
     // What is as fine as it gets is seen for minutes. A first light is soon replaced: it need not wait for a copy.
     const bool stays = halved == 0;
-    const auto painting = std::make_shared<Painting>(painter->fences);
+    const auto painting = std::make_shared<Painting>();
     if (!stays)
         slices.prepare(
             [painting, scene, shape] { painting->roots = roots_of_rows(scene->land->albedo, shape, 0, shape.height); });

@@ -4,7 +4,6 @@
 #include <memory>
 #include <span>
 
-#include "render/gl/fence.hpp"
 #include "render/gl/picture_upload.hpp"
 #include "render/gl/program.hpp"
 #include "render/gl/texture_pool.hpp"
@@ -45,7 +44,6 @@ class GroundPainter {
     };
     gl::TexturePool canvases;  // to paint on, and some of them to be seen too
     gl::TexturePool copies;    // never painted on
-    const std::shared_ptr<gl::Fences> fences = std::make_shared<gl::Fences>();  // of the context
     // So many rows of it. Leaves the framebuffer that was bound bound, and no test enabled.
     void paint(const Sheet& sheet, const gl::Texture2D& grain, const gl::Texture2D& canvas, int first_row,
                int rows) const;
