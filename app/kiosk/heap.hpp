@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstddef>
 
 // How the allocator of the whole process behaves from now on. With an arena for each thread that grows, glibc's holds
 // on to ten times what is in use: both leave it two, so the first call comes before there are other threads.
@@ -10,6 +11,12 @@ void hold_memory();
 
 // For months: what growing frees goes back to the system, and what is free now goes at once. What drivers take for a
 // frame and free after it, some megabytes in small pieces, stays: it would be mapped and cleared again every frame.
+// And lets go of the compilers, below.
 void give_memory_back();
+
+// The code of a compiler that a software rasteriser brings, some fifty megabytes that are read while shaders are
+// compiled and then lie in memory unused. Nothing is lost: should it be called again, the system finds it again, page
+// by page, from its cache or the disk. Returns how many bytes of code were let go, resident or not; from any thread.
+std::size_t let_go_of_compilers();
 
 }  // namespace quadrat::kiosk

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -15,6 +16,11 @@
 
 namespace quadrat::kiosk::benches {
 namespace {
+
+constexpr std::array<const char*, render::kKinds> kTrianglesOf{// by render::Kind
+                                                               "frame.leaf_triangles",   "frame.wood_triangles",
+                                                               "frame.ground_triangles", "frame.water_triangles",
+                                                               "frame.sky_triangles",    "frame.falling_triangles"};
 
 float seconds_at(int frame) { return 0.25F * static_cast<float>(std::max(frame, 0)); }
 
@@ -136,14 +142,15 @@ void frame(Results& results, const Options& options, std::string& gpu) {
     SignWriter writer(easel.renderer());
     picture.signs = writer.badges(picture.size.x, picture.size.y);
     std::vector<double> wall;
-    double triangles = 0;
+    render::Drawn most;
     double cpu_before = 0;
     constexpr int kWarmUp = 5;
     for (int n = -kWarmUp; n < options.frames; ++n) {
         if (n == 0) cpu_before = cpu_seconds();
         const double ms = milliseconds_of([&] {
             views.look(seconds_at(n));
-            triangles = std::max(triangles, static_cast<double>(views.draw().triangles));
+            const render::Drawn drawn = views.draw();
+            if (drawn.triangles > most.triangles) most = drawn;
         });
         if (n == -kWarmUp) {
             const auto first = std::chrono::steady_clock::now() - start;
@@ -157,7 +164,9 @@ void frame(Results& results, const Options& options, std::string& gpu) {
     results.push_back({"frame.p95_ms", percentile(wall, 0.95), "ms", cores()});
     results.push_back({"frame.p99_ms", percentile(wall, 0.99), "ms", cores()});
     results.push_back({"frame.cpu_ms", cpu_ms, "ms", cores()});
-    results.push_back({"frame.triangles", triangles, "triangles", cores()});
+    results.push_back({"frame.triangles", static_cast<double>(most.triangles), "triangles", cores()});
+    for (std::size_t kind = 0; kind < render::kKinds; ++kind)
+        results.push_back({kTrianglesOf[kind], static_cast<double>(most.of[kind].triangles), "of them", cores()});
     results.push_back({"frame.alpha", picture.detail.alpha, "detail", cores()});
     results.push_back({"frame.trees_least", static_cast<double>(fewest_trees(views, options.frames)),
                        "trees in the view that has fewest", 1});

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
+#include "kiosk/heap.hpp"
 #include "kiosk/png_picture.hpp"
 
 namespace quadrat::kiosk::staff {
@@ -222,6 +223,7 @@ void Caretaker::report(Instant) {
         write_quietly(runtime / "health.json", json);
         write_quietly(runtime / "quadrat.prom", metrics);
         ::malloc_trim(0);  // what was freed in the midst of what is not
+        let_go_of_compilers();
     });
 }
 

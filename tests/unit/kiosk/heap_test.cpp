@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/heap.hpp"
+
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+#include "display/headless/headless_display.hpp"
+#include "kiosk/measurement.hpp"
+#include "render/gl/program.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+TEST(Heap, ACompilerIsLetGoAndComesBackWhenItIsNeeded) {
+    display::DisplayOptions options;
+    options.size = {64, 32};
+    const auto screen = display::open_headless(options, "asked for");
+    const display::Canvas canvas = screen->begin_frame();
+    const auto draw = [&canvas] {
+        const render::gl::Program dome("spread.vert", "spread.frag");
+        dome.use();
+        glBindFramebuffer(GL_FRAMEBUFFER, canvas.framebuffer);
+        glClearColor(0, 1, 0, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glFinish();
+    };
+    draw();
+    if (std::strstr(screen->renderer().c_str(), "LLVM") == nullptr) GTEST_SKIP() << "a driver without it";
+    const double before_mb = resident_memory_mb();
+    const std::size_t bytes = let_go_of_compilers();
+    EXPECT_GT(bytes, 10U << 20U);
+    EXPECT_LT(resident_memory_mb(), before_mb - 5);
+    draw();
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+}  // namespace
+}  // namespace quadrat::kiosk
