@@ -100,8 +100,9 @@ struct Renderer::Parts {
     passes::FallingPass falling;
     passes::SignsPass signs;
     gl::StreamBuffer blocks{GL_UNIFORM_BUFFER};
-    std::vector<HeldGround> grounds;  // one a view
-    std::vector<HeldSky> skies;       // one a view, where frames follow each other
+    std::vector<HeldGround> grounds;        // one a view
+    std::vector<HeldSky> skies;             // one a view, where frames follow each other
+    std::vector<std::optional<int>> steps;  // one a view: of its crowd's fineness, in the frame before
     HeldSky::Canvas sky_canvas;
     std::size_t frames = 0;
     std::vector<gl::StreamBuffer> instances;  // one a view
@@ -165,7 +166,9 @@ void Renderer::Parts::choose(const Frame& frame, std::size_t slot, Selection& s,
     gathering.triangle_budget = std::max(budget, others + kFewestPlantTriangles) - others;
     gathering.horizon = &held.horizon();
     view_instances.clear();
+    gathering.guess = steps[slot];
     passes::Crowd crowd = passes::gather(*scene.plants, scene.flora->kinds, s.frustum, gathering, view_instances);
+    steps[slot] = crowd.step;
     s.batches = std::move(crowd.batches);
     std::erase_if(s.batches, [&](const passes::Batch& batch) {
         return batch.part == passes::Batch::Part::Wood ? !frame.measured.wood : !frame.measured.leaves;
@@ -331,6 +334,7 @@ std::shared_ptr<const Texture> Renderer::texture(const mesh::Image& premultiplie
 Drawn Renderer::draw(const Frame& frame) {
     Parts& parts = *parts_;
     parts.grounds.resize(frame.views.size());
+    parts.steps.resize(frame.views.size());
     while (parts.instances.size() < frame.views.size()) parts.instances.emplace_back(GL_ARRAY_BUFFER);
     std::vector<Selection> selections;
     for (std::size_t slot = 0; slot < frame.views.size(); ++slot) selections.push_back(parts.outline(frame, slot));

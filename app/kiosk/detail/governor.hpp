@@ -16,7 +16,7 @@ struct GovernorOptions {
     float most = 1;  // level; what the site asks for
     float start = 1;
     int periods = 1;  // of the screen's a frame, at the start
-    static constexpr float kLeast = 0.04F;
+    static constexpr float kLeast = 0.01F;
 };
 
 // What is drawn with when the governor is at this level: less geometry first, then also smaller views, for trees of a

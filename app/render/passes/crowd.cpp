@@ -131,25 +131,34 @@ std::vector<Seen> seen_by(std::span<const scene::Plant> plants, std::span<const 
     return seen;
 }
 
-// The fineness at which the crowd fits its budget: counting is monotone in it, so a few halvings find it.
-float fitting_fineness(const std::vector<Seen>& seen, std::span<const Kind> kinds, const Gathering& g) {
-    const auto total = [&](float fineness) {
+constexpr int kSteps = 512;  // of the fineness that is asked for
+
+float fineness_at(int step, const Gathering& g) { return g.fineness * static_cast<float>(step) / kSteps; }
+
+// The most steps at which the crowd fits its budget. Counting is monotone in them: from a guess, twice as far each time
+// until it lies between two of them, then half as far.
+int fitting_step(const std::vector<Seen>& seen, std::span<const Kind> kinds, const Gathering& g) {
+    const auto fits = [&](int step) {
+        const float fineness = fineness_at(step, g);
         std::size_t sum = 0;
         for (const Seen& s : seen) {
             const Closeness how = closeness(kinds[s.species], drawn_px(s, g.scale, fineness), fineness);
             if (kept(s.plant, how.stand) > 0) sum += triangles_of(kinds[s.species], how);
+            if (sum > g.triangle_budget) return false;
         }
-        return sum;
+        return true;
     };
-    if (total(g.fineness) <= g.triangle_budget) return g.fineness;
-    if (total(0) >= g.triangle_budget) return 0;
-    float fits = 0;
-    float too_fine = g.fineness;
-    for (int i = 0; i < 9; ++i) {
-        const float middle = 0.5F * (fits + too_fine);
-        (total(middle) <= g.triangle_budget ? fits : too_fine) = middle;
+    int least = 0;  // fits, or nothing does
+    int too_many = kSteps + 1;
+    const auto ask = [&](int step) { (fits(step) ? least : too_many) = step; };
+    if (!g.guess) ask(kSteps);
+    int next = std::clamp(g.guess.value_or(0), 0, kSteps);
+    for (int stride = 1; least < next && next < too_many; stride *= 2) {
+        ask(next);
+        next = least == next ? std::min(next + stride, kSteps) : std::max(next - stride, 0);
     }
-    return fits;
+    while (too_many - least > 1) ask((least + too_many) / 2);
+    return least;
 }
 
 glm::u8vec4 bytes_of(const glm::vec4& shares) {
@@ -289,7 +298,8 @@ Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, 
              const Gathering& gathering, std::vector<Instance>& instances) {
     Crowd crowd;
     std::vector<Seen> seen = seen_by(plants, kinds, frustum, gathering, crowd.hidden);
-    crowd.fineness = fitting_fineness(seen, kinds, gathering);
+    crowd.step = fitting_step(seen, kinds, gathering);
+    crowd.fineness = fineness_at(crowd.step, gathering);
     // By species, then large to small: every level's plants lie side by side, nearest first.
     std::ranges::sort(seen, [](const Seen& a, const Seen& b) {
         if (a.species != b.species) return a.species < b.species;

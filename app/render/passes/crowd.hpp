@@ -4,6 +4,7 @@
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -73,6 +74,7 @@ struct Gathering {
     float growth = 1;
     float fineness = 1;  // 1 is the standard; lowered by itself to keep the budget
     std::size_t triangle_budget = 60'000;
+    std::optional<int> guess;          // Crowd::step of the frame before: found sooner, the same is found
     const Horizon* horizon = nullptr;  // of the ground before them; null: none
 };
 
@@ -80,6 +82,7 @@ struct Crowd {
     std::vector<Batch> batches;  // near ones before far ones within a species
     std::size_t triangles = 0;
     float fineness = 1;      // what the budget left
+    int step = 0;            // that, in steps of what was asked for
     std::size_t hidden = 0;  // plants that are in sight but for the ground
 };
 

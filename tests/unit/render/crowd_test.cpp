@@ -119,6 +119,26 @@ TEST(Crowd, KeepsItsBudgetByGivingUpFineness) {
     EXPECT_LT(held.fineness, free.fineness);
 }
 
+// A frame does not depend on the one before it.
+TEST(Crowd, IsTheSameWhateverIsGuessed) {
+    const auto plants = forest(4000, 4000);
+    const std::vector<Kind> kinds{tree(), grass()};
+    for (const float fineness : {0.2F, 1.0F}) {
+        for (const std::size_t budget : {0U, 300U, 4'000U, 20'000U, 100'000'000U}) {
+            Gathering g = looking_from_the_camera();
+            g.fineness = fineness;
+            g.triangle_budget = budget;
+            std::vector<Instance> instances;
+            const Crowd alone = gather(plants, kinds, frustum(), g, instances);
+            EXPECT_EQ(alone.fineness, fineness * static_cast<float>(alone.step) / 512);
+            for (const int guess : {-5, 0, 1, 2, 100, 255, 256, 510, 511, 512, 9999, alone.step - 1, alone.step + 1}) {
+                g.guess = guess;
+                EXPECT_EQ(gather(plants, kinds, frustum(), g, instances).step, alone.step) << budget << ' ' << guess;
+            }
+        }
+    }
+}
+
 TEST(Closeness, NeverGrowsCoarserAsAPlantGrowsLargerOnTheScreen) {
     for (const float fineness : {0.1F, 1.0F, 4.0F}) {
         Closeness before = closeness(tree(), 1, fineness);
