@@ -33,6 +33,7 @@ namespace {
 // Visible triangles of a whole frame at alpha 1 that a Raspberry Pi 4 draws in time.
 constexpr float kTriangleBudget = 350'000;
 constexpr std::size_t kFewestPlantTriangles = 4'000;
+constexpr float kSmallViews = 0.65F;  // of the sides: half of their pixels, their sky, are fewer than a held one's
 constexpr float kLeastScale = 0.25F;  // of the sides of what is drawn smaller than it is shown
 
 void require_gles_31() {
@@ -177,7 +178,8 @@ void Renderer::Parts::choose(const Frame& frame, std::size_t slot, Selection& s,
     drawn.sent_bytes += view_instances.size() * sizeof(passes::Instance);
 }
 
-// A view's sky takes its turn every few frames, or when the one it has no longer serves.
+// A view's sky takes its turn every few frames, or when the one it has no longer serves, as all of a new generation's
+// at once. Where views are drawn so small that it costs less, it waits for its turn, and is drawn where it is seen.
 gl::Work Renderer::Parts::hold_skies(const Frame& frame, std::vector<Selection>& selections) {
     gl::Work work;
     ++frames;
@@ -189,7 +191,7 @@ gl::Work Renderer::Parts::hold_skies(const Frame& frame, std::vector<Selection>&
         const bool is_its_turn = frames % HeldSky::kFrames == slot % HeldSky::kFrames;
         std::optional<glm::mat3>& from_view = selections[slot].held_sky_from_view;
         if (!is_its_turn) from_view = skies[slot].from_view(view, now);
-        if (from_view) continue;
+        if (from_view || (!is_its_turn && scale_of(frame) < kSmallViews)) continue;
         work += skies[slot].hold(view, frame.seconds, sky, sky_canvas);
         from_view = skies[slot].from_view(view, now);
     }

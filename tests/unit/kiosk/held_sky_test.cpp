@@ -27,6 +27,7 @@ struct Moment {
     scene::Camera camera;
     float seconds = 0;
     float dim = 0;
+    float scale = 1;
 };
 
 struct Shown {
@@ -48,6 +49,7 @@ std::vector<Shown> shown(const std::vector<Moment>& moments, const render::Hangi
         frame.hanging = hanging;
         frame.measured = {false, false, false, false, true};
         frame.seconds = moment.seconds;
+        frame.detail.scale = moment.scale;
         frame.is_one_of_many = is_one_of_many;
         frame.views.push_back({scene, moment.camera, {0, 0, frame.size.x, frame.size.y}, 1, moment.dim});
         const std::size_t triangles = easel.renderer().draw(frame).triangles;
@@ -139,6 +141,24 @@ TEST(HeldSky, IsDrawnAnewWhereTheEyeTurnsAwayTimeJumpsOrAnotherSceneComes) {
         for (std::size_t n = earlier + 1; n < moments.size(); ++n)
             EXPECT_GT(difference(whole[n - 1], whole[n]), 4 * kUnseen) << n;
     }
+}
+
+// Four skies at once, of a new generation, cost a frame more than it has.
+TEST(HeldSky, OfAnotherSceneWaitsForItsTurnWhereViewsAreSmall) {
+    const SceneOf scene = grow(genome::random_recipe(base::Seed{3}), {65, 64, 128});
+    const SceneOf next = grow(genome::random_recipe(base::Seed{4}), {65, 64, 128});
+    std::vector<Moment> moments;
+    for (int n = 0; n < 12; ++n) {
+        const SceneOf& now = n < 5 ? scene : next;
+        const float seconds = static_cast<float>(n) / 15;
+        moments.push_back({now, looking_up(*now, seconds), seconds, 0, 0.5F});
+    }
+    const auto held = shown(moments, {}, true);
+    const auto whole = shown(moments, {}, false);
+    for (std::size_t n = 0; n < moments.size(); ++n) EXPECT_LT(difference(held[n], whole[n]), 2 * kUnseen) << n;
+    EXPECT_EQ(difference(held[5], whole[5]), 0) << "drawn where it is seen";
+    EXPECT_LE(held[5].triangles, whole[5].triangles);
+    EXPECT_LT(held[9].triangles, whole[9].triangles) << "held again";
 }
 
 }  // namespace
