@@ -248,6 +248,7 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
                                 const Rect& place, Drawn& drawn) {
     const GpuScene& scene = *view.scene;
     const CountryOnGpu& country = *scene.country;
+    const float alpha = alpha_of(frame);
     const passes::Frustum& frustum = selection.frustum;
     glViewport(place.x, place.y, place.width, place.height);
     glScissor(place.x, place.y, place.width, place.height);
@@ -286,9 +287,8 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
             sky.draw_held(skies[slot].picture(), *selection.held_sky_from_view, skies[slot].kept(selection.block));
     else
         of(Kind::Sky) += sky.draw_dome(*scene.sky, frustum, view.camera.eye_m);
-    of(Kind::Sky) += sky.draw_lights(*scene.sky, place.height);
-    of(Kind::Falling) +=
-        falling.draw(scene.air.sky.precipitation, selection.block, pixels_per_radian(view), alpha_of(frame));
+    of(Kind::Sky) += sky.draw_lights(*scene.sky, place.height, alpha);
+    of(Kind::Falling) += falling.draw(scene.air.sky.precipitation, selection.block, pixels_per_radian(view), alpha);
 }
 
 void Renderer::Parts::draw_signs(const Frame& frame) {

@@ -24,6 +24,8 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr int kSectors = 64;
+constexpr float kAllStarsFrom = 0.3F;  // alpha; with less the faintest are left out
+constexpr float kFewestStars = 0.15F;  // of them
 constexpr int kBowRings = 10;
 constexpr int kBowSectors = 56;  // a chord leaves its arc by less than a tenth of a degree
 // Encoded as the display wants it, in sixteen bits: eight would show as bands.
@@ -248,7 +250,7 @@ gl::Work SkyPass::draw_held(const gl::Texture2D& held, const glm::mat3& held_fro
     return {1, 2 * kSide * kSide, 6 * kSide * kSide};
 }
 
-gl::Work SkyPass::draw_lights(const SkyOnGpu& sky, int height_px) const {
+gl::Work SkyPass::draw_lights(const SkyOnGpu& sky, int height_px, float alpha) const {
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
@@ -256,13 +258,16 @@ gl::Work SkyPass::draw_lights(const SkyOnGpu& sky, int height_px) const {
     sky.clouds[0].bind(0);
     sky.clouds[1].bind(1);
     gl::Work work;
-    if (sky.star_count > 0) {
+    // The brightest come first.
+    const float share = std::clamp(alpha / kAllStarsFrom, kFewestStars, 1.0F);
+    const auto stars = static_cast<std::size_t>(std::ceil(share * static_cast<float>(sky.star_count)));
+    if (stars > 0) {
         stars_.use();
         glUniform1f(0, static_cast<float>(height_px) / 1080);
         star_vertices_.bind();
         star_vertices_.feed(0, sky.stars.name());
-        glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(sky.star_count));
-        work += {1, 2 * sky.star_count, sky.star_count};
+        glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(stars));
+        work += {1, 2 * stars, stars};
     }
     if (sky.has_disc) {
         disc_.use();

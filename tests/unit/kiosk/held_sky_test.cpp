@@ -28,6 +28,7 @@ struct Moment {
     float seconds = 0;
     float dim = 0;
     float scale = 1;
+    float alpha = 1;
 };
 
 struct Shown {
@@ -49,7 +50,7 @@ std::vector<Shown> shown(const std::vector<Moment>& moments, const render::Hangi
         frame.hanging = hanging;
         frame.measured = {false, false, false, false, true};
         frame.seconds = moment.seconds;
-        frame.detail.scale = moment.scale;
+        frame.detail = {moment.alpha, moment.scale};
         frame.is_one_of_many = is_one_of_many;
         frame.views.push_back({scene, moment.camera, {0, 0, frame.size.x, frame.size.y}, 1, moment.dim});
         const std::size_t triangles = easel.renderer().draw(frame).triangles;
@@ -159,6 +160,28 @@ TEST(HeldSky, OfAnotherSceneWaitsForItsTurnWhereViewsAreSmall) {
     EXPECT_EQ(difference(held[5], whole[5]), 0) << "drawn where it is seen";
     EXPECT_LE(held[5].triangles, whole[5].triangles);
     EXPECT_LT(held[9].triangles, whole[9].triangles) << "held again";
+}
+
+TEST(HeldSky, HasFewerStarsTheFaintestFirstWhereLittleIsDrawn) {
+    const SceneOf day = grow(genome::random_recipe(base::Seed{5}), {65, 64, 128});
+    auto sky = std::make_shared<scene::Sky>(*day->sky);
+    sky->precipitation.kind = scene::Precipitation::Kind::None;
+    for (int i = 0; i < 1000; ++i) {
+        const float turn = 2.4F * static_cast<float>(i);
+        const float up = 0.1F + 0.0008F * static_cast<float>(i);
+        const float level = std::sqrt(1 - up * up);
+        sky->stars.push_back(
+            {{level * std::cos(turn), up, level * std::sin(turn)}, 1 - 0.001F * static_cast<float>(i)});
+    }
+    auto starry = std::make_shared<scene::Scene>(*day);
+    starry->sky = sky;
+    const auto with = [&](float alpha) {
+        return shown({{starry, looking_up(*starry, 0), 0, 0, 1, alpha}}, {}, false).front();
+    };
+    EXPECT_EQ(with(0.5F).triangles, with(1).triangles);
+    EXPECT_EQ(with(1).triangles - with(0.15F).triangles, 2 * 500U);
+    EXPECT_EQ(with(1).triangles - with(0.01F).triangles, 2 * 850U);
+    EXPECT_LT(difference(with(0.01F), with(1)), kUnseen);
 }
 
 }  // namespace
