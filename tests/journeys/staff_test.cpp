@@ -43,7 +43,7 @@ class Service {
     void wait_for_file(Process& exhibit, const std::string& name) const {
         wait_until(exhibit, name, [&] { return std::filesystem::exists(folder / name); });
     }
-    // What never comes fails the test after a minute, with what was said instead.
+    // What never comes fails the test in the end, with what was said instead.
     template <typename HasCome>
     void wait_until(Process& exhibit, const std::string& what, const HasCome& has_come) const {
         const auto begun = std::chrono::steady_clock::now();
@@ -54,7 +54,7 @@ class Service {
             return;
         }
     }
-    static constexpr std::chrono::seconds kLongest{60};
+    static constexpr std::chrono::seconds kLongest{kIsSanitized ? 150 : 60};
     TemporaryFolder folder;
 };
 
@@ -71,11 +71,13 @@ TEST(Staff, AnExhibitTellsHowItIsAndGivesAPictureOfItself) {
     const Service service("press A\nwait 600s\n");
     Process exhibit(service.command(), service.folder.path());
     service.wait_for_file(exhibit, "run/quadrat.prom");
-    const auto health = nlohmann::json::parse(contents_of(service.folder / "run/health.json"));
+    const auto told = [&] { return nlohmann::json::parse(contents_of(service.folder / "run/health.json")); };
+    const auto health = told();
     EXPECT_EQ(health["mode"], "usual");
     EXPECT_EQ(health["verdict"], "good");
     EXPECT_EQ(health["buttons"]["presses"], 1);
-    EXPECT_GT(health["frames"]["shown"], 0) << "a sanitizer on a busy machine shows few until then";
+    // A sanitizer on a busy machine shows fewer until then: it is told again a minute later.
+    service.wait_until(exhibit, "an eleventh frame", [&] { return told()["frames"]["shown"] > 10; });
     EXPECT_GT(health["memory_mb"], 10);
 
     const TemporaryFolder elsewhere;
