@@ -383,6 +383,7 @@ Drawn Renderer::rehearse(const Frame& like) {
     frame.views.clear();
     parts_->shelves->painter.canvases.trim(0);
     parts_->shelves->painter.copies.trim(0);
+    parts_->shelves->buffers.trim(0);
     return drawn;
 }
 

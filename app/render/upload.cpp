@@ -29,9 +29,10 @@ struct GroundOnGpu {
 
     GroundOnGpu(gl::Slices& slices, const scene::Ground& ground, const std::shared_ptr<Shelves>& shelves)
         : country(shelved(slices, shelves, &Shelves::countries, ground.land,
-                          [](gl::Slices& to, CountryOnGpu& made, const std::shared_ptr<const scene::Land>& land) {
-                              passes::add_land(to, made.land, land);
-                              passes::add_fresh_water(to, made.fresh_water, land);
+                          [&](gl::Slices& to, CountryOnGpu& made, const std::shared_ptr<const scene::Land>& land) {
+                              const std::shared_ptr<gl::BufferPool> pool{shelves, &shelves->buffers};
+                              passes::add_land(to, made.land, pool, land);
+                              passes::add_fresh_water(to, made.fresh_water, pool, land);
                               passes::add_stone(to, made.stone, land);
                           })),
           material(shelved(slices, shelves, &Shelves::materials, ground.land, passes::add_material)),

@@ -35,6 +35,7 @@ struct Shelves {
     Shelf<scene::Sky, passes::SkyOnGpu> skies;
     Shelf<scene::Land, passes::MaterialOnGpu> materials;
     passes::GroundPainter painter;
+    gl::BufferPool buffers;
 };
 
 std::unique_ptr<SceneUpload> make_upload(std::shared_ptr<const scene::Scene> scene, std::shared_ptr<Shelves> shelves);

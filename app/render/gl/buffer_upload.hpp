@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/gl/buffer.hpp"
+#include "render/gl/buffer_pool.hpp"
 #include "render/gl/slices.hpp"
 
 namespace quadrat::render::gl {
@@ -22,6 +23,17 @@ void add_elements(Slices& slices, Buffer& buffer, GLenum target, std::size_t cou
     slices.add_pieces(count, kBufferPieceBytes / sizeof(Element), sizeof(Element),
                       [&buffer, find](std::size_t first, std::size_t many) {
                           buffer.write<Element>(first, std::span<const Element>(find()).subspan(first, many));
+                      });
+}
+
+// The same into a buffer of the pool, which may have room for more.
+template <typename Element, typename Find>
+void add_elements(Slices& slices, std::shared_ptr<Buffer>& buffer, const std::shared_ptr<BufferPool>& pool,
+                  GLenum target, std::size_t count, Find find) {
+    slices.add(0, [&buffer, pool, target, count] { buffer = pool->take(target, count * sizeof(Element)); });
+    slices.add_pieces(count, kBufferPieceBytes / sizeof(Element), sizeof(Element),
+                      [&buffer, find](std::size_t first, std::size_t many) {
+                          buffer->write<Element>(first, std::span<const Element>(find()).subspan(first, many));
                       });
 }
 

@@ -39,8 +39,9 @@ std::vector<GridPlace> places_of(const GridOnGpu& grid, const mesh::Field& heigh
 
 }  // namespace
 
-void add_grid(gl::Slices& slices, GridOnGpu& grid, const std::shared_ptr<const mesh::Field>& height_m,
-              const std::shared_ptr<const mesh::Image>& kinds, const GridShape& shape) {
+void add_grid(gl::Slices& slices, GridOnGpu& grid, const std::shared_ptr<gl::BufferPool>& pool,
+              const std::shared_ptr<const mesh::Field>& height_m, const std::shared_ptr<const mesh::Image>& kinds,
+              const GridShape& shape) {
     grid.cell_m = shape.cell_m;
     grid.columns = height_m->columns;
     const auto places = std::make_shared<std::vector<GridPlace>>();
@@ -51,7 +52,7 @@ void add_grid(gl::Slices& slices, GridOnGpu& grid, const std::shared_ptr<const m
         grid.blocks.emplace(*height_m, shape.cell_m, shape.block_cells, shape.hole_half_side_m);
         *places = places_of(grid, *height_m, *kinds);
     });
-    gl::add_elements<GridPlace>(slices, grid.places, GL_ARRAY_BUFFER, height_m->samples.size(),
+    gl::add_elements<GridPlace>(slices, grid.places, pool, GL_ARRAY_BUFFER, height_m->samples.size(),
                                 [places] { return std::span<const GridPlace>(*places); });
 }
 

@@ -8,7 +8,7 @@
 
 #include "mesh/field.hpp"
 #include "mesh/image.hpp"
-#include "render/gl/buffer.hpp"
+#include "render/gl/buffer_pool.hpp"
 #include "render/gl/slices.hpp"
 #include "render/gl/vertex_array.hpp"
 #include "render/gl/work.hpp"
@@ -28,7 +28,7 @@ inline constexpr float kErrorUnit_m = 1.0F / 128;
 
 // A heightfield's vertices; which of its triangles are drawn is chosen every frame.
 struct GridOnGpu {
-    gl::Buffer places;  // GridPlace a sample
+    std::shared_ptr<gl::Buffer> places;  // GridPlace a sample
     std::optional<Blocks> blocks;
     float cell_m = 1;
     int columns = 1;
@@ -44,8 +44,9 @@ struct GridShape {
 
 // Adds the slices that fill grid, which must stay where it is until they are done. kinds: as scene::Land has them, or
 // an empty picture.
-void add_grid(gl::Slices& slices, GridOnGpu& grid, const std::shared_ptr<const mesh::Field>& height_m,
-              const std::shared_ptr<const mesh::Image>& kinds, const GridShape& shape);
+void add_grid(gl::Slices& slices, GridOnGpu& grid, const std::shared_ptr<gl::BufferPool>& pool,
+              const std::shared_ptr<const mesh::Field>& height_m, const std::shared_ptr<const mesh::Image>& kinds,
+              const GridShape& shape);
 
 // A run of indices in the frame's index stream, and what they were chosen for.
 struct IndexRange {

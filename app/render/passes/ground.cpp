@@ -42,14 +42,16 @@ bool is_wet(const mesh::Field& field) {
 
 }  // namespace
 
-void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<const scene::Land>& source) {
+void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<gl::BufferPool>& pool,
+              const std::shared_ptr<const scene::Land>& source) {
     land.side_m = source->side_m();
     slices.prepare([&land, source] { land.has_water = is_wet(source->height_m) || is_wet(source->surround_m); });
-    add_grid(slices, land.land, {source, &source->height_m}, {source, &source->kinds}, {source->cell_m, kLandBlock, 0});
+    add_grid(slices, land.land, pool, {source, &source->height_m}, {source, &source->kinds},
+             {source->cell_m, kLandBlock, 0});
     if (source->surround_m.columns < 2) return;
     // Some of the surround reaches under the land's rim, so that nothing shines through between them.
     const float hole_m = source->side_m() / 2 - source->surround_cell_m;
-    add_grid(slices, land.surround, {source, &source->surround_m}, std::make_shared<mesh::Image>(),
+    add_grid(slices, land.surround, pool, {source, &source->surround_m}, std::make_shared<mesh::Image>(),
              {source->surround_cell_m, kSurroundBlock, hole_m});
     gl::add_made<Facing>(slices, land.facings, GL_ARRAY_BUFFER, source->surround_m.samples.size(),
                          [source](std::size_t i) { return facing_of(*source, i); });
@@ -67,7 +69,7 @@ gl::Work GroundPass::draw(const LandOnGpu& land, const GroundPictureOnGpu& pictu
     picture.lit->bind(0);
     picture.grain.bind(1);
     vertices_.bind();
-    vertices_.feed(0, land.land.places.name());
+    vertices_.feed(0, land.land.places->name());
     if (range.near_count > 0) {
         near_.use();
         set_grid(land.land, range);
@@ -96,7 +98,7 @@ gl::Work SurroundPass::draw(const LandOnGpu& land, const gl::StreamBuffer& indic
     program_.use();
     set_grid(land.surround, range);
     vertices_.bind();
-    vertices_.feed(0, land.surround.places.name());
+    vertices_.feed(0, land.surround.places->name());
     vertices_.feed(1, land.facings.name());
     return draw_indices(vertices_, indices, range.first, range.count);
 }

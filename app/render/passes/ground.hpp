@@ -29,7 +29,8 @@ struct LandOnGpu {
 };
 
 // Adds the slices that fill land, which must stay where it is until they are done.
-void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<const scene::Land>& source);
+void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<gl::BufferPool>& pool,
+              const std::shared_ptr<const scene::Land>& source);
 
 // The land's square.
 class GroundPass {

@@ -123,23 +123,32 @@ float foam_of(glm::vec2 current_m_s) {
 
 }  // namespace
 
-void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shared_ptr<const scene::Land>& land) {
+void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shared_ptr<gl::BufferPool>& pool,
+                     const std::shared_ptr<const scene::Land>& land) {
     const mesh::Mesh& mesh = land->fresh_water;
     if (mesh.indices.empty()) return;
-    gl::add_made<FreshCorner>(slices, water.corners, GL_ARRAY_BUFFER, mesh.positions_m.size(),
-                              [land, &mesh](std::size_t i) {
-                                  const glm::vec2 current_m_s = mesh.texcoords[i];
-                                  return FreshCorner{mesh.positions_m[i], foam_of(current_m_s), current_m_s};
-                              });
+    const auto corners = std::make_shared<std::vector<FreshCorner>>();
     const auto indices = std::make_shared<std::vector<std::uint32_t>>();
-    slices.prepare([&water, land, indices] {
-        water.levels = WaterLevels(land->fresh_water, land->cell_m, land->height_m.columns);
+    // How many of the banks are taken is known when the levels are: room is made for all.
+    const std::size_t most = mesh.positions_m.size() + WaterLevels::most_banks(mesh);
+    slices.prepare([&water, land, corners, indices, most] {
+        water.levels = WaterLevels(land->fresh_water, land->height_m, land->cell_m);
         *indices = water.levels.take_indices();
+        const mesh::Mesh& surface = land->fresh_water;
+        const auto add = [&](glm::vec3 at_m, glm::vec2 current_m_s) {
+            corners->push_back({at_m, foam_of(current_m_s), current_m_s});
+        };
+        corners->reserve(most);
+        for (std::size_t i = 0; i < surface.positions_m.size(); ++i) add(surface.positions_m[i], surface.texcoords[i]);
+        for (const WaterLevels::Bank& bank : water.levels.take_banks()) add(bank.at_m, surface.texcoords[bank.like]);
+        corners->resize(most);
     });
-    // How many there are is known when they are prepared; as a rule few.
-    slices.add(gl::kBufferPieceBytes, [&water, indices] {
-        water.indices = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, indices->size() * sizeof(std::uint32_t)};
-        water.indices.write<std::uint32_t>(0, *indices);
+    gl::add_elements<FreshCorner>(slices, water.corners, pool, GL_ARRAY_BUFFER, most,
+                                  [corners] { return std::span<const FreshCorner>(*corners); });
+    // As a rule few.
+    slices.add(gl::kBufferPieceBytes, [&water, pool, indices] {
+        water.indices = pool->take(GL_ELEMENT_ARRAY_BUFFER, indices->size() * sizeof(std::uint32_t));
+        water.indices->write<std::uint32_t>(0, *indices);
     });
 }
 
@@ -188,8 +197,8 @@ gl::Work WaterPass::draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D
     if (seen.empty()) return {};
     fresh_program_.use();
     fresh_vertices_.bind();
-    fresh_vertices_.feed(0, water.corners.name());
-    fresh_vertices_.feed_indices(water.indices.name());
+    fresh_vertices_.feed(0, water.corners->name());
+    fresh_vertices_.feed_indices(water.indices->name());
     bind_pictures(ground);
     const gl::Work work = draw_ranges(seen);
     glDisable(GL_BLEND);

@@ -3,7 +3,7 @@
 #include <memory>
 #include <span>
 
-#include "render/gl/buffer.hpp"
+#include "render/gl/buffer_pool.hpp"
 #include "render/gl/program.hpp"
 #include "render/gl/slices.hpp"
 #include "render/gl/texture.hpp"
@@ -16,11 +16,12 @@ namespace quadrat::render::passes {
 
 // Lakes and rivers of one land.
 struct FreshWaterOnGpu {
-    gl::Buffer corners;
-    gl::Buffer indices;
+    std::shared_ptr<gl::Buffer> corners;
+    std::shared_ptr<gl::Buffer> indices;
     WaterLevels levels;
 };
-void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shared_ptr<const scene::Land>& land);
+void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shared_ptr<gl::BufferPool>& pool,
+                     const std::shared_ptr<const scene::Land>& land);
 
 // The sea at y = 0, from under the eye to the horizon.
 class WaterPass {

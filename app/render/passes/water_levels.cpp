@@ -5,8 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/common.hpp>
+#include <glm/ext/vector_int2.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <unordered_map>
+#include <utility>
 
 #include "mesh/field.hpp"
 
@@ -14,6 +17,8 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr std::uint32_t kNone = 0xFFFF'FFFF;
+constexpr std::uint32_t kBank = 0x8000'0000;  // beside the vertex whose level and current a corner under a bank has
+constexpr int kBankCells = 16;                // so far from the water banks are looked at
 
 // A square of cells that is drawn as one.
 struct Leaf {
@@ -22,73 +27,145 @@ struct Leaf {
 
 class Surface {
   public:
-    Surface(const mesh::Mesh& mesh, float cell_m, int columns)
-        : mesh_(mesh), columns_(columns), corner_(columns, columns, kNone), is_wet_(columns, columns, 0) {
-        const float half = 0.5F * static_cast<float>(columns - 1);
-        const auto place = [&](float at_m) { return static_cast<int>(std::lround(at_m / cell_m + half)); };
-        for (std::size_t i = 0; i < mesh.positions_m.size(); ++i)
-            corner_.at(place(mesh.positions_m[i].x), place(mesh.positions_m[i].z)) = static_cast<std::uint32_t>(i);
+    Surface(const mesh::Mesh& mesh, const mesh::Field& land_m, float cell_m)
+        : mesh_(mesh),
+          land_m_(land_m),
+          cell_m_(cell_m),
+          half_(0.5F * static_cast<float>(land_m.columns - 1)),
+          most_banks_(WaterLevels::most_banks(mesh)),
+          corner_(land_m.columns, land_m.rows, kNone),
+          is_wet_(land_m.columns, land_m.rows, 0) {
+        const auto place = [&](float at_m) { return static_cast<int>(std::lround(at_m / cell_m + half_)); };
+        std::vector<glm::ivec2> rim;
+        for (std::size_t i = 0; i < mesh.positions_m.size(); ++i) {
+            rim.emplace_back(place(mesh.positions_m[i].x), place(mesh.positions_m[i].z));
+            corner_.at(rim.back().x, rim.back().y) = static_cast<std::uint32_t>(i);
+        }
         for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
             const auto at = [&](std::size_t k) { return mesh.positions_m[mesh.indices[i + k]]; };
             const glm::vec3 low_m = glm::min(glm::min(at(0), at(1)), at(2));
             is_wet_.at(place(low_m.x), place(low_m.z)) = 1;
         }
+        for (int away = 0; away < kBankCells; ++away) rim = continue_under_banks(rim);
     }
-    int cells() const { return columns_ - 1; }
-    std::uint32_t corner(int x, int y) const { return corner_.at(x, y); }
+    int cells() const { return land_m_.columns - 1; }
     bool is_wet(int x, int y) const { return x < cells() && y < cells() && is_wet_.at(x, y) != 0; }
-    bool is_all(const Leaf& leaf, bool wet) const {
+    bool is_dry(const Leaf& leaf) const {
         for (int y = leaf.y; y < leaf.y + leaf.cells; ++y)
             for (int x = leaf.x; x < leaf.x + leaf.cells; ++x)
-                if (is_wet(x, y) != wet) return false;
+                if (is_wet(x, y)) return false;
         return true;
     }
-    // Wet all over, and nowhere further from what its corners span.
-    bool is_even(const Leaf& leaf, float within_m, float within_m_s) const {
-        if (!is_all(leaf, true)) return false;
+
+    struct Tolerance {
+        float height_m;
+        float current_m_s;
+        bool under_banks;
+    };
+    // Wet all over or where the land does not hide it, and nowhere further from what its corners span.
+    bool is_even(const Leaf& leaf, const Tolerance& within) const {
         const int n = leaf.cells;
-        const auto at = [&](int x, int y) { return corner(leaf.x + x, leaf.y + y); };
-        const std::array<std::uint32_t, 4> c{at(0, 0), at(n, 0), at(0, n), at(n, n)};
+        std::array<std::uint32_t, 4> like{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::uint32_t corner = corner_.at(leaf.x + (k % 2 == 0 ? 0 : n), leaf.y + (k < 2 ? 0 : n));
+            if (corner == kNone || (is_bank(corner) && (!within.under_banks || are_banks_full()))) return false;
+            like[k] = corner & ~kBank;
+        }
+        const auto spanned = [&](int x, int y, const auto& of) {
+            const float tx = static_cast<float>(x) / static_cast<float>(n);
+            const float ty = static_cast<float>(y) / static_cast<float>(n);
+            return glm::mix(glm::mix(of(like[0]), of(like[1]), tx), glm::mix(of(like[2]), of(like[3]), tx), ty);
+        };
+        const auto height_m = [&](std::uint32_t i) { return mesh_.positions_m[i].y; };
+        const auto current_m_s = [&](std::uint32_t i) { return mesh_.texcoords[i]; };
         for (int y = 0; y <= n; ++y) {
             for (int x = 0; x <= n; ++x) {
-                const float tx = static_cast<float>(x) / static_cast<float>(n);
-                const float ty = static_cast<float>(y) / static_cast<float>(n);
-                const auto spanned = [&](const auto& of) {
-                    return glm::mix(glm::mix(of(c[0]), of(c[1]), tx), glm::mix(of(c[2]), of(c[3]), tx), ty);
-                };
-                const float height_m = spanned([&](std::uint32_t i) { return mesh_.positions_m[i].y; });
-                const glm::vec2 current = spanned([&](std::uint32_t i) { return mesh_.texcoords[i]; });
-                const std::uint32_t own = at(x, y);
-                if (std::abs(mesh_.positions_m[own].y - height_m) > within_m) return false;
-                if (glm::distance(mesh_.texcoords[own], current) > within_m_s) return false;
+                const float level_m = spanned(x, y, height_m);
+                const std::uint32_t own = corner_.at(leaf.x + x, leaf.y + y);
+                if (own != kNone && !is_bank(own)) {
+                    if (std::abs(mesh_.positions_m[own].y - level_m) > within.height_m) return false;
+                    if (glm::distance(mesh_.texcoords[own], spanned(x, y, current_m_s)) > within.current_m_s)
+                        return false;
+                }
+                if (within.under_banks && land_m_.at(leaf.x + x, leaf.y + y) >= level_m) continue;
+                // Not hidden: nowhere but in the water.
+                for (const int beside_y : {y - 1, y})
+                    for (const int beside_x : {x - 1, x}) {
+                        const bool is_own = beside_x >= 0 && beside_y >= 0 && beside_x < n && beside_y < n;
+                        if (is_own && !is_wet(leaf.x + beside_x, leaf.y + beside_y)) return false;
+                    }
             }
         }
         return true;
     }
 
+    // Has vertices for its corners and its middle.
+    void take(const Leaf& leaf) {
+        for (const int y : {leaf.y, leaf.y + leaf.cells})
+            for (const int x : {leaf.x, leaf.x + leaf.cells}) vertex(x, y);
+        vertex(leaf.x + leaf.cells / 2, leaf.y + leaf.cells / 2);
+    }
+    // The surface's own, or one under a bank, new where there is none yet.
+    std::uint32_t vertex(int x, int y) {
+        const std::uint32_t corner = corner_.at(x, y);
+        if (!is_bank(corner)) return corner;
+        const auto number = static_cast<std::uint32_t>(mesh_.positions_m.size() + banks_.size());
+        const auto [found, is_new] = bank_at_.try_emplace(corner_.index(x, y), number);
+        if (is_new) {
+            const std::uint32_t like = corner & ~kBank;
+            const auto along_m = [&](int at) { return (static_cast<float>(at) - half_) * cell_m_; };
+            banks_.push_back({{along_m(x), mesh_.positions_m[like].y, along_m(y)}, like});
+        }
+        return found->second;
+    }
+    std::vector<WaterLevels::Bank> take_banks() { return std::move(banks_); }
+
   private:
+    static bool is_bank(std::uint32_t corner) { return corner != kNone && (corner & kBank) != 0; }
+    // A leaf takes five at most.
+    bool are_banks_full() const { return banks_.size() + 5 > most_banks_; }
+
+    std::vector<glm::ivec2> continue_under_banks(const std::vector<glm::ivec2>& rim) {
+        std::vector<glm::ivec2> next;
+        for (const glm::ivec2 from : rim) {
+            for (int y = from.y - 1; y <= from.y + 1; ++y) {
+                for (int x = from.x - 1; x <= from.x + 1; ++x) {
+                    if (!corner_.is_inside(x, y) || corner_.at(x, y) != kNone) continue;
+                    corner_.at(x, y) = corner_.at(from.x, from.y) | kBank;
+                    next.emplace_back(x, y);
+                }
+            }
+        }
+        return next;
+    }
+
     const mesh::Mesh& mesh_;
-    int columns_;
+    const mesh::Field& land_m_;
+    float cell_m_;
+    float half_;
+    std::size_t most_banks_;
     mesh::Grid<std::uint32_t> corner_;
     mesh::Grid<std::uint8_t> is_wet_;
+    std::unordered_map<std::size_t, std::uint32_t> bank_at_;  // by the corner's index
+    std::vector<WaterLevels::Bank> banks_;
 };
 
 struct Limits {
     int cells;  // a side of a leaf
-    float height_m;
-    float current_m_s;
+    Surface::Tolerance within;
 };
 
 Limits limits_of(std::size_t level) {
     // A quarter of a pixel; and so little more or less current that ripples do not show it.
     const float height_m = std::max(0.0005F * WaterLevels::kFrom_m[level], 0.002F);
-    return {2 << level, height_m, 0.15F + 0.002F * WaterLevels::kFrom_m[level]};
+    return {2 << level,
+            {height_m, 0.15F + 0.002F * WaterLevels::kFrom_m[level], level >= WaterLevels::kUnderBanksFrom}};
 }
 
-void divide(const Surface& surface, const Leaf& leaf, const Limits& limits, std::vector<Leaf>& leaves) {
-    if (surface.is_all(leaf, false)) return;
-    const bool is_whole = leaf.cells <= limits.cells && surface.is_even(leaf, limits.height_m, limits.current_m_s);
-    if (leaf.cells == 1 || is_whole) {
+void divide(Surface& surface, const Leaf& leaf, const Limits& limits, std::vector<Leaf>& leaves) {
+    if (surface.is_dry(leaf)) return;
+    if (leaf.cells == 1 || (leaf.cells <= limits.cells && surface.is_even(leaf, limits.within))) {
+        surface.take(leaf);
         leaves.push_back(leaf);
         return;
     }
@@ -108,10 +185,9 @@ void for_corners(const Leaf& leaf, Function&& function) {
 bool is_on_rim(int x, int y) { return x % WaterLevels::kSquare == 0 || y % WaterLevels::kSquare == 0; }
 
 // Counter-clockwise from above, as the surface's own: around its middle to every corner on its edges, or two triangles.
-void add_triangles(const Surface& surface, const Leaf& leaf, const Marks& corners,
-                   std::vector<std::uint32_t>& indices) {
+void add_triangles(Surface& surface, const Leaf& leaf, const Marks& corners, std::vector<std::uint32_t>& indices) {
     const int n = leaf.cells;
-    const auto at = [&](int x, int y) { return surface.corner(leaf.x + x, leaf.y + y); };
+    const auto at = [&](int x, int y) { return surface.vertex(leaf.x + x, leaf.y + y); };
     if (n == 1) {
         indices.insert(indices.end(), {at(0, 0), at(0, 1), at(1, 0), at(1, 0), at(0, 1), at(1, 1)});
         return;
@@ -131,9 +207,9 @@ void add_triangles(const Surface& surface, const Leaf& leaf, const Marks& corner
 
 }  // namespace
 
-WaterLevels::WaterLevels(const mesh::Mesh& surface_mesh, float cell_m, int columns) {
+WaterLevels::WaterLevels(const mesh::Mesh& surface_mesh, const mesh::Field& land_m, float cell_m) {
     if (surface_mesh.indices.empty()) return;
-    const Surface surface(surface_mesh, cell_m, columns);
+    Surface surface(surface_mesh, land_m, cell_m);
     std::vector<std::array<std::vector<Leaf>, kLevels>> divided;  // for each square
     for (int y = 0; y < surface.cells(); y += kSquare) {
         for (int x = 0; x < surface.cells(); x += kSquare) {
@@ -144,7 +220,7 @@ WaterLevels::WaterLevels(const mesh::Mesh& surface_mesh, float cell_m, int colum
         }
     }
     // The finest level's corners on a rim are those of every level.
-    Marks rims(columns, columns, 0);
+    Marks rims(land_m.columns, land_m.rows, 0);
     for (const auto& leaves : divided)
         for (const Leaf& leaf : leaves.front())
             for_corners(leaf, [&](int x, int y) { rims.at(x, y) = is_on_rim(x, y) ? 1 : 0; });
@@ -166,6 +242,7 @@ WaterLevels::WaterLevels(const mesh::Mesh& surface_mesh, float cell_m, int colum
             levels[level].count = indices_.size() - levels[level].first;
         }
     }
+    banks_ = surface.take_banks();
     for (Square& square : squares_) {
         const Range& finest = square.levels.front();
         for (std::size_t i = finest.first; i < finest.first + finest.count; ++i) {
