@@ -59,6 +59,16 @@ void Texture2D::fill_levels() const {
     glGenerateMipmap(GL_TEXTURE_2D);
 }
 
+void Texture2D::fill_level(int level) const {
+    constexpr int kUsual = 1000;
+    glBindTexture(GL_TEXTURE_2D, name_.get());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, level - 1);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, level);
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, kUsual);
+}
+
 void Texture2D::bind(GLuint unit) const {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_2D, name_.get());

@@ -171,7 +171,9 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const s
         });
     add_pause(slices, painting);
     const std::size_t level_bytes = row_bytes / kPaintedBytes * 2 * static_cast<std::size_t>(shape.height);
-    slices.add(level_bytes, [painting] { painting->canvas->fill_levels(); });
+    // A software rasteriser waits for one before it draws the next.
+    for (int level = 1; level < shape.levels(); ++level)
+        slices.add(level_bytes >> (2 * (level - 1)), [painting, level] { painting->canvas->fill_level(level); });
     if (!stays) return;
     add_pause(slices, painting);
     slices.add_pieces(static_cast<std::size_t>(shape.height), kBandPixels / static_cast<std::size_t>(shape.width),

@@ -107,6 +107,31 @@ TEST_F(Pictures, ArriveWholeInSmallSlices) {
     EXPECT_EQ(back, image->bytes);
 }
 
+TEST_F(Pictures, FillOneLevelAfterTheOtherAsAllAtOnce) {
+    auto image = std::make_shared<mesh::Image>(96, 40, 4);
+    for (std::size_t i = 0; i < image->bytes.size(); ++i) image->bytes[i] = static_cast<std::uint8_t>(i * 31 % 241);
+    TextureShape shape;
+    shape.width = image->width;
+    shape.height = image->height;
+    const auto level_of = [&](const Texture2D& texture, int level) {
+        GLuint framebuffer = 0;
+        glGenFramebuffers(1, &framebuffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.name(), level);
+        std::vector<std::uint8_t> back(static_cast<std::size_t>(texture.width(level) * texture.height(level) * 4));
+        glReadPixels(0, 0, texture.width(level), texture.height(level), GL_RGBA, GL_UNSIGNED_BYTE, back.data());
+        glDeleteFramebuffers(1, &framebuffer);
+        return back;
+    };
+    Texture2D at_once{shape};
+    Texture2D one_by_one{shape};
+    for (Texture2D* texture : {&at_once, &one_by_one}) texture->write_rows(0, 0, image->height, image->bytes);
+    at_once.fill_levels();
+    for (int level = 1; level < shape.levels(); ++level) one_by_one.fill_level(level);
+    for (int level = 0; level < shape.levels(); ++level)
+        EXPECT_EQ(level_of(one_by_one, level), level_of(at_once, level)) << level;
+}
+
 class TexturesOfAPool : public Gpu {};
 
 TEST_F(TexturesOfAPool, AreTakenAgainOnceNobodyHoldsThem) {
