@@ -13,6 +13,7 @@
 #include "kiosk/heap.hpp"
 #include "kiosk/service.hpp"
 #include "kiosk/start_report.hpp"
+#include "kiosk/upload_time.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -22,9 +23,8 @@ using firmware_io::Button;
 using firmware_io::LampPattern;
 using firmware_io::Motion;
 
-// Of each frame, for what is brought to the GPU: by the clock for what this processor copies, an eighth of the frame's
-// time; by bytes for what the GPU does with it.
-constexpr int kUploadShare = 8;
+// Of each frame, for what is brought to the GPU: by the clock (UploadTime) for what this processor copies, by bytes for
+// what the GPU does with it.
 constexpr std::size_t kUploadBytes = 4U << 20U;
 constexpr Instant kFrame = std::chrono::nanoseconds{16'666'667};
 constexpr Instant kLongestFrame = std::chrono::seconds{1};
@@ -85,10 +85,12 @@ class Loop {
             const Instant begun = parts_.clock.now();
             show_what_has_grown(now);
             if (parts_.record != nullptr) parts_.record->uploads_took.push_back(parts_.clock.now() - begun);
+            const Instant drawing_since = parts_.clock.now();
             if (!is_dark()) draw(canvas, now);
             had_landscapes_ = !parts_.show.on_stage().scenes.empty();
             ++frames_;
             const float used = time_used(now);
+            upload_time_.drew(parts_.clock.now() - drawing_since);
             wait_for_its_period();
             const display::Presented presented = parts_.display.present();
             report(presented, now);
@@ -167,13 +169,13 @@ class Loop {
         return presented.period.count() > 0 ? presented.period : kFrame;
     }
 
-    // Of the frame's time, until it was drawn; waits no longer than governing needs to know.
+    // Of the frame's time, until it was drawn; waits no longer than there is time to hand it over.
     float time_used(Instant began) {
         if (parts_.governor == nullptr) return 1;
-        const std::chrono::duration<float> all = period_ * parts_.governor->periods();
-        const auto until = std::chrono::duration_cast<Instant>(all * DetailGovernor::kRoom);
-        if (!theatre_.is_drawn_within(until - (parts_.clock.now() - began))) return 1;
-        return std::min((parts_.clock.now() - began) / all, 1.0F);
+        const Instant all = period_ * periods();
+        if (!theatre_.is_drawn_within(all * 9 / 10 - (parts_.clock.now() - began))) return 1;
+        const float used = std::chrono::duration<float>(parts_.clock.now() - began) / all;
+        return used > DetailGovernor::kRoom ? 1 : used;
     }
 
     void govern(const display::Presented& presented, Instant now, float used) {
@@ -209,7 +211,10 @@ class Loop {
         // While nothing is on stage, no frame can come late.
         const bool is_dark_yet = parts_.show.on_stage().scenes.empty();
         const bool is_all = parts_.clock.is_simulated() || is_dark_yet;
-        const Instant until = parts_.clock.now() + period_ * periods() / kUploadShare;
+        const bool is_waited_for = is_all || parts_.show.waiting_for_upload() != nullptr;
+        const std::optional<Instant> time = upload_time_.next(period_ * periods(), is_waited_for);
+        if (!time) return;
+        const Instant until = parts_.clock.now() + *time;
         const Theatre::Haste haste =
             is_all ? Theatre::Haste::everything()
                    : Theatre::Haste{kUploadBytes, [this, until] { return parts_.clock.now() < until; }, 1};
@@ -347,6 +352,7 @@ class Loop {
     bool is_announced_ = false;
     float progress_ = -1;
     Instant period_ = kFrame;
+    UploadTime upload_time_;
     Instant framed_at_{0};
     Instant shown_at_{0};  // the last frame, where the screen tells
     std::optional<Instant> remembered_at_;

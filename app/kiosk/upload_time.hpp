@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "kiosk/clock.hpp"
+
+namespace quadrat::kiosk {
+
+// How much of each frame's time goes to what is brought to the GPU: an eighth, or what drawing leaves of it where that
+// is less. It is asked before drawing, and goes by what the last few frames took.
+class UploadTime {
+  public:
+    static constexpr int kShare = 8;  // of a frame's time, at most one of so many parts
+    // What nobody waits for lets so many frames go by that have no time for it; the next one takes its share all the
+    // same, or it would never come.
+    static constexpr int kMostPutOff = 4;
+
+    // A frame's drawing was finished after so long.
+    void drew(Instant took);
+    // For the next frame, which is meant to take frame_time. Nothing: in this frame none.
+    std::optional<Instant> next(Instant frame_time, bool is_waited_for);
+
+  private:
+    static constexpr Instant kPiece = std::chrono::milliseconds{2};  // that the last one may take after its time
+
+    std::array<Instant, 4> drew_{};
+    std::size_t frames_ = 0;
+    int put_off_ = 0;  // frames in a row
+};
+
+}  // namespace quadrat::kiosk

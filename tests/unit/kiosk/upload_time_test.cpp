@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/upload_time.hpp"
+
+#include <gtest/gtest.h>
+
+namespace quadrat::kiosk {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Instant kFrame = 33ms;
+constexpr Instant kShare = kFrame / UploadTime::kShare;
+
+TEST(UploadTime, IsAnEighthWhereDrawingLeavesIt) {
+    UploadTime time;
+    EXPECT_EQ(time.next(kFrame, false), kShare);
+    time.drew(10ms);
+    EXPECT_EQ(time.next(kFrame, false), kShare);
+}
+
+TEST(UploadTime, IsWhatTheSlowestOfTheLastFramesLeaves) {
+    UploadTime time;
+    time.drew(25ms);
+    for (int i = 0; i < 3; ++i) {
+        time.drew(10ms);
+        const auto given = time.next(kFrame, false);
+        ASSERT_TRUE(given);
+        EXPECT_LT(*given, kShare);
+        EXPECT_LT(25ms + *given, kFrame * 9 / 10);
+    }
+    time.drew(10ms);  // by now it was long ago
+    EXPECT_EQ(time.next(kFrame, false), kShare);
+}
+
+TEST(UploadTime, LetsAFewFramesGoByThatHaveNoneAndNoMore) {
+    UploadTime time;
+    for (int turn = 0; turn < 3; ++turn) {
+        for (int i = 0; i < UploadTime::kMostPutOff; ++i) {
+            time.drew(32ms);
+            EXPECT_FALSE(time.next(kFrame, false)) << turn << ' ' << i;
+        }
+        time.drew(32ms);
+        EXPECT_EQ(time.next(kFrame, false), kShare) << turn;
+    }
+}
+
+TEST(UploadTime, KeepsNobodyWaiting) {
+    UploadTime time;
+    time.drew(40ms);
+    EXPECT_FALSE(time.next(kFrame, false));
+    EXPECT_EQ(time.next(kFrame, true), kShare);
+}
+
+}  // namespace
+}  // namespace quadrat::kiosk
