@@ -3,26 +3,62 @@
 
 #include <tbb/parallel_for_each.h>
 
+#include <thread>
+
 #include "kiosk/detail/budget.hpp"
 #include "kiosk/heap.hpp"
 
 namespace quadrat::kiosk::benches {
+namespace {
+
+std::unique_ptr<Grower> begun(std::uint64_t seed) {
+    auto grower = std::make_unique<Grower>();
+    grower->order({random_candidates(seed), base::Seed{seed}});
+    return grower;
+}
+
+// Asked once a millisecond, as frames ask.
+template <typename Ask>
+Scenes awaited(const Ask& ask) {
+    for (;;) {
+        if (const auto scenes = ask()) return *scenes;
+        std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    }
+}
+
+}  // namespace
 
 FourViews::FourViews(const Options& options, std::uint64_t seed)
-    : easel(display::size_from(options.size, "--size").width, display::size_from(options.size, "--size").height) {
+    : growing_(begun(seed)),
+      easel(display::size_from(options.size, "--size").width, display::size_from(options.size, "--size").height) {
     const display::Size size = display::size_from(options.size, "--size");
     picture.size = {size.width, size.height};
     picture.detail.alpha = options.alpha;
     picture.is_one_of_many = true;  // as the exhibit's are
-    grow(seed);
+    easel.renderer().rehearse(picture);
+    show_what_grows();
     keep_within(options);
 }
 
 void FourViews::grow(std::uint64_t seed) {
-    Grower grower;
-    grower.order({random_candidates(seed), base::Seed{seed}});
-    grower.wait();
-    scenes = *grower.take();
+    growing_ = begun(seed);
+    show_what_grows();
+}
+
+void FourViews::show_what_grows() {
+    bring(awaited([this] { return growing_->take(); }));
+    look(0);
+    draw();
+    first_seen = std::chrono::steady_clock::now();
+    growing_->refine();
+    if (growing_->is_refining()) bring(awaited([this] { return growing_->take_refined(); }));
+    growing_.reset();
+    give_memory_back();  // as quadrat run does, here
+    look(0);
+}
+
+void FourViews::bring(const Scenes& grown) {
+    scenes = grown;
     picture.views.clear();
     const auto places = quarters(picture.size.x, picture.size.y);
     std::vector<std::unique_ptr<render::SceneUpload>> uploads;
@@ -35,8 +71,6 @@ void FourViews::grow(std::uint64_t seed) {
         view.viewport = places[i];
         picture.views.push_back(view);
     }
-    give_memory_back();  // as quadrat run does, here
-    look(0);
 }
 
 void FourViews::look(float seconds) {

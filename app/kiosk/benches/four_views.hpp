@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <chrono>
+#include <memory>
+
 #include "kiosk/benches/benches.hpp"
 #include "kiosk/easel.hpp"
 #include "kiosk/growing.hpp"
@@ -7,7 +10,10 @@
 namespace quadrat::kiosk::benches {
 
 // Four scenes by chance, each in its quarter.
-struct FourViews {
+class FourViews {
+    std::unique_ptr<Grower> growing_;  // begins before what is drawn with, as in the exhibit
+
+  public:
     explicit FourViews(const Options& options, std::uint64_t seed = 11);
 
     void look(float seconds);  // where their flights are then
@@ -19,8 +25,11 @@ struct FourViews {
     Easel easel;
     Scenes scenes;
     render::Frame picture;
+    std::chrono::steady_clock::time_point first_seen;  // in their first light, drawn
 
   private:
+    void show_what_grows();
+    void bring(const Scenes& grown);
     void keep_within(const Options& options);
 };
 

@@ -136,6 +136,8 @@ void frame(Results& results, const Options& options, std::string& gpu) {
     hold_memory();  // as quadrat run does
     const auto start = std::chrono::steady_clock::now();
     FourViews views(options);
+    const std::chrono::duration<double, std::milli> first = views.first_seen - start;
+    results.push_back({"start.first_frame_ms", first.count(), "ms", cores()});
     Easel& easel = views.easel;
     render::Frame& picture = views.picture;
     gpu = easel.display().description();
@@ -152,11 +154,6 @@ void frame(Results& results, const Options& options, std::string& gpu) {
             const render::Drawn drawn = views.draw();
             if (drawn.triangles > most.triangles) most = drawn;
         });
-        if (n == -kWarmUp) {
-            const auto first = std::chrono::steady_clock::now() - start;
-            results.push_back(
-                {"start.first_frame_ms", std::chrono::duration<double, std::milli>(first).count(), "ms", cores()});
-        }
         if (n >= 0) wall.push_back(ms);
     }
     const double cpu_ms = (cpu_seconds() - cpu_before) * 1e3 / options.frames;
