@@ -34,6 +34,10 @@ void hold_memory() { take_up({32 << 20, 512 << 20}); }
 void give_memory_back() {
     // Pictures, lands are mappings. A software rasteriser's blocks of 64 KB stay in the heap: they are new every frame.
     take_up({128 << 10, 24 << 20});
+    tidy_memory();
+}
+
+void tidy_memory() {
     ::malloc_trim(0);
     let_go_of_compilers();
 }

@@ -11,8 +11,12 @@ void hold_memory();
 
 // For months: what growing frees goes back to the system, and what is free now goes at once. What drivers take for a
 // frame and free after it, some megabytes in small pieces, stays: it would be mapped and cleared again every frame.
-// And lets go of the compilers, below.
+// And tidies up, below.
 void give_memory_back();
+
+// Once in a while, for as long as the exhibit runs: what was freed in the midst of what is not goes back too, and the
+// compilers are let go. From any thread; whoever allocates meanwhile waits for some milliseconds.
+void tidy_memory();
 
 // The code of a compiler that a software rasteriser brings, some fifty megabytes that are read while shaders are
 // compiled and then lie in memory unused. Nothing is lost: should it be called again, the system finds it again, page

@@ -13,9 +13,9 @@ namespace quadrat::kiosk {
 class UploadTime {
   public:
     static constexpr int kShare = 8;  // of a frame's time, at most one of so many parts
-    // What nobody waits for lets so many frames go by that have no time for it; the next one takes its share all the
-    // same, or it would never come.
-    static constexpr int kMostPutOff = 4;
+    // What nobody waits for lets so many frames go by that have no time for it. The next one takes its share all the
+    // same: a visitor may soon wait for it.
+    static constexpr int kMostPutOff = 1;
 
     // A frame's drawing was finished after so long.
     void drew(Instant took);

@@ -10,14 +10,15 @@ namespace quadrat::render {
 namespace {
 
 // What is on the shelf; or what add(slices, new one) brings, and puts there when it is whole.
-template <typename Grown, typename OnGpu, typename Add>
+template <typename Grown, typename OnGpu, typename Under, typename Add>
 std::shared_ptr<const OnGpu> shelved(gl::Slices& slices, const std::shared_ptr<Shelves>& shelves,
-                                     Shelf<Grown, OnGpu> Shelves::*shelf, const std::shared_ptr<const Grown>& grown,
-                                     const Add& add) {
-    if (auto found = ((*shelves).*shelf).find(grown)) return found;
+                                     Shelf<Grown, OnGpu, Under> Shelves::*shelf,
+                                     const std::shared_ptr<const Grown>& grown, const Add& add,
+                                     const Under& under = {}) {
+    if (auto found = ((*shelves).*shelf).find(grown, under)) return found;
     const auto made = std::make_shared<OnGpu>();
     add(slices, *made, grown);
-    slices.add(0, [shelves, shelf, grown, made] { ((*shelves).*shelf).keep(grown, made); });
+    slices.add(0, [shelves, shelf, grown, under, made] { ((*shelves).*shelf).keep(grown, under, made); });
     return made;
 }
 
@@ -62,8 +63,15 @@ class WholeUpload final : public SceneUpload {
         made_->country = ground.country;
         made_->flora = ground.flora;
         made_->plants = {source, &source->plants};
-        made_->air = light_and_air_of(*source);
+        slices_.prepare([made = made_.get(), source] { made->air = light_and_air_of(*source); });
         made_->sky = shelved(slices_, shelves, &Shelves::skies, source->sky, passes::add_sky);
+        const glm::vec3 to_sun = source->sky->sun_direction;
+        made_->ground.grain = shelved(
+            slices_, shelves, &Shelves::grains, source->land,
+            [&](gl::Slices& to, passes::GrainOnGpu& grain, const std::shared_ptr<const scene::Land>& land) {
+                passes::add_grain(to, grain, land, to_sun);
+            },
+            to_sun);
         const std::shared_ptr<passes::GroundPainter> painter{shelves, &shelves->painter};
         passes::add_ground_picture(slices_, made_->ground, painter, ground.material, source);
     }

@@ -1,32 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <glm/vec3.hpp>
 #include <memory>
+#include <variant>
 #include <vector>
 
 #include "render/gpu_scene.hpp"
 
 namespace quadrat::render {
 
-// What is on the GPU already: scenes that inherited one flora, or stand on one land, hold it once.
-template <typename Grown, typename OnGpu>
+// What is on the GPU already: scenes that inherited one flora, or stand on one land, hold it once. Under: what else it
+// depends on.
+template <typename Grown, typename OnGpu, typename Under = std::monostate>
 class Shelf {
   public:
-    std::shared_ptr<const OnGpu> find(const std::shared_ptr<const Grown>& grown) {
-        std::erase_if(kept_, [](const Pair& pair) { return pair.on_gpu.expired() || pair.grown.expired(); });
-        for (const Pair& pair : kept_)
-            if (pair.grown.lock() == grown) return pair.on_gpu.lock();
+    std::shared_ptr<const OnGpu> find(const std::shared_ptr<const Grown>& grown, const Under& under) {
+        std::erase_if(kept_, [](const Kept& kept) { return kept.on_gpu.expired() || kept.grown.expired(); });
+        for (const Kept& kept : kept_)
+            if (kept.grown.lock() == grown && kept.under == under) return kept.on_gpu.lock();
         return nullptr;
     }
-    void keep(const std::shared_ptr<const Grown>& grown, const std::shared_ptr<const OnGpu>& on_gpu) {
-        kept_.push_back({grown, on_gpu});
+    void keep(const std::shared_ptr<const Grown>& grown, const Under& under,
+              const std::shared_ptr<const OnGpu>& on_gpu) {
+        kept_.push_back({grown, under, on_gpu});
     }
 
   private:
-    struct Pair {
+    struct Kept {
         std::weak_ptr<const Grown> grown;
+        Under under;
         std::weak_ptr<const OnGpu> on_gpu;
     };
-    std::vector<Pair> kept_;
+    std::vector<Kept> kept_;
 };
 
 struct Shelves {
@@ -34,6 +39,7 @@ struct Shelves {
     Shelf<scene::Land, CountryOnGpu> countries;
     Shelf<scene::Sky, passes::SkyOnGpu> skies;
     Shelf<scene::Land, passes::MaterialOnGpu> materials;
+    Shelf<scene::Land, passes::GrainOnGpu, glm::vec3> grains;  // under a sun: a first light's and the refined one's
     passes::GroundPainter painter;
     gl::BufferPool buffers;
 };

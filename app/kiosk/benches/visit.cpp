@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
+#include <mutex>
 #include <thread>
 
 #include "base/file.hpp"
@@ -115,6 +117,17 @@ std::jthread competitor(Instant span) {
     });
 }
 
+// Once a minute, as the caretaker of quadrat run does.
+std::jthread tidier() {
+    return std::jthread([](const std::stop_token& stop) {
+        std::mutex mutex;
+        std::condition_variable_any stopped;
+        std::unique_lock lock(mutex);
+        while (!stopped.wait_for(lock, stop, std::chrono::minutes{1}, [] { return false; }) && !stop.stop_requested())
+            tidy_memory();
+    });
+}
+
 constexpr double kLate = 1.25;  // of its time
 
 double milliseconds(Instant span) { return std::chrono::duration<double, std::milli>(span).count(); }
@@ -187,6 +200,7 @@ void visit(Results& results, const Options& options) {
     {
         std::jthread busy;
         if (options.is_busy) busy = competitor(span);
+        const std::jthread tidying = tidier();
         run_loop(parts);
     }
     // Until it has found what the machine can do, every frame may be late.

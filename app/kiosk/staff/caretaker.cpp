@@ -2,7 +2,6 @@
 #include "kiosk/staff/caretaker.hpp"
 
 #include <fmt/format.h>
-#include <malloc.h>
 
 #include <utility>
 
@@ -222,8 +221,7 @@ void Caretaker::report(Instant) {
     errands_.send([runtime = parts_.runtime, json = to_json(vitals_), metrics = to_prometheus(vitals_)] {
         write_quietly(runtime / "health.json", json);
         write_quietly(runtime / "quadrat.prom", metrics);
-        ::malloc_trim(0);  // what was freed in the midst of what is not
-        let_go_of_compilers();
+        tidy_memory();
     });
 }
 

@@ -44,8 +44,9 @@ void add_levels(Slices& slices, Texture2D& texture, const std::shared_ptr<const 
 
 std::shared_ptr<const mesh::Image> add_painting(Slices& slices, Texture2D& texture, const TextureShape& shape,
                                                 const Painter& paint) {
-    const auto picture = std::make_shared<mesh::Image>(shape.width, shape.height, shape.channels);
-    slices.prepare([picture, paint] {
+    const auto picture = std::make_shared<mesh::Image>();
+    slices.prepare([picture, shape, paint] {
+        *picture = mesh::Image(shape.width, shape.height, shape.channels);
         for (int row = 0; row < picture->height; ++row) paint(*picture, row);
     });
     add_levels(slices, texture, picture, shape);

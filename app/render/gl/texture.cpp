@@ -29,7 +29,7 @@ GLint wrapped(Wrap wrap) { return wrap == Wrap::Repeat ? GL_REPEAT : GL_CLAMP_TO
 int TextureShape::levels() const {
     if (sampling == Sampling::Flat) return 1;
     int count = 1;
-    for (int side = std::max(width, height); side > 1; side /= 2) ++count;
+    for (int side = std::max(width, height); side > coarsest; side /= 2) ++count;
     return count;
 }
 

@@ -22,6 +22,7 @@ struct TextureShape {
     Wrap wrap_s = Wrap::Clamp;
     Wrap wrap_t = Wrap::Clamp;
     Sampling sampling = Sampling::Sharp;
+    int coarsest = 1;  // of a side: no mipmaps below that
 
     int levels() const;
     friend bool operator==(const TextureShape&, const TextureShape&) = default;

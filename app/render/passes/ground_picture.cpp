@@ -98,6 +98,17 @@ void add_material(gl::Slices& slices, MaterialOnGpu& material, const std::shared
     gl::add_picture(slices, material.kinds, kinds, flat);
 }
 
+void add_grain(gl::Slices& slices, GrainOnGpu& grain, const std::shared_ptr<const scene::Land>& land,
+               glm::vec3 to_sun) {
+    gl::TextureShape tiled;
+    tiled.wrap_s = tiled.wrap_t = gl::Wrap::Repeat;
+    tiled.width = land->detail.width;
+    tiled.height = land->detail.height;
+    tiled.channels = 2;
+    gl::add_painting(slices, grain.lit, tiled,
+                     [land, to_sun](mesh::Image& lit, int row) { light_grain_row(*land, to_sun, lit, row); });
+}
+
 GroundPainter::GroundPainter() : program_("paint_ground.vert", "paint_ground.frag") {}
 
 void GroundPainter::paint(const Sheet& sheet, const gl::Texture2D& grain, const gl::Texture2D& canvas, int first_row,
@@ -128,14 +139,6 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const s
                         const std::shared_ptr<const MaterialOnGpu>& material,
                         const std::shared_ptr<const scene::Scene>& scene) {
     const scene::Land& land = *scene->land;
-    gl::TextureShape tiled;
-    tiled.wrap_s = tiled.wrap_t = gl::Wrap::Repeat;
-    tiled.width = land.detail.width;
-    tiled.height = land.detail.height;
-    tiled.channels = 2;
-    gl::add_painting(slices, picture.grain, tiled, [scene](mesh::Image& grain, int row) {
-        light_grain_row(*scene->land, scene->sky->sun_direction, grain, row);
-    });
     const auto light = std::make_shared<gl::Texture2D>();
     gl::TextureShape flat;
     flat.sampling = gl::Sampling::Flat;
@@ -144,6 +147,7 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const s
     const int halved = halvings(land, scene->light.ground);
     shape.width = land.albedo.width() >> halved;
     shape.height = land.albedo.height() >> halved;
+    shape.coarsest = 16;  // no view is so high above a land that all of it has fewer pixels
     // What is as fine as it gets is seen for minutes. A first light is soon replaced: it need not wait for a copy.
     const bool stays = halved == 0;
     const auto painting = std::make_shared<Painting>();
@@ -167,7 +171,7 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const s
                 is_here ? mesh::Image{} : roots_of_rows(scene->land->albedo, onto.shape(), row, count);
             const auto roots =
                 is_here ? rows_of(painting->roots, row, count) : std::span<const std::uint8_t>(now.bytes);
-            painter->paint({roots, *light, *material, tiles}, picture.grain, onto, row, count);
+            painter->paint({roots, *light, *material, tiles}, picture.grain->lit, onto, row, count);
         });
     add_pause(slices, painting);
     const std::size_t level_bytes = row_bytes / kPaintedBytes * 2 * static_cast<std::size_t>(shape.height);

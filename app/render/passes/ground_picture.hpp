@@ -20,11 +20,17 @@ struct MaterialOnGpu {
 };
 void add_material(gl::Slices& slices, MaterialOnGpu& material, const std::shared_ptr<const scene::Land>& land);
 
-// The ground as it is seen, under a sun that stands still.
+// Of soft ground and of stone, under a sun that stands still; 0.5 is level ground.
+struct GrainOnGpu {
+    gl::Texture2D lit;
+};
+void add_grain(gl::Slices& slices, GrainOnGpu& grain, const std::shared_ptr<const scene::Land>& land, glm::vec3 to_sun);
+
+// The ground as it is seen, under that sun.
 struct GroundPictureOnGpu {
     // What it sends to the eye, shown, its coarse relief in it; alpha: how deep water over it looks.
     std::shared_ptr<const gl::Texture2D> lit;
-    gl::Texture2D grain;  // of soft ground and of stone, lit; 0.5 is level ground
+    std::shared_ptr<const GrainOnGpu> grain;
 };
 
 // Square roots of the ground's linear colours, in the size of its picture. Alpha: the rim is as under deep water, for
@@ -58,7 +64,8 @@ class GroundPainter {
     gl::TextureTarget target_;
 };
 
-// Adds the slices that paint picture, which must stay where it is until they are done.
+// Adds the slices that paint picture, which must stay where it is until they are done. It has its grain, or that is
+// among the slices before.
 void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const std::shared_ptr<GroundPainter>& painter,
                         const std::shared_ptr<const MaterialOnGpu>& material,
                         const std::shared_ptr<const scene::Scene>& scene);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
 
 #include "base/seed.hpp"
 #include "pictures/handmade_scene.hpp"
@@ -179,6 +181,33 @@ TEST_F(GroundPicture, AnUploadStopsWhenItsTimeIsOver) {
     int steps = 0;
     while (!upload->advance(static_cast<std::size_t>(-1), [] { return false; })) ++steps;
     EXPECT_GT(steps, 10);
+}
+
+// Whatever else a scene's sky has: under the sun that its land is lit by already, the grain is there.
+TEST_F(GroundPicture, OneSunLightsTheGrainOnce) {
+    const auto scene = handmade_scene(Hour::Noon, Ground::Meadow);
+    const auto first = uploaded(scene);
+    const auto pieces_under = [&](float turn) {
+        auto sky = std::make_shared<scene::Sky>(*scene->sky);
+        sky->sun_direction = glm::normalize(sky->sun_direction + glm::vec3{turn, 0, 0});
+        auto other = std::make_shared<scene::Scene>(*scene);
+        other->sky = sky;
+        const auto upload = renderer_->begin_upload(other);
+        int pieces = 0;
+        while (!upload->advance(1)) ++pieces;
+        return std::pair{pieces, upload->take()};
+    };
+    const auto [same, again] = pieces_under(0);
+    const auto [turned, other] = pieces_under(0.3F);
+    EXPECT_LT(same, turned);
+    render::Frame f = frame();
+    const auto picture_of = [&](std::shared_ptr<const render::GpuScene> gpu) {
+        f.views = {{std::move(gpu), scene->track.cameras.front(), {0, 0, f.size.x, f.size.y}, 1, 0}};
+        return drawn(f);
+    };
+    const mesh::Image at_once = picture_of(first);
+    EXPECT_EQ(picture_of(again), at_once);
+    EXPECT_NE(picture_of(other), at_once);
 }
 
 }  // namespace

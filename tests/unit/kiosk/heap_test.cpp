@@ -4,8 +4,6 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdint>
 #include <cstring>
 
 #include "display/headless/headless_display.hpp"
