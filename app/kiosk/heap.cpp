@@ -42,6 +42,14 @@ void tidy_memory() {
     let_go_of_compilers();
 }
 
+bool TimesToTidy::is_due(int visits_ended, Instant now) {
+    constexpr std::chrono::minutes kNobodyCame{10};
+    if (visits_ended == visits_ended_ && now - last_ < kNobodyCame) return false;
+    visits_ended_ = visits_ended;
+    last_ = now;
+    return true;
+}
+
 std::size_t let_go_of_compilers() {
     std::size_t bytes = 0;
     ::dl_iterate_phdr(

@@ -2,6 +2,8 @@
 #pragma once
 #include <cstddef>
 
+#include "kiosk/clock.hpp"
+
 // How the allocator of the whole process behaves from now on. With an arena for each thread that grows, glibc's holds
 // on to ten times what is in use: both leave it two, so the first call comes before there are other threads.
 namespace quadrat::kiosk {
@@ -14,9 +16,19 @@ void hold_memory();
 // And tidies up, below.
 void give_memory_back();
 
-// Once in a while, for as long as the exhibit runs: what was freed in the midst of what is not goes back too, and the
-// compilers are let go. From any thread; whoever allocates meanwhile waits for some milliseconds.
+// What was freed in the midst of what is not goes back too, and the compilers are let go. From any thread; whoever
+// allocates meanwhile waits, for 50 ms on a slow machine: a frame comes late.
 void tidy_memory();
+
+// When it may: after a visit; and every ten minutes where nobody comes.
+class TimesToTidy {
+  public:
+    bool is_due(int visits_ended, Instant now);
+
+  private:
+    int visits_ended_ = 0;
+    Instant last_{0};
+};
 
 // The code of a compiler that a software rasteriser brings, some fifty megabytes that are read while shaders are
 // compiled and then lie in memory unused. Nothing is lost: should it be called again, the system finds it again, page

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <condition_variable>
-#include <mutex>
 #include <thread>
 
 #include "base/file.hpp"
@@ -75,6 +73,8 @@ class WatchedScreen final : public display::Display {
         if (frames_.empty() || now / kWeighEvery != frames_.back().at / kWeighEvery)
             resident_mb_.push_back(resident_memory_mb());
         frames_.push_back(frame);
+        // As the caretaker of quadrat run does.
+        if (times_to_tidy_.is_due(show_.visits_ended(), now)) tidying_ = std::jthread(tidy_memory);
         if (now >= until_) stop_ = true;
         return presented;
     }
@@ -95,6 +95,8 @@ class WatchedScreen final : public display::Display {
     exhibit::Screen screen_before_ = exhibit::Screen::Attract;
     std::vector<FrameSeen> frames_;
     std::vector<double> resident_mb_;  // now and then
+    TimesToTidy times_to_tidy_;
+    std::jthread tidying_;
 };
 
 std::unique_ptr<firmware_io::ButtonSource> visitor_for(Instant span) {
@@ -114,17 +116,6 @@ std::jthread competitor(Instant span) {
             if (at > 2 * span / 3) return;
             if (at < span / 3) std::this_thread::sleep_for(std::chrono::milliseconds{20});
         }
-    });
-}
-
-// Once a minute, as the caretaker of quadrat run does.
-std::jthread tidier() {
-    return std::jthread([](const std::stop_token& stop) {
-        std::mutex mutex;
-        std::condition_variable_any stopped;
-        std::unique_lock lock(mutex);
-        while (!stopped.wait_for(lock, stop, std::chrono::minutes{1}, [] { return false; }) && !stop.stop_requested())
-            tidy_memory();
     });
 }
 
@@ -200,7 +191,6 @@ void visit(Results& results, const Options& options) {
     {
         std::jthread busy;
         if (options.is_busy) busy = competitor(span);
-        const std::jthread tidying = tidier();
         run_loop(parts);
     }
     // Until it has found what the machine can do, every frame may be late.

@@ -67,6 +67,7 @@ void Caretaker::look(Panel& panel, Show& show, Instant now) {
         (service_.is_open(now) || figures_ != Figures::None) && is_due(drawn_at_, kServiceEvery, now);
     if (is_reporting || is_drawing) vitals_ = vitals(panel, show, now);
     if (is_reporting) report(now);
+    if (times_to_tidy_.is_due(show.visits_ended(), now)) errands_.send([] { tidy_memory(); });
     if (!remembered_at_) remembered_at_ = now;  // what was read at the start is on the disk already
     if (is_due(remembered_at_, kRememberEvery, now)) show.remember("buttons", to_text(panel.health().memory()));
     if (service_.is_open(now))
@@ -221,7 +222,7 @@ void Caretaker::report(Instant) {
     errands_.send([runtime = parts_.runtime, json = to_json(vitals_), metrics = to_prometheus(vitals_)] {
         write_quietly(runtime / "health.json", json);
         write_quietly(runtime / "quadrat.prom", metrics);
-        tidy_memory();
+        let_go_of_compilers();
     });
 }
 

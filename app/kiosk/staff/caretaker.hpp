@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "display/display.hpp"
+#include "kiosk/heap.hpp"
 #include "kiosk/panel.hpp"
 #include "kiosk/show.hpp"
 #include "kiosk/staff/errands.hpp"
@@ -92,7 +93,8 @@ class Caretaker {
     bool wants_restart_ = false;
     std::mutex mutex_;
     std::optional<Seen> fresh_;  // from the errands' thread
-    Errands errands_;            // last: it ends before what it uses
+    TimesToTidy times_to_tidy_;
+    Errands errands_;  // last: it ends before what it uses
 };
 
 }  // namespace quadrat::kiosk::staff

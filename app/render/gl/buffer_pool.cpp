@@ -6,14 +6,16 @@
 namespace quadrat::render::gl {
 namespace {
 
+constexpr std::size_t kLargeBytes = 512U << 10U;
 // So that what is a little larger fits too.
-constexpr std::size_t kStepBytes = 256U << 10U;
+constexpr std::size_t kStepBytes = 128U << 10U;
 
 bool is_free(const std::shared_ptr<Buffer>& buffer) { return buffer.use_count() == 1; }
 
 }  // namespace
 
 std::shared_ptr<Buffer> BufferPool::take(GLenum target, std::size_t bytes) {
+    if (bytes < kLargeBytes) return std::make_shared<Buffer>(target, bytes);
     auto best = pooled_.end();
     for (auto it = pooled_.begin(); it != pooled_.end(); ++it) {
         const std::size_t has = it->buffer->bytes();

@@ -12,6 +12,7 @@ namespace quadrat::render::gl {
 class BufferPool {
   public:
     // At least so many bytes, for this target; nobody else's as long as it is held; what is in it is left from before.
+    // A small one is new, and goes when it is let go.
     std::shared_ptr<Buffer> take(GLenum target, std::size_t bytes);
     // Keeps no more than so much that nobody holds; what was free longest goes first.
     void trim(std::size_t most_free_bytes);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -41,7 +42,9 @@ class WaterLevels {
     };
     // Once; no more than most_banks() of that surface.
     std::vector<Bank> take_banks() { return std::move(banks_); }
-    static std::size_t most_banks(const mesh::Mesh& surface) { return surface.positions_m.size() / 4; }
+    static std::size_t most_banks(const mesh::Mesh& surface) {
+        return std::min<std::size_t>(surface.positions_m.size() / 4, 4096);
+    }
 
     // What may be seen. nearness: scales the distances; 1, or less where less is asked for.
     std::vector<Range> seen(const Frustum& frustum, const glm::vec3& eye_m, float nearness) const;

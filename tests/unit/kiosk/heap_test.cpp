@@ -37,5 +37,17 @@ TEST(Heap, ACompilerIsLetGoAndComesBackWhenItIsNeeded) {
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
+TEST(Heap, IsTidiedAfterAVisitAndNowAndThenWhereNobodyComes) {
+    using namespace std::chrono_literals;
+    TimesToTidy times;
+    EXPECT_FALSE(times.is_due(0, 30s));
+    EXPECT_TRUE(times.is_due(1, 90s));
+    for (Instant now = 91s; now < 9min; now += 1s) EXPECT_FALSE(times.is_due(1, now));
+    EXPECT_TRUE(times.is_due(2, 9min));
+    EXPECT_FALSE(times.is_due(2, 18min));
+    EXPECT_TRUE(times.is_due(2, 19min));
+    EXPECT_FALSE(times.is_due(2, 20min));
+}
+
 }  // namespace
 }  // namespace quadrat::kiosk

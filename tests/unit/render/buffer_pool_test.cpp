@@ -38,6 +38,15 @@ TEST_F(BuffersOfAPool, ServeTheirTargetAndAboutTheirSize) {
     EXPECT_EQ(pool.take(GL_ARRAY_BUFFER, kMegabyte / 4 * 3).get(), free);
 }
 
+TEST_F(BuffersOfAPool, SmallOnesAreNotKept) {
+    const std::size_t before = LiveObjects::count();
+    BufferPool pool;
+    const auto small = pool.take(GL_ARRAY_BUFFER, 1000);
+    EXPECT_EQ(small->bytes(), 1000U);
+    pool.take(GL_ARRAY_BUFFER, 2000);
+    EXPECT_EQ(LiveObjects::count(), before + 1);
+}
+
 TEST_F(BuffersOfAPool, GoWhenManyAreFree) {
     const std::size_t before = LiveObjects::count();
     BufferPool pool;
