@@ -43,8 +43,9 @@ void tidy_memory() {
 }
 
 bool TimesToTidy::is_due(int visits_ended, Instant now) {
-    constexpr std::chrono::minutes kNobodyCame{10};
-    if (visits_ended == visits_ended_ && now - last_ < kNobodyCame) return false;
+    constexpr std::chrono::minutes kBetween{10};
+    constexpr std::chrono::hours kNobodyCame{1};
+    if (now - last_ < kBetween || (visits_ended == visits_ended_ && now - last_ < kNobodyCame)) return false;
     visits_ended_ = visits_ended;
     last_ = now;
     return true;

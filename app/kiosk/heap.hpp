@@ -20,7 +20,7 @@ void give_memory_back();
 // allocates meanwhile waits, for 50 ms on a slow machine: a frame comes late.
 void tidy_memory();
 
-// When it may: after a visit; and every ten minutes where nobody comes.
+// When it may: after a visit, at most every ten minutes; and every hour where nobody comes.
 class TimesToTidy {
   public:
     bool is_due(int visits_ended, Instant now);

@@ -40,13 +40,13 @@ TEST(Heap, ACompilerIsLetGoAndComesBackWhenItIsNeeded) {
 TEST(Heap, IsTidiedAfterAVisitAndNowAndThenWhereNobodyComes) {
     using namespace std::chrono_literals;
     TimesToTidy times;
-    EXPECT_FALSE(times.is_due(0, 30s));
-    EXPECT_TRUE(times.is_due(1, 90s));
-    for (Instant now = 91s; now < 9min; now += 1s) EXPECT_FALSE(times.is_due(1, now));
-    EXPECT_TRUE(times.is_due(2, 9min));
-    EXPECT_FALSE(times.is_due(2, 18min));
-    EXPECT_TRUE(times.is_due(2, 19min));
-    EXPECT_FALSE(times.is_due(2, 20min));
+    EXPECT_FALSE(times.is_due(1, 90s));
+    EXPECT_TRUE(times.is_due(5, 10min));
+    EXPECT_FALSE(times.is_due(9, 19min));
+    EXPECT_TRUE(times.is_due(9, 20min));
+    for (Instant now = 20min; now < 80min; now += 1min) EXPECT_FALSE(times.is_due(9, now));
+    EXPECT_TRUE(times.is_due(9, 80min));
+    EXPECT_FALSE(times.is_due(9, 81min));
 }
 
 }  // namespace
