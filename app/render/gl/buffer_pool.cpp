@@ -24,7 +24,7 @@ std::shared_ptr<Buffer> BufferPool::take(GLenum target, std::size_t bytes) {
     }
     if (best != pooled_.end()) {
         std::rotate(best, best + 1, pooled_.end());
-        const std::shared_ptr<Buffer> taken = pooled_.back().buffer;
+        std::shared_ptr<Buffer> taken = pooled_.back().buffer;
         trim(kMostFreeBytes);
         return taken;
     }
