@@ -137,7 +137,7 @@ void frame(Results& results, const Options& options, std::string& gpu) {
     const auto start = std::chrono::steady_clock::now();
     FourViews views(options);
     const std::chrono::duration<double, std::milli> first = views.first_seen - start;
-    results.push_back({"start.first_frame_ms", first.count(), "ms", cores()});
+    results.push_back({"start.first_frame_ms", first.count(), "ms, in first light", cores()});
     Easel& easel = views.easel;
     render::Frame& picture = views.picture;
     gpu = easel.display().description();
@@ -154,6 +154,10 @@ void frame(Results& results, const Options& options, std::string& gpu) {
             const render::Drawn drawn = views.draw();
             if (drawn.triangles > most.triangles) most = drawn;
         });
+        if (n == -kWarmUp) {
+            const std::chrono::duration<double, std::milli> refined = std::chrono::steady_clock::now() - start;
+            results.push_back({"start.own_light_ms", refined.count(), "ms, the first frame in it", cores()});
+        }
         if (n >= 0) wall.push_back(ms);
     }
     const double cpu_ms = (cpu_seconds() - cpu_before) * 1e3 / options.frames;

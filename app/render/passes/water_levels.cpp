@@ -62,13 +62,14 @@ class Surface {
         float current_m_s;
         bool under_banks;
     };
-    // Wet all over or where the land does not hide it, and nowhere further from what its corners span.
+    // Wet, or hidden by the land, all over; and nowhere further from what its corners span.
     bool is_even(const Leaf& leaf, const Tolerance& within) const {
         const int n = leaf.cells;
+        const bool under_banks = within.under_banks && !are_banks_full();
         std::array<std::uint32_t, 4> like{};
         for (std::size_t k = 0; k < 4; ++k) {
             const std::uint32_t corner = corner_.at(leaf.x + (k % 2 == 0 ? 0 : n), leaf.y + (k < 2 ? 0 : n));
-            if (corner == kNone || (is_bank(corner) && (!within.under_banks || are_banks_full()))) return false;
+            if (corner == kNone || (is_bank(corner) && !under_banks)) return false;
             like[k] = corner & ~kBank;
         }
         const auto spanned = [&](int x, int y, const auto& of) {
@@ -82,12 +83,12 @@ class Surface {
             for (int x = 0; x <= n; ++x) {
                 const float level_m = spanned(x, y, height_m);
                 const std::uint32_t own = corner_.at(leaf.x + x, leaf.y + y);
-                if (own != kNone && !is_bank(own)) {
-                    if (std::abs(mesh_.positions_m[own].y - level_m) > within.height_m) return false;
-                    if (glm::distance(mesh_.texcoords[own], spanned(x, y, current_m_s)) > within.current_m_s)
-                        return false;
-                }
-                if (within.under_banks && land_m_.at(leaf.x + x, leaf.y + y) >= level_m) continue;
+                if (own == kNone) return false;  // no vertex could be there
+                const float own_m = height_m(own & ~kBank);
+                if (std::abs(own_m - level_m) > within.height_m) return false;
+                if (!is_bank(own) && glm::distance(current_m_s(own), spanned(x, y, current_m_s)) > within.current_m_s)
+                    return false;
+                if (under_banks && land_m_.at(leaf.x + x, leaf.y + y) >= std::max(level_m, own_m)) continue;
                 // Not hidden: nowhere but in the water.
                 for (const int beside_y : {y - 1, y})
                     for (const int beside_x : {x - 1, x}) {

@@ -195,6 +195,25 @@ TEST(WaterLevels, NothingIsSeenOfThemBeyondTheWater) {
     }
 }
 
+// An island wider than banks are followed, a ring of water about it; and a moat whose water falls in steps.
+TEST(WaterLevels, TakeNoVertexThatIsNotThere) {
+    const auto ring = [](int x, int y) { return std::abs(std::max(std::abs(x - 96), std::abs(y - 96)) - 34) < 4; };
+    const auto step = [](int x, int y) { return 3.0F + 0.3F * static_cast<float>((x + y) / 24); };
+    for (const bool falls : {false, true}) {
+        const mesh::Mesh water = surface(ring, [&](int x, int y) { return falls ? step(x, y) : 3.0F; });
+        const mesh::Field high_m(kColumns, kColumns, 60);
+        const Shown shown(water, high_m);
+        for (const std::uint32_t index : shown.indices) ASSERT_LT(index, shown.surface.positions_m.size());
+        const auto ranges = shown.from({0, 30, 0}, 0.01F);
+        EXPECT_LT(drawn(ranges), water.indices.size());
+        for (const Range& range : ranges)
+            for (std::size_t i = range.first; i < range.first + range.count; i += 3) {
+                const auto at = [&](std::size_t k) { return shown.surface.positions_m[shown.indices[i + k]]; };
+                EXPECT_GT(glm::cross(at(1) - at(0), at(2) - at(0)).y, 0);
+            }
+    }
+}
+
 TEST(WaterLevels, BanksLeaveNoCrackInTheWater) {
     const mesh::Mesh water = lake();
     const Shown shown(water, bowl(in_lake));
