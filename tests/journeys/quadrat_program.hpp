@@ -33,9 +33,11 @@ inline std::size_t count_of(const std::string& text, const std::string& what) {
 }
 
 // With what it said, where it did not.
-inline testing::AssertionResult succeeds(const Ended& ended) {
-    if (ended.status == 0) return testing::AssertionSuccess();
+inline testing::AssertionResult ends_with(const Ended& ended, int status) {
+    if (ended.status == status || ended.is_lost_to_leak_sanitizer()) return testing::AssertionSuccess();
     return testing::AssertionFailure() << "ended with " << ended.status << ": " << ended.err;
 }
+
+inline testing::AssertionResult succeeds(const Ended& ended) { return ends_with(ended, 0); }
 
 }  // namespace quadrat::tests

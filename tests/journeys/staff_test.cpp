@@ -87,7 +87,7 @@ TEST(Staff, AnExhibitTellsHowItIsAndGivesAPictureOfItself) {
     const Ended doctor = run(program({"doctor"}), elsewhere);
     EXPECT_THAT(doctor.out, HasSubstr("the exhibit runs and finds nothing wrong"));
     exhibit.kill(SIGTERM);
-    EXPECT_EQ(exhibit.wait().status, 0);
+    EXPECT_TRUE(succeeds(exhibit.wait()));
     EXPECT_THAT(contents_of(service.folder / "run/starts"), HasSubstr("well"));
 }
 
@@ -115,7 +115,7 @@ TEST(Staff, AShotOfABusyExhibitWaitsForIt) {
     exhibit.kill(SIGCONT);
     EXPECT_TRUE(succeeds(shot.wait()));
     exhibit.kill(SIGTERM);
-    EXPECT_EQ(exhibit.wait().status, 0);
+    EXPECT_TRUE(succeeds(exhibit.wait()));
 }
 
 TEST(Staff, TheChordOpensTheServiceScreenAndARestartIsAnOrderlyEnd) {
@@ -123,7 +123,7 @@ TEST(Staff, TheChordOpensTheServiceScreenAndARestartIsAnOrderlyEnd) {
                           "chord A+Back for 6s\nwait 1s\npress C\nwait 1s\npress B\nafter 400ms press B\nwait 600s\n");
     Process exhibit(service.command(), service.folder.path());
     const Ended ended = exhibit.wait();
-    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_TRUE(succeeds(ended));
     EXPECT_THAT(ended.err, HasSubstr("the service screen is opened"));
     EXPECT_THAT(ended.err, HasSubstr("staff: restart"));
     EXPECT_THAT(contents_of(service.folder / "run/starts"), HasSubstr("well"));
@@ -137,7 +137,7 @@ TEST(Staff, WhereNoStateCanBeKeptTheShowGoesOn) {
     service.wait_for_log(exhibit, "press A at");
     EXPECT_TRUE(exhibit.is_running());
     exhibit.kill(SIGTERM);
-    EXPECT_EQ(exhibit.wait().status, 0);
+    EXPECT_TRUE(succeeds(exhibit.wait()));
 }
 
 TEST(Staff, AMapOfButtonsThatCannotBeUsedIsAWarningAndTheShowGoesOn) {
@@ -152,7 +152,7 @@ TEST(Staff, AMapOfButtonsThatCannotBeUsedIsAWarningAndTheShowGoesOn) {
     EXPECT_THAT(service.log(), HasSubstr("the usual order of buttons is used"));
     EXPECT_TRUE(exhibit.is_running());
     exhibit.kill(SIGTERM);
-    EXPECT_EQ(exhibit.wait().status, 0);
+    EXPECT_TRUE(succeeds(exhibit.wait()));
 }
 
 TEST(Staff, ShuttingDownIsAskedOfWhoeverMay) {
@@ -161,7 +161,7 @@ TEST(Staff, ShuttingDownIsAskedOfWhoeverMay) {
     service.wait_for_file(exhibit, "run/power.asked");
     EXPECT_EQ(contents_of(service.folder / "run/power.asked"), "poweroff\n");
     exhibit.kill(SIGTERM);
-    EXPECT_EQ(exhibit.wait().status, 0);
+    EXPECT_TRUE(succeeds(exhibit.wait()));
 }
 
 TEST(Staff, AChangedConfigurationIsTakenOverAndABrokenOneIsNot) {
@@ -178,7 +178,7 @@ TEST(Staff, AChangedConfigurationIsTakenOverAndABrokenOneIsNot) {
     EXPECT_TRUE(exhibit.is_running());
     service.wait_for_file(exhibit, "run/fault-1.png");
     exhibit.kill(SIGTERM);
-    EXPECT_EQ(exhibit.wait().status, 0);
+    EXPECT_TRUE(succeeds(exhibit.wait()));
 }
 
 TEST(Staff, ThreeFailuresLeadToSafeModeAndPersistentOnesToOneReboot) {
@@ -269,7 +269,7 @@ double longest_frame_ms(const char* flush_ms) {
     const auto health = nlohmann::json::parse(contents_of(service.folder / "run/health.json"));
     EXPECT_GT(health["frames"]["shown"], 30);
     exhibit.kill(SIGTERM);
-    EXPECT_EQ(exhibit.wait().status, 0);
+    EXPECT_TRUE(succeeds(exhibit.wait()));
     // All of it has reached the disk in the end.
     EXPECT_EQ(Database(service.folder / "state/quadrat.db")
                   .number("SELECT count(trees)+count(land)+count(sky) FROM generation"),

@@ -49,6 +49,12 @@ struct Ended {
     int signal = 0;
     std::string out;
     std::string err;
+
+    // The leak sanitizer's own tracer dies now and then beside threads that are ending. It looks once a program is
+    // through, so how that one ended is lost, and nothing else.
+    bool is_lost_to_leak_sanitizer() const {
+        return err.find("LeakSanitizer has encountered a fatal error") != std::string::npos;
+    }
 };
 
 // A child with its output in files, so that it never waits for a reader.
@@ -111,9 +117,7 @@ class Process {
 inline Ended run(const std::vector<std::string>& command, const TemporaryFolder& folder,
                  const std::string& input = {}) {
     Ended ended = Process(command, folder.path(), input).wait();
-    // The leak sanitizer's own tracer dies now and then beside threads that are ending; it says nothing of the program.
-    if (ended.err.find("LeakSanitizer has encountered a fatal error") != std::string::npos)
-        ended = Process(command, folder.path(), input).wait();
+    if (ended.is_lost_to_leak_sanitizer()) ended = Process(command, folder.path(), input).wait();
     return ended;
 }
 
