@@ -108,10 +108,11 @@ struct Renderer::Parts {
     std::size_t frames = 0;
     std::vector<gl::StreamBuffer> instances;  // one a view
     std::shared_ptr<Shelves> shelves = std::make_shared<Shelves>();
-    gl::ReducedTarget reduced;
+    bool is_on_processor = is_software();
+    gl::ReducedTarget reduced{is_on_processor ? gl::ReducedTarget::SpreadBy::Processor
+                                              : gl::ReducedTarget::SpreadBy::Shader};
     gl::Fence last_drawn;
     std::vector<passes::Instance> view_instances;  // kept from view to view for its memory only
-    bool draws_meanwhile = is_software();
 
     Selection outline(const Frame& frame, std::size_t slot) const;
     void fill(const std::vector<Selection>& selections);
@@ -225,7 +226,7 @@ void Renderer::Parts::draw_views(const Frame& frame, std::vector<Selection>& sel
         draw_one(i, drawn);
         // Its other threads draw this view while the next one is chosen. A tiler would write its tiles out for it, and
         // fetch them again.
-        if (draws_meanwhile) glFlush();
+        if (is_on_processor) glFlush();
     }
     if (frame.is_wired) {
         glDisable(GL_POLYGON_OFFSET_FILL);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/gl/reduced_target.hpp"
 
+#include <algorithm>
 #include <glm/common.hpp>
 #include <initializer_list>
 
 namespace quadrat::render::gl {
 
-ReducedTarget::ReducedTarget() : spread_("spread.vert", "spread.frag") {}
+ReducedTarget::ReducedTarget(SpreadBy by) : spread_("spread.vert", "spread.frag") {
+    if (by == SpreadBy::Processor) processor_.emplace();
+}
 
 GLuint ReducedTarget::of(glm::ivec2 size) {
     const bool is_large_enough = size.x <= colour_.shape().width && size.y <= colour_.shape().height;
@@ -26,15 +29,20 @@ GLuint ReducedTarget::of(glm::ivec2 size) {
     return is_whole_ ? framebuffer_ : 0;
 }
 
-void ReducedTarget::show(glm::ivec2 drawn, GLuint framebuffer, glm::ivec2 size) const {
+void ReducedTarget::show(glm::ivec2 drawn, GLuint framebuffer, glm::ivec2 size) {
     const GLenum depth = GL_DEPTH_STENCIL_ATTACHMENT;
     glInvalidateFramebuffer(GL_FRAMEBUFFER, 1, &depth);
+    for (const GLenum test : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_BLEND, GL_CULL_FACE}) glDisable(test);
+    if (processor_ && std::min(drawn.x, drawn.y) >= 2) return processor_->show(framebuffer_, drawn, framebuffer, size);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     // All of it is drawn over: a tiler need not fetch what was there.
     const GLenum old = framebuffer == 0 ? GL_COLOR : GL_COLOR_ATTACHMENT0;
     glInvalidateFramebuffer(GL_FRAMEBUFFER, 1, &old);
     glViewport(0, 0, size.x, size.y);
-    for (const GLenum test : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_BLEND, GL_CULL_FACE}) glDisable(test);
+    spread(drawn, size);
+}
+
+void ReducedTarget::spread(glm::ivec2 drawn, glm::ivec2 size) const {
     spread_.use();
     const glm::vec2 shown{size};
     const glm::vec2 all{colour_.shape().width, colour_.shape().height};
