@@ -8,7 +8,7 @@ namespace quadrat::kiosk {
 void UploadTime::drew(Instant took) { drew_[frames_++ % drew_.size()] = took; }
 
 std::optional<Instant> UploadTime::next(Instant frame_time, bool is_waited_for) {
-    const Instant share = frame_time / kShare;
+    const Instant share = is_waited_for ? frame_time / kShare : std::min(frame_time / kShare, kMost);
     // A tenth stays free.
     const Instant left = frame_time * 9 / 10 - *std::ranges::max_element(drew_) - kPiece;
     const bool is_due = is_waited_for || put_off_ >= kMostPutOff;

@@ -8,11 +8,13 @@
 
 namespace quadrat::kiosk {
 
-// How much of each frame's time goes to what is brought to the GPU: an eighth, or what drawing leaves of it where that
-// is less. It is asked before drawing, and goes by what the last few frames took.
+// How much of each frame's time goes to what is brought to the GPU: an eighth where a visitor waits for it, and else no
+// more than leaves it under two milliseconds, and than drawing leaves. It is asked before drawing, and goes by what the
+// last few frames took.
 class UploadTime {
   public:
     static constexpr int kShare = 8;  // of a frame's time, at most one of so many parts
+    static constexpr Instant kMost = std::chrono::microseconds{1500};  // for what nobody waits for, and its last piece
     // What nobody waits for lets so many frames go by that have no time for it. The next one takes its share all the
     // same: a visitor may soon wait for it.
     static constexpr int kMostPutOff = 1;

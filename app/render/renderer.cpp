@@ -382,8 +382,8 @@ Drawn Renderer::rehearse(const Frame& like) {
     parts_->skies.clear();    // of this size they are not needed again
     parts_->instances.clear();
     frame.views.clear();
-    parts_->shelves->painter.canvases.trim(0);
-    parts_->shelves->painter.copies.trim(0);
+    parts_->shelves->grain_textures.trim(0);
+    parts_->shelves->ground_pictures.trim(0);
     parts_->shelves->buffers.trim(0);
     return drawn;
 }

@@ -25,7 +25,6 @@ std::shared_ptr<const OnGpu> shelved(gl::Slices& slices, const std::shared_ptr<S
 // Slices hold references into what is made, so it stays behind pointers.
 struct GroundOnGpu {
     std::shared_ptr<const CountryOnGpu> country;
-    std::shared_ptr<const passes::MaterialOnGpu> material;
     std::shared_ptr<const passes::FloraOnGpu> flora;
 
     GroundOnGpu(gl::Slices& slices, const scene::Ground& ground, const std::shared_ptr<Shelves>& shelves)
@@ -36,7 +35,6 @@ struct GroundOnGpu {
                               passes::add_fresh_water(to, made.fresh_water, pool, land);
                               passes::add_stone(to, made.stone, land);
                           })),
-          material(shelved(slices, shelves, &Shelves::materials, ground.land, passes::add_material)),
           flora(shelved(slices, shelves, &Shelves::floras, ground.flora, passes::add_flora)) {}
 };
 
@@ -69,11 +67,10 @@ class WholeUpload final : public SceneUpload {
         made_->ground.grain = shelved(
             slices_, shelves, &Shelves::grains, source->land,
             [&](gl::Slices& to, passes::GrainOnGpu& grain, const std::shared_ptr<const scene::Land>& land) {
-                passes::add_grain(to, grain, land, to_sun);
+                passes::add_grain(to, grain, {shelves, &shelves->grain_textures}, land, to_sun);
             },
             to_sun);
-        const std::shared_ptr<passes::GroundPainter> painter{shelves, &shelves->painter};
-        passes::add_ground_picture(slices_, made_->ground, painter, ground.material, source);
+        passes::add_ground_picture(slices_, made_->ground, {shelves, &shelves->ground_pictures}, source);
     }
 
     void prepare() override { slices_.prepare_all(); }

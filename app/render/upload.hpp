@@ -38,9 +38,9 @@ struct Shelves {
     Shelf<scene::Flora, passes::FloraOnGpu> floras;
     Shelf<scene::Land, CountryOnGpu> countries;
     Shelf<scene::Sky, passes::SkyOnGpu> skies;
-    Shelf<scene::Land, passes::MaterialOnGpu> materials;
     Shelf<scene::Land, passes::GrainOnGpu, glm::vec3> grains;  // under a sun: a first light's and the refined one's
-    passes::GroundPainter painter;
+    gl::TexturePool grain_textures{8};
+    gl::TexturePool ground_pictures{20};  // as many as one round takes ahead, and what it shows
     gl::BufferPool buffers;
 };
 

@@ -6,6 +6,7 @@
 
 #include "render/gpu_scene.hpp"
 #include "render/passes/encode.hpp"
+#include "render/passes/ground_brush.hpp"
 #include "render/view.hpp"
 #include "scene/colour.hpp"
 

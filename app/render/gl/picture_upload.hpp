@@ -6,6 +6,7 @@
 #include "mesh/image.hpp"
 #include "render/gl/slices.hpp"
 #include "render/gl/texture.hpp"
+#include "render/gl/texture_pool.hpp"
 
 // Colours are sRGB-encoded in an image. In our textures their bytes hold the square root of linear light, which a
 // shader squares: decoding by the GPU is free on a Raspberry Pi, but keeps a software rasteriser from its fast path.
@@ -20,6 +21,11 @@ void add_picture(Slices& slices, Texture2D& texture, const std::shared_ptr<const
 // is whole for what is prepared after it.
 using Painter = std::function<void(mesh::Image&, int row)>;
 std::shared_ptr<const mesh::Image> add_painting(Slices& slices, Texture2D& texture, const TextureShape& shape,
+                                                const Painter& paint);
+
+// The same into a texture of the pool.
+std::shared_ptr<const mesh::Image> add_painting(Slices& slices, std::shared_ptr<const Texture2D>& texture,
+                                                const std::shared_ptr<TexturePool>& pool, const TextureShape& shape,
                                                 const Painter& paint);
 
 }  // namespace quadrat::render::gl

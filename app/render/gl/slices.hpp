@@ -20,12 +20,7 @@ class Slices {
         for (const auto& work : std::exchange(to_prepare_, {})) work();
     }
 
-    void add(std::size_t bytes, std::function<void()> work) { waiting_.push_back({bytes, std::move(work), {}}); }
-
-    // The same, but not before is_ready, which waits for that where it may.
-    void add_when(std::function<bool(bool may_wait)> is_ready, std::size_t bytes, std::function<void()> work) {
-        waiting_.push_back({bytes, std::move(work), std::move(is_ready)});
-    }
+    void add(std::size_t bytes, std::function<void()> work) { waiting_.push_back({bytes, std::move(work)}); }
 
     // [0, count) in pieces of at most `piece` elements: work(first, how_many).
     template <typename Work>
@@ -36,14 +31,12 @@ class Slices {
         }
     }
 
-    // Does pieces, at least one if it is ready, until budget_bytes are spent or has_time() says no; true when none are
-    // left. Without has_time it waits for what is not ready.
+    // Does pieces, at least one, until budget_bytes are spent or has_time() says no; true when none are left.
     bool advance(std::size_t budget_bytes, const std::function<bool()>& has_time = {}) {
         prepare_all();
         std::size_t spent = 0;
         while (!waiting_.empty() &&
                (spent == 0 || (spent + waiting_.front().bytes <= budget_bytes && (!has_time || has_time())))) {
-            if (waiting_.front().is_ready && !waiting_.front().is_ready(!has_time)) return false;
             Slice next = std::move(waiting_.front());
             waiting_.pop_front();
             next.work();
@@ -56,7 +49,6 @@ class Slices {
     struct Slice {
         std::size_t bytes;
         std::function<void()> work;
-        std::function<bool(bool)> is_ready;
     };
     std::vector<std::function<void()>> to_prepare_;
     std::deque<Slice> waiting_;

@@ -46,7 +46,7 @@ Texture2D::Texture2D(const TextureShape& shape) : shape_(shape) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapped(shape.wrap_t));
 }
 
-void Texture2D::write_rows(int level, int first_row, int rows, std::span<const std::uint8_t> bytes) {
+void Texture2D::write_rows(int level, int first_row, int rows, std::span<const std::uint8_t> bytes) const {
     assert(bytes.size() >= static_cast<std::size_t>(width(level) * rows * shape_.channels));
     glBindTexture(GL_TEXTURE_2D, name_.get());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -57,16 +57,6 @@ void Texture2D::write_rows(int level, int first_row, int rows, std::span<const s
 void Texture2D::fill_levels() const {
     glBindTexture(GL_TEXTURE_2D, name_.get());
     glGenerateMipmap(GL_TEXTURE_2D);
-}
-
-void Texture2D::fill_level(int level) const {
-    constexpr int kUsual = 1000;
-    glBindTexture(GL_TEXTURE_2D, name_.get());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, level - 1);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, level);
-    glGenerateMipmap(GL_TEXTURE_2D);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, kUsual);
 }
 
 void Texture2D::bind(GLuint unit) const {

@@ -35,11 +35,9 @@ class Texture2D {
     explicit Texture2D(const TextureShape& shape);
 
     // rows of one level, from the top, tightly packed.
-    void write_rows(int level, int first_row, int rows, std::span<const std::uint8_t> bytes);
+    void write_rows(int level, int first_row, int rows, std::span<const std::uint8_t> bytes) const;
     // All coarser levels from the finest, by the GPU.
     void fill_levels() const;
-    // One of them, from the next finer one.
-    void fill_level(int level) const;
     void bind(GLuint unit) const;
     GLuint name() const { return name_.get(); }
     const TextureShape& shape() const { return shape_; }

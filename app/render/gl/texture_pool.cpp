@@ -14,7 +14,7 @@ std::shared_ptr<const Texture2D> TexturePool::take(const TextureShape& shape) {
     const auto found = std::ranges::find_if(
         textures_, [&](const auto& texture) { return is_free(texture) && texture->shape() == shape; });
     if (found != textures_.end()) return *found;
-    trim(kMostFree);  // of shapes that nobody asks for any more, too
+    trim(most_free_);  // of shapes that nobody asks for any more, too
     return textures_.emplace_back(std::make_shared<Texture2D>(shape));
 }
 

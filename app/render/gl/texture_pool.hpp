@@ -12,14 +12,15 @@ namespace quadrat::render::gl {
 // thousand pages that the system has to find for it first: longer than all else that a frame does.
 class TexturePool {
   public:
+    // No more than so many that nobody holds are kept, beside the one that is asked for.
+    explicit TexturePool(std::size_t most_free) : most_free_(most_free) {}
+
     // Of this shape, nobody else's as long as it is held; what is in it is left from before.
     std::shared_ptr<const Texture2D> take(const TextureShape& shape);
-    // No more than so many that nobody holds are kept.
     void trim(std::size_t most_free);
 
   private:
-    static constexpr std::size_t kMostFree = 20;  // as many as one round takes ahead, and what it shows
-
+    std::size_t most_free_;
     std::vector<std::shared_ptr<const Texture2D>> textures_;
 };
 

@@ -17,18 +17,13 @@ TextureTarget::Drawing::~Drawing() {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(before_));
 }
 
-void TextureTarget::copy(const Texture2D& from, const Texture2D& to, int first_level) const {
-    for (int level = first_level; level < to.shape().levels(); ++level)
-        copy_rows(from, to, level, {0, to.height(level)});
-}
-
-void TextureTarget::copy_rows(const Texture2D& from, const Texture2D& to, int level, const Rows& rows) const {
+void TextureTarget::copy(const Texture2D& from, const Texture2D& to) const {
     GLint before = 0;
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &before);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
-    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, from.name(), level);
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, from.name(), 0);
     glBindTexture(GL_TEXTURE_2D, to.name());
-    glCopyTexSubImage2D(GL_TEXTURE_2D, level, 0, rows.first, 0, rows.first, to.width(level), rows.count);
+    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, to.shape().width, to.shape().height);
     glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(before));
 }

@@ -25,13 +25,8 @@ class TextureTarget {
         GLint before_ = 0;
     };
     [[nodiscard]] Drawing onto(const Texture2D& texture) const { return {framebuffer_, texture}; }
-    // One texture into another of its shape, from this level on.
-    void copy(const Texture2D& from, const Texture2D& to, int first_level = 0) const;
-    struct Rows {
-        int first = 0;
-        int count = 0;
-    };
-    void copy_rows(const Texture2D& from, const Texture2D& to, int level, const Rows& rows) const;
+    // The finest level of a texture into that of another of its shape.
+    void copy(const Texture2D& from, const Texture2D& to) const;
 
   private:
     // Goes with its context: a display's own framebuffers may have the same name in the context after it.

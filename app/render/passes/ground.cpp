@@ -67,7 +67,7 @@ gl::Work GroundPass::draw(const LandOnGpu& land, const GroundPictureOnGpu& pictu
     gl::Work work;
     if (range.count == 0) return work;
     picture.lit->bind(0);
-    picture.grain->lit.bind(1);
+    picture.grain->lit->bind(1);
     vertices_.bind();
     vertices_.feed(0, land.land.places->name());
     if (range.near_count > 0) {

@@ -58,35 +58,6 @@ TEST(Slices, DoAboutTheBudgetAtATimeAndAllOfItInTheEnd) {
 
 class Pictures : public Gpu {};
 
-TEST(Slices, WaitForWhatIsNotReadyOnlyWhereTheyMay) {
-    Slices slices;
-    bool is_ready = false;
-    int waits = 0;
-    int done = 0;
-    slices.add(1, [&done] { ++done; });
-    slices.add_when(
-        [&](bool may_wait) {
-            waits += may_wait ? 1 : 0;
-            return is_ready || may_wait;
-        },
-        1, [&done] { ++done; });
-    slices.add(1, [&done] { ++done; });
-    const auto has_time = [] { return true; };
-    for (int i = 0; i < 3; ++i) {
-        EXPECT_FALSE(slices.advance(100, has_time));
-        EXPECT_EQ(done, 1);
-    }
-    EXPECT_EQ(waits, 0);
-    is_ready = true;
-    EXPECT_TRUE(slices.advance(100, has_time));
-    EXPECT_EQ(done, 3);
-
-    is_ready = false;
-    slices.add_when([&](bool may_wait) { return is_ready || may_wait; }, 1, [&done] { ++done; });
-    EXPECT_TRUE(slices.advance(1));
-    EXPECT_EQ(done, 4);
-}
-
 TEST_F(Pictures, ArriveWholeInSmallSlices) {
     auto image = std::make_shared<mesh::Image>(300, 200, 4);
     for (std::size_t i = 0; i < image->bytes.size(); ++i) image->bytes[i] = static_cast<std::uint8_t>(i * 7 % 251);
@@ -107,35 +78,10 @@ TEST_F(Pictures, ArriveWholeInSmallSlices) {
     EXPECT_EQ(back, image->bytes);
 }
 
-TEST_F(Pictures, FillOneLevelAfterTheOtherAsAllAtOnce) {
-    auto image = std::make_shared<mesh::Image>(96, 40, 4);
-    for (std::size_t i = 0; i < image->bytes.size(); ++i) image->bytes[i] = static_cast<std::uint8_t>(i * 31 % 241);
-    TextureShape shape;
-    shape.width = image->width;
-    shape.height = image->height;
-    const auto level_of = [&](const Texture2D& texture, int level) {
-        GLuint framebuffer = 0;
-        glGenFramebuffers(1, &framebuffer);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.name(), level);
-        std::vector<std::uint8_t> back(static_cast<std::size_t>(texture.width(level) * texture.height(level) * 4));
-        glReadPixels(0, 0, texture.width(level), texture.height(level), GL_RGBA, GL_UNSIGNED_BYTE, back.data());
-        glDeleteFramebuffers(1, &framebuffer);
-        return back;
-    };
-    Texture2D at_once{shape};
-    Texture2D one_by_one{shape};
-    for (Texture2D* texture : {&at_once, &one_by_one}) texture->write_rows(0, 0, image->height, image->bytes);
-    at_once.fill_levels();
-    for (int level = 1; level < shape.levels(); ++level) one_by_one.fill_level(level);
-    for (int level = 0; level < shape.levels(); ++level)
-        EXPECT_EQ(level_of(one_by_one, level), level_of(at_once, level)) << level;
-}
-
 class TexturesOfAPool : public Gpu {};
 
 TEST_F(TexturesOfAPool, AreTakenAgainOnceNobodyHoldsThem) {
-    TexturePool pool;
+    TexturePool pool(20);
     auto first = pool.take({.width = 16, .height = 8});
     const auto second = pool.take({.width = 16, .height = 8});
     EXPECT_NE(first, second);
@@ -147,7 +93,7 @@ TEST_F(TexturesOfAPool, AreTakenAgainOnceNobodyHoldsThem) {
 
 TEST_F(TexturesOfAPool, GoWhenManyAreFree) {
     const std::size_t before = LiveObjects::count();
-    TexturePool pool;
+    TexturePool pool(20);
     std::vector<std::shared_ptr<const Texture2D>> held;
     for (int i = 0; i < 60; ++i) held.push_back(pool.take({.width = 4, .height = 4}));
     EXPECT_EQ(LiveObjects::count(), before + 60);

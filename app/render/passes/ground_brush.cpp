@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/ground_brush.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <span>
+
+#include "render/gl/texture.hpp"
+#include "render/passes/encode.hpp"
+
+namespace quadrat::render::passes {
+namespace {
+
+std::size_t index(int n) { return static_cast<std::size_t>(n); }
+
+std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(255 * std::clamp(share, 0.0F, 1.0F) + 0.5F); }
+
+// depth_shown() of a byte, and of one more.
+const std::array<float, 257>& depths_shown() {
+    static const std::array<float, 257> table = [] {
+        std::array<float, 257> shown{};
+        for (std::size_t i = 0; i < shown.size(); ++i) shown[i] = depth_shown(static_cast<float>(i) / 255);
+        return shown;
+    }();
+    return table;
+}
+
+struct Between {
+    int before, after;
+    float share;
+};
+
+Between between(float place, int count) {
+    const float inside = std::clamp(place, 0.0F, static_cast<float>(count - 1));
+    const int before = static_cast<int>(inside);
+    return {before, std::min(before + 1, count - 1), inside - static_cast<float>(before)};
+}
+
+// std::lerp() takes care of more than is asked of it here, at three times the price.
+float mix(float a, float b, float share) { return a + share * (b - a); }
+
+}  // namespace
+
+float depth_shown(float depth) {
+    constexpr float kDeepest_m = 24;
+    constexpr float kLostPerM = 0.35F;
+    return 1 - std::exp(-kLostPerM * kDeepest_m * depth);
+}
+
+GroundBrush::Coarser::Coarser(const mesh::Image& image, float first, float step, int pixels)
+    : image_(&image), mixed_(index(image.width * image.channels)) {
+    for (int x = 0; x < pixels; ++x) {
+        const Between at = between(first + step * static_cast<float>(x), image.width);
+        before_.push_back(at.before);
+        after_.push_back(at.after);
+        share_.push_back(at.share);
+    }
+}
+
+void GroundBrush::Coarser::spread(float row, std::span<std::vector<float>> channels) {
+    const Between rows = between(row, image_->height);
+    const std::uint8_t* above = image_->pixel(0, rows.before);
+    const std::uint8_t* below = image_->pixel(0, rows.after);
+    for (std::size_t i = 0; i < mixed_.size(); ++i)
+        mixed_[i] = mix(static_cast<float>(above[i]), static_cast<float>(below[i]), rows.share);
+    const std::size_t stride = channels.size();
+    for (std::size_t c = 0; c < stride; ++c) {
+        const float* mixed = mixed_.data() + c;
+        float* to = channels[c].data();
+        for (std::size_t x = 0; x < share_.size(); ++x)
+            to[x] = mix(mixed[stride * index(before_[x])], mixed[stride * index(after_[x])], share_[x]);
+    }
+}
+
+GroundBrush::GroundBrush(const Sheet& sheet, glm::ivec2 size)
+    : sheet_(sheet),
+      size_(size),
+      light_(sheet.light, 0.5F * static_cast<float>(sheet.light.width) / static_cast<float>(size.x) - 0.5F,
+             static_cast<float>(sheet.light.width) / static_cast<float>(size.x), size.x),
+      kinds_(sheet.kinds, 0.5F * static_cast<float>(sheet.kinds.width - 1) / static_cast<float>(size.x),
+             static_cast<float>(sheet.kinds.width - 1) / static_cast<float>(size.x), size.x),
+      colours_(4 * index(size.x)),
+      relieved_(index(size.x)) {
+    assert(sheet.light.channels == 4 && sheet.kinds.channels == 2 && sheet.relief.channels == 2);
+    while (sheet.colours.width() >> halvings_ > size.x) ++halvings_;
+    for (auto& channel : lit_) channel.resize(index(size.x));
+    for (auto& channel : kind_) channel.resize(index(size.x));
+}
+
+// Turned, so that its tiles are not seen to lie in rows.
+void GroundBrush::relieve(float over_land) {
+    const mesh::Image& relief = sheet_.relief;
+    const auto columns = static_cast<std::uint64_t>(relief.width);
+    const auto rows = static_cast<std::uint64_t>(relief.height);
+    // Tiles, of which no more than the fraction counts, from the middle of one texel to that of the next: it wraps
+    // around by itself.
+    const auto turned = [](double tiles) {
+        return static_cast<std::uint32_t>(std::llround(std::ldexp(tiles - std::floor(tiles), 32)));
+    };
+    const double tiles = sheet_.relief_tiles;
+    const double step = tiles / size_.x;
+    const double south = (static_cast<double>(over_land) - 0.5) * tiles;
+    const double east = 0.5 * step - 0.5 * tiles;
+    std::uint32_t across = turned(east - 0.5 * south - 0.5 / relief.width);
+    std::uint32_t down = turned(south + 0.5 * east - 0.5 / relief.height);
+    const std::uint32_t step_across = turned(step);
+    const std::uint32_t step_down = turned(0.5 * step);
+    const std::uint8_t* texels = relief.bytes.data();
+    const auto fraction = [](std::uint64_t place) { return static_cast<float>((place >> 8U) & 0xFFFFFFU) * 0x1p-24F; };
+    constexpr float kOfByte = 0.5F * kGrain / (255.0F * 255.0F);
+    for (std::size_t x = 0; x < relieved_.size(); ++x, across += step_across, down += step_down) {
+        const std::uint64_t column = across * columns;
+        const std::uint64_t row = down * rows;
+        const std::size_t left = column >> 32U;
+        const std::size_t upper = row >> 32U;
+        const std::size_t right = left + 1 == columns ? 0 : left + 1;
+        const std::size_t lower = upper + 1 == rows ? 0 : upper + 1;
+        const std::uint8_t* of_upper = texels + 2 * upper * columns;
+        const std::uint8_t* of_lower = texels + 2 * lower * columns;
+        const float to_right = fraction(column);
+        const float to_lower = fraction(row);
+        float sum = 0;
+        for (std::size_t c = 0; c < 2; ++c) {
+            const float high = mix(of_upper[2 * left + c], of_upper[2 * right + c], to_right);
+            const float low = mix(of_lower[2 * left + c], of_lower[2 * right + c], to_right);
+            sum += (mix(high, low, to_lower) - 127.5F) * kind_[c][x];
+        }
+        relieved_[x] = 1 + kOfByte * sum;
+    }
+}
+
+void GroundBrush::paint(mesh::Image& picture, int row) {
+    assert(picture.width == size_.x && picture.height == size_.y && picture.channels == 4);
+    const float over_land = (static_cast<float>(row) + 0.5F) / static_cast<float>(size_.y);
+    sheet_.colours.mean_row(halvings_, row, colours_);
+    light_.spread(over_land * static_cast<float>(sheet_.light.height) - 0.5F, lit_);
+    kinds_.spread(over_land * static_cast<float>(sheet_.kinds.height - 1), kind_);
+    relieve(over_land);
+    const auto& root_of = gl::roots_of_srgb();
+    const auto& depths = depths_shown();
+    std::uint8_t* pixels = picture.pixel(0, row);
+    const std::size_t width = index(size_.x);
+    for (std::size_t c = 0; c < 3; ++c) {
+        float* lit = lit_[c].data();
+        for (std::size_t x = 0; x < width; ++x) lit[x] = std::sqrt(lit[x] * (2.0F / 255)) * (1.0F / 255);
+        for (std::size_t x = 0; x < width; ++x) lit[x] *= static_cast<float>(root_of[colours_[4 * x + c]]);
+        for (std::size_t x = 0; x < width; ++x) lit[x] = encode_root(lit[x]) * relieved_[x];
+        for (std::size_t x = 0; x < width; ++x) pixels[4 * x + c] = byte_of(lit[x]);
+    }
+    for (std::size_t x = 0; x < width; ++x) {
+        const float depth = lit_[3][x];
+        const auto before = static_cast<std::size_t>(depth);
+        pixels[4 * x + 3] =
+            byte_of(depths[before] + (depth - static_cast<float>(before)) * (depths[before + 1] - depths[before]));
+    }
+    const bool is_rim = row == 0 || row == size_.y - 1;
+    for (std::size_t x = 0; x < width; x += is_rim ? 1 : std::max<std::size_t>(width - 1, 1)) pixels[4 * x + 3] = 255;
+}
+
+}  // namespace quadrat::render::passes
