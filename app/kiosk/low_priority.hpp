@@ -20,6 +20,18 @@ class BackgroundThreads {
     void leave();  // it ends, or does other work
     void set_awaited(bool is_awaited);
 
+    // The calling thread, as long as this lives.
+    class Stay {
+      public:
+        explicit Stay(BackgroundThreads& threads) : threads_(threads) { threads.enter(); }
+        ~Stay() { threads_.leave(); }
+        Stay(const Stay&) = delete;
+        Stay& operator=(const Stay&) = delete;
+
+      private:
+        BackgroundThreads& threads_;
+    };
+
   private:
     void apply(pid_t thread) const;
 

@@ -85,6 +85,7 @@ class Loop {
             const Instant begun = parts_.clock.now();
             show_what_has_grown(now);
             if (parts_.record != nullptr) parts_.record->uploads_took.push_back(parts_.clock.now() - begun);
+            brace();
             const Instant drawing_since = parts_.clock.now();
             if (!is_dark()) draw(canvas, now);
             had_landscapes_ = !parts_.show.on_stage().scenes.empty();
@@ -178,6 +179,21 @@ class Loop {
         return used > DetailGovernor::kRoom ? 1 : used;
     }
 
+    void brace() {
+        const bool is_growing = parts_.show.is_growing();
+        const bool begins_to_grow = is_growing && !std::exchange(was_growing_, is_growing);
+        const int act = parts_.show.on_stage().number;
+        const bool is_first = std::exchange(act_before_, act) != act;
+        if (parts_.governor == nullptr || (!begins_to_grow && !is_first)) return;
+        parts_.governor->brace();
+        set_detail();
+    }
+
+    void set_detail() {
+        const float level = parts_.governor->level();
+        theatre_.set_detail({alpha_for(level), scale_for(level)});
+    }
+
     void govern(const display::Presented& presented, Instant now, float used) {
         if (parts_.governor == nullptr) return;
         period_ = period_of(presented);
@@ -189,7 +205,7 @@ class Loop {
         DetailGovernor& governor = *parts_.governor;
         governor.follow(static_cast<float>(parts_.configuration.picture.alpha));
         governor.frame({now, took, period_, used, parts_.show.is_growing()});
-        theatre_.set_detail({alpha_for(governor.level()), scale_for(governor.level())});
+        set_detail();
         if (const auto why = governor.take_reason()) {
             base::log::info("{}", *why);
             if (parts_.record != nullptr) parts_.record->decisions.push_back({now, *why});
@@ -218,6 +234,7 @@ class Loop {
         const Theatre::Haste haste =
             is_all ? Theatre::Haste::everything()
                    : Theatre::Haste{kUploadBytes, [this, until] { return parts_.clock.now() < until; }, 1};
+        theatre_.set_awaited(is_waited_for);
         // What is on stage comes first: after a change of context it is missing too.
         if (!theatre_.prepare(parts_.show.on_stage(), haste)) return;
         const Act* act = parts_.show.waiting_for_upload();
@@ -353,6 +370,8 @@ class Loop {
     float progress_ = -1;
     Instant period_ = kFrame;
     UploadTime upload_time_;
+    bool was_growing_ = false;
+    int act_before_ = 0;
     Instant framed_at_{0};
     Instant shown_at_{0};  // the last frame, where the screen tells
     std::optional<Instant> remembered_at_;

@@ -5,7 +5,6 @@
 
 #include "kiosk/detail/governor.hpp"
 #include "kiosk/easel.hpp"
-#include "kiosk/low_priority.hpp"
 
 namespace quadrat::kiosk {
 
@@ -25,9 +24,9 @@ void Theatre::enter(const display::Canvas& canvas) {
 }
 
 template <typename Upload>
-Theatre::Uploading<Upload>::Uploading(std::unique_ptr<Upload> upload_)
-    : upload(std::move(upload_)), prepared(std::async(std::launch::async, [preparing = upload.get()] {
-          lower_priority();
+Theatre::Uploading<Upload>::Uploading(std::unique_ptr<Upload> upload_, BackgroundThreads& threads)
+    : upload(std::move(upload_)), prepared(std::async(std::launch::async, [preparing = upload.get(), &threads] {
+          const BackgroundThreads::Stay stay(threads);
           preparing->prepare();
       })) {}
 
@@ -56,7 +55,7 @@ void Theatre::begin_uploads(const Scenes& scenes, bool may_wait) {
         if (uploaded_.contains(scene.get()) || uploaded_ahead_.contains(scene.get()) ||
             std::ranges::find(uploading_, scene, &SceneUploading::scene) != uploading_.end())
             continue;
-        uploading_.push_back({scene, Uploading<render::SceneUpload>{renderer_->begin_upload(scene)}});
+        uploading_.push_back({scene, Uploading<render::SceneUpload>{renderer_->begin_upload(scene), preparing_}});
     }
 }
 
@@ -120,7 +119,7 @@ bool Theatre::prepare_grounds(const std::vector<scene::Ground>& grounds, const H
         if (!ahead.uploading.advance(haste)) return false;  // one after the other: what two share comes once
     for (const scene::Ground& ground : grounds)
         if (std::ranges::find(ahead_, ground, &GroundUploading::ground) == ahead_.end()) {
-            ahead_.push_back({ground, Uploading<render::Upload>{renderer_->begin_upload(ground)}});
+            ahead_.push_back({ground, Uploading<render::Upload>{renderer_->begin_upload(ground), preparing_}});
             return false;
         }
     return true;

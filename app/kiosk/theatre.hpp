@@ -10,6 +10,7 @@
 
 #include "display/display.hpp"
 #include "kiosk/album.hpp"
+#include "kiosk/low_priority.hpp"
 #include "kiosk/show.hpp"
 #include "kiosk/stage.hpp"
 #include "render/renderer.hpp"
@@ -34,6 +35,9 @@ class Theatre {
 
         static Haste everything() { return {static_cast<std::size_t>(-1), {}, 1000, true}; }
     };
+    // Whether somebody waits for what is brought: what is worked out for it beside the frames else runs when nothing
+    // else would.
+    void set_awaited(bool is_awaited) { preparing_.set_awaited(is_awaited); }
     // Uploads some of what is missing of this act; true when all of it is there, or there is no GPU.
     bool prepare(const Act& act, const Haste& haste);
     // The same for what may be needed of an act to come; held as long as it is asked for.
@@ -90,7 +94,7 @@ class Theatre {
         std::future<void> prepared;  // last: it waits for its thread
         bool is_done = false;
 
-        explicit Uploading(std::unique_ptr<Upload> upload_);
+        Uploading(std::unique_ptr<Upload> upload_, BackgroundThreads& threads);
         bool is_prepared() const;
         // True when all of it is there.
         bool advance(const Haste& haste);
@@ -107,6 +111,7 @@ class Theatre {
     bool bring(const std::shared_ptr<const scene::Scene>& scene, OnGpu& to, const Haste& haste);
     bool prepare_grounds(const std::vector<scene::Ground>& grounds, const Haste& haste);
     bool stands(const scene::Scene& scene, const Haste& haste);
+    BackgroundThreads preparing_;  // before those whose threads are in it
     std::vector<SceneUploading> uploading_;
     std::vector<GroundUploading> ahead_;
 };

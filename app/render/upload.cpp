@@ -62,7 +62,10 @@ class WholeUpload final : public SceneUpload {
         made_->flora = ground.flora;
         made_->plants = {source, &source->plants};
         slices_.prepare([made = made_.get(), source] { made->air = light_and_air_of(*source); });
-        made_->sky = shelved(slices_, shelves, &Shelves::skies, source->sky, passes::add_sky);
+        made_->sky = shelved(slices_, shelves, &Shelves::skies, source->sky,
+                             [&](gl::Slices& to, passes::SkyOnGpu& made, const std::shared_ptr<const scene::Sky>& sky) {
+                                 passes::add_sky(to, made, {shelves, &shelves->cloud_textures}, sky);
+                             });
         const glm::vec3 to_sun = source->sky->sun_direction;
         made_->ground.grain = shelved(
             slices_, shelves, &Shelves::grains, source->land,

@@ -40,6 +40,7 @@ struct Shelves {
     Shelf<scene::Sky, passes::SkyOnGpu> skies;
     Shelf<scene::Land, passes::GrainOnGpu, glm::vec3> grains;  // under a sun: a first light's and the refined one's
     gl::TexturePool grain_textures{8};
+    gl::TexturePool cloud_textures{8};
     gl::TexturePool ground_pictures{20};  // as many as one round takes ahead, and what it shows
     gl::BufferPool buffers;
 };

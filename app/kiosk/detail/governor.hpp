@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
 #include <bitset>
 #include <chrono>
 #include <optional>
@@ -42,6 +43,9 @@ class DetailGovernor {
     };
     void frame(const FrameTold& told);
     void follow(float most);  // the site changed its mind
+    // The next frame is the first of other landscapes, or the first while some grow: less is drawn of it already, not
+    // only once it was late.
+    void brace() { recovered_ = std::min(recovered_, growing_share_); }
 
     // For the next frame. Moves without steps that could be seen; gives way at once while something grows.
     float level() const { return shown_ * (is_growing_ ? growing_share_ : recovered_); }

@@ -41,35 +41,16 @@ void add_levels(Slices& slices, const std::shared_ptr<const mesh::Image>& pictur
     }
 }
 
-void add_levels(Slices& slices, Texture2D& texture, const std::shared_ptr<const mesh::Image>& picture,
-                const TextureShape& shape) {
-    add_levels(
-        slices, picture, shape, [&texture, shape] { texture = Texture2D{shape}; },
-        [&texture]() -> const Texture2D& { return texture; });
-}
+}  // namespace
 
-std::shared_ptr<const mesh::Image> painted(Slices& slices, const TextureShape& shape, const Painter& paint) {
+std::shared_ptr<const mesh::Image> add_painting(Slices& slices, std::shared_ptr<const Texture2D>& texture,
+                                                const std::shared_ptr<TexturePool>& pool, const TextureShape& shape,
+                                                const Painter& paint) {
     const auto picture = std::make_shared<mesh::Image>();
     slices.prepare([picture, shape, paint] {
         *picture = mesh::Image(shape.width, shape.height, shape.channels);
         for (int row = 0; row < picture->height; ++row) paint(*picture, row);
     });
-    return picture;
-}
-
-}  // namespace
-
-std::shared_ptr<const mesh::Image> add_painting(Slices& slices, Texture2D& texture, const TextureShape& shape,
-                                                const Painter& paint) {
-    const auto picture = painted(slices, shape, paint);
-    add_levels(slices, texture, picture, shape);
-    return picture;
-}
-
-std::shared_ptr<const mesh::Image> add_painting(Slices& slices, std::shared_ptr<const Texture2D>& texture,
-                                                const std::shared_ptr<TexturePool>& pool, const TextureShape& shape,
-                                                const Painter& paint) {
-    const auto picture = painted(slices, shape, paint);
     add_levels(
         slices, picture, shape, [&texture, pool, shape] { texture = pool->take(shape); },
         [&texture]() -> const Texture2D& { return *texture; });
@@ -82,7 +63,9 @@ void add_picture(Slices& slices, Texture2D& texture, const std::shared_ptr<const
     shape.width = image->width;
     shape.height = image->height;
     shape.channels = image->channels;
-    add_levels(slices, texture, image, shape);
+    add_levels(
+        slices, image, shape, [&texture, shape] { texture = Texture2D{shape}; },
+        [&texture]() -> const Texture2D& { return texture; });
 }
 
 }  // namespace quadrat::render::gl

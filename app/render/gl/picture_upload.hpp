@@ -17,13 +17,9 @@ namespace quadrat::render::gl {
 void add_picture(Slices& slices, Texture2D& texture, const std::shared_ptr<const mesh::Image>& image,
                  const TextureShape& wanted);
 
-// The same for an image that is worked out while everything is prepared, row by row: paint(image, row). Returns it; it
-// is whole for what is prepared after it.
+// The same for an image that is worked out while everything is prepared, row by row: paint(image, row); into a texture
+// of the pool. Returns the image; it is whole for what is prepared after it.
 using Painter = std::function<void(mesh::Image&, int row)>;
-std::shared_ptr<const mesh::Image> add_painting(Slices& slices, Texture2D& texture, const TextureShape& shape,
-                                                const Painter& paint);
-
-// The same into a texture of the pool.
 std::shared_ptr<const mesh::Image> add_painting(Slices& slices, std::shared_ptr<const Texture2D>& texture,
                                                 const std::shared_ptr<TexturePool>& pool, const TextureShape& shape,
                                                 const Painter& paint);

@@ -151,7 +151,8 @@ gl::Buffer filled(GLenum kind, const std::vector<T>& from) {
 
 }  // namespace
 
-void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scene::Sky>& source) {
+void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<gl::TexturePool>& pool,
+             const std::shared_ptr<const scene::Sky>& source) {
     sky.bow = source->bow;
     const auto colours = std::make_shared<std::vector<DomeColour>>();
     slices.prepare([colours, source] { *colours = dome_colours(source->dome); });
@@ -174,7 +175,7 @@ void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scen
         const scene::CloudLayer& layer = source->clouds[i];
         tiled.width = std::max(layer.density.width, 1);
         tiled.height = std::max(layer.density.height, 1);
-        gl::add_painting(slices, sky.clouds[i], tiled, [source, &layer](mesh::Image& both, int row) {
+        gl::add_painting(slices, sky.clouds[i], pool, tiled, [source, &layer](mesh::Image& both, int row) {
             if (!layer.density.bytes.empty()) interleave_row(layer, both, row);
         });
     }
@@ -222,8 +223,8 @@ SkyPass::SkyPass()
 gl::Work SkyPass::draw_dome(const SkyOnGpu& sky, const Frustum& frustum, glm::vec3 eye_m) const {
     glDepthMask(GL_FALSE);  // it lies where depth was cleared to
     program_.use();
-    sky.clouds[0].bind(0);
-    sky.clouds[1].bind(1);
+    sky.clouds[0]->bind(0);
+    sky.clouds[1]->bind(1);
     vertices_.bind();
     vertices_.feed(0, directions_.name());
     vertices_.feed(1, sky.dome.name());
@@ -255,8 +256,8 @@ gl::Work SkyPass::draw_lights(const SkyOnGpu& sky, int height_px, float alpha) c
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     glDisable(GL_CULL_FACE);
-    sky.clouds[0].bind(0);
-    sky.clouds[1].bind(1);
+    sky.clouds[0]->bind(0);
+    sky.clouds[1]->bind(1);
     gl::Work work;
     // The brightest come first.
     const float share = std::clamp(alpha / kAllStarsFrom, kFewestStars, 1.0F);

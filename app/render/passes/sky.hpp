@@ -8,6 +8,7 @@
 #include "render/gl/program.hpp"
 #include "render/gl/slices.hpp"
 #include "render/gl/texture.hpp"
+#include "render/gl/texture_pool.hpp"
 #include "render/gl/vertex_array.hpp"
 #include "render/gl/work.hpp"
 #include "render/passes/sectors.hpp"
@@ -16,10 +17,10 @@
 namespace quadrat::render::passes {
 
 struct SkyOnGpu {
-    gl::Buffer dome;                      // a shown colour for each vertex of the dome: between them it is smooth
-    std::array<gl::Texture2D, 2> clouds;  // r: density, g: lit
-    mesh::Image shadow_map;               // the lower clouds' density, coarse: what falls on plants
-    gl::Buffer shadow;                    // of the lower clouds: shaders/common/cloud_shadow.glsl
+    gl::Buffer dome;  // a shown colour for each vertex of the dome: between them it is smooth
+    std::array<std::shared_ptr<const gl::Texture2D>, 2> clouds;  // r: density, g: lit
+    mesh::Image shadow_map;  // the lower clouds' density, coarse: what falls on plants
+    gl::Buffer shadow;       // of the lower clouds: shaders/common/cloud_shadow.glsl
     gl::Texture2D disc;
     bool has_disc = false;
     gl::Buffer stars;
@@ -28,7 +29,8 @@ struct SkyOnGpu {
 };
 
 // Adds the slices that fill sky, which must stay where it is until they are done.
-void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<const scene::Sky>& source);
+void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<gl::TexturePool>& pool,
+             const std::shared_ptr<const scene::Sky>& source);
 
 // Dome, two layers of cloud, stars, the sun's or the moon's disc, a rainbow: behind all else.
 class SkyPass {

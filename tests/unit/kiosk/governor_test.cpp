@@ -295,5 +295,28 @@ TEST(Governor, StartsWhereItEndedOnTheSameGpuOnly) {
         EXPECT_EQ(options_for(0.7F, broken, tests::NamedScreen("V3D 4.2")).start, 0.7F) << broken;
 }
 
+// What has never been drawn costs more than what was there before it.
+TEST(Governor, DrawsLessOfWhatComesBeforeTheFirstFrameOfIt) {
+    DetailGovernor governor({});
+    governor.frame({1s, kPeriod, kPeriod, 0.3F, false});
+    const float before = governor.level();
+    governor.brace();
+    const float braced = governor.level();
+    EXPECT_LT(braced, 0.6F * before);
+    governor.brace();
+    EXPECT_EQ(governor.level(), braced) << "once is enough";
+    Instant now = 1s;
+    float last = braced;
+    for (int i = 0; i < 600; ++i) {
+        now += kPeriod;
+        governor.frame({now, kPeriod, kPeriod, 0.3F, false});
+        ASSERT_GE(governor.level(), last);
+        ASSERT_LT(governor.level(), 1.02F * last) << "it comes back without a step";
+        last = governor.level();
+    }
+    EXPECT_NEAR(last, before, 1e-4F);
+    EXPECT_EQ(governor.settled(), before) << "nothing else is given up";
+}
+
 }  // namespace
 }  // namespace quadrat::kiosk

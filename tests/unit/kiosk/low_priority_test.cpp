@@ -42,9 +42,13 @@ TEST(BackgroundThreads, WhoeverEntersWhileSomebodyWaitsTakesItsShare) {
     BackgroundThreads threads;
     threads.set_awaited(true);
     std::jthread([&] {
-        threads.enter();
-        EXPECT_EQ(::sched_getscheduler(0), SCHED_OTHER);
-        EXPECT_EQ(nice_of_this_thread(), 10);
+        {
+            const BackgroundThreads::Stay stay(threads);
+            EXPECT_EQ(::sched_getscheduler(0), SCHED_OTHER);
+            EXPECT_EQ(nice_of_this_thread(), 10);
+        }
+        threads.set_awaited(false);
+        EXPECT_EQ(::sched_getscheduler(0), SCHED_OTHER) << "it has left";
     }).join();
 }
 
