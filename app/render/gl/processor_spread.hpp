@@ -11,7 +11,7 @@
 namespace quadrat::render::gl {
 
 // A small framebuffer spread over a larger one by the processor, for drivers that are on it themselves: all that was
-// drawn is waited for, read, enlarged, and copied, which takes a third of the processor's time of a shader's turn at
+// drawn is waited for, read, enlarged, and copied, which takes less of the processor's time than a shader's turn at
 // every pixel.
 class ProcessorSpread {
   public:

@@ -50,7 +50,9 @@ Place place_of(int at, int from, int to) {
 TEST(Enlargement, IsTheBilinearPicture) {
     constexpr std::pair<glm::ivec2, glm::ivec2> kSizes[] = {
         {{2, 2}, {2, 2}}, {{2, 2}, {37, 19}}, {{17, 5}, {64, 20}}, {{32, 18}, {64, 36}}, {{51, 29}, {64, 36}}};
-    for (const auto& [from, to] : kSizes) {
+    for (const auto& sizes : kSizes) {
+        const glm::ivec2 from = sizes.first;
+        const glm::ivec2 to = sizes.second;
         const auto picture = picture_of(from);
         const auto pixels = enlarged(picture, from, to);
         for (int i = 0; i < to.x * to.y * 4; ++i) {
