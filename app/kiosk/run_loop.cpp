@@ -181,7 +181,7 @@ class Loop {
 
     void brace() {
         const bool is_growing = parts_.show.is_growing();
-        const bool begins_to_grow = is_growing && !std::exchange(was_growing_, is_growing);
+        const bool begins_to_grow = !std::exchange(was_growing_, is_growing) && is_growing;
         const int act = parts_.show.on_stage().number;
         const bool is_first = std::exchange(act_before_, act) != act;
         if (parts_.governor == nullptr || (!begins_to_grow && !is_first)) return;
@@ -228,13 +228,13 @@ class Loop {
         const bool is_dark_yet = parts_.show.on_stage().scenes.empty();
         const bool is_all = parts_.clock.is_simulated() || is_dark_yet;
         const bool is_waited_for = is_all || parts_.show.waiting_for_upload() != nullptr;
+        theatre_.set_awaited(is_waited_for);
         const std::optional<Instant> time = upload_time_.next(period_ * periods(), is_waited_for);
         if (!time) return;
         const Instant until = parts_.clock.now() + *time;
         const Theatre::Haste haste =
             is_all ? Theatre::Haste::everything()
                    : Theatre::Haste{kUploadBytes, [this, until] { return parts_.clock.now() < until; }, 1};
-        theatre_.set_awaited(is_waited_for);
         // What is on stage comes first: after a change of context it is missing too.
         if (!theatre_.prepare(parts_.show.on_stage(), haste)) return;
         const Act* act = parts_.show.waiting_for_upload();
