@@ -24,10 +24,8 @@ bool can_come_back() {
 
 }  // namespace
 
-void lower_priority() { ::setpriority(PRIO_PROCESS, static_cast<id_t>(this_thread()), kNice); }
-
 void BackgroundThreads::enter() {
-    lower_priority();
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(this_thread()), kNice);
     const std::scoped_lock lock(mutex_);
     const pid_t thread = this_thread();
     if (std::ranges::find(threads_, thread) == threads_.end()) threads_.push_back(thread);

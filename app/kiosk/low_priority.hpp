@@ -7,12 +7,9 @@
 
 namespace quadrat::kiosk {
 
-// From now on the calling thread gives way to the one that draws.
-void lower_priority();
-
 // Threads that work for what may be asked next: they run when nobody else would, so that a thread that draws never
 // waits until one of them has used its slice of time. While somebody waits for what they make, they take a share of
-// the cores, as after lower_priority(). Where the system would not let them come back to that (RLIMIT_NICE), they
+// the cores, a small one (nice 10). Where the system would not let them come back to that (RLIMIT_NICE), they
 // never leave it. Any thread may call any of it.
 class BackgroundThreads {
   public:

@@ -16,7 +16,14 @@ std::size_t index(int n) { return static_cast<std::size_t>(n); }
 
 std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(255 * std::clamp(share, 0.0F, 1.0F) + 0.5F); }
 
-// depth_shown() of a byte, and of one more.
+// How deep water looks that is so deep, 1 is 24 m: what light is lost on the way down and up.
+float depth_shown(float depth) {
+    constexpr float kDeepest_m = 24;
+    constexpr float kLostPerM = 0.35F;
+    return 1 - std::exp(-kLostPerM * kDeepest_m * depth);
+}
+
+// Of a byte, and of one more.
 const std::array<float, 257>& depths_shown() {
     static const std::array<float, 257> table = [] {
         std::array<float, 257> shown{};
@@ -37,16 +44,10 @@ Between between(float place, int count) {
     return {before, std::min(before + 1, count - 1), inside - static_cast<float>(before)};
 }
 
-// std::lerp() takes care of more than is asked of it here, at three times the price.
+// std::lerp() takes care of more than is asked of it here.
 float mix(float a, float b, float share) { return a + share * (b - a); }
 
 }  // namespace
-
-float depth_shown(float depth) {
-    constexpr float kDeepest_m = 24;
-    constexpr float kLostPerM = 0.35F;
-    return 1 - std::exp(-kLostPerM * kDeepest_m * depth);
-}
 
 GroundBrush::Coarser::Coarser(const mesh::Image& image, float first, float step, int pixels)
     : image_(&image), mixed_(index(image.width * image.channels)) {

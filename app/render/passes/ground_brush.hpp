@@ -20,8 +20,7 @@ class GroundBrush {
   public:
     struct Sheet {
         const scene::GroundColours& colours;
-        const mesh::Image&
-            light;  // scene::BakedLight, from corner to corner. rgb: linear, halved; a: see depth_shown()
+        const mesh::Image& light;   // scene::BakedLight, from corner to corner
         const mesh::Image& kinds;   // a pixel a sample of the land: how far its grain is soft ground's, how far stone's
         const mesh::Image& relief;  // of both, tiled, lit; 0.5 is level
         float relief_tiles;         // of it, to a side of the land
@@ -61,8 +60,5 @@ class GroundBrush {
     std::array<std::vector<float>, 2> kind_;
     std::vector<float> relieved_;  // what its light is multiplied with
 };
-
-// How deep water looks that is so deep: what light is lost on the way down and up. 1 is 24 m.
-float depth_shown(float depth);
 
 }  // namespace quadrat::render::passes
