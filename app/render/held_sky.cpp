@@ -47,19 +47,32 @@ glm::mat3 drift(const scene::CloudLayer& layer, const glm::vec4& eye_seconds, co
     return shear;
 }
 
+glm::ivec2 picture_size(const Rect& viewport) {
+    return glm::max(glm::ivec2(glm::ceil(glm::vec2{viewport.width, viewport.height} * (kWider * kFineness))), 1);
+}
+
+glm::ivec2 size_of(const gl::Texture2D& picture) {
+    return picture.name() == 0 ? glm::ivec2{0} : glm::ivec2{picture.shape().width, picture.shape().height};
+}
+
+gl::Texture2D flat_picture(glm::ivec2 size) {
+    return gl::Texture2D{{.width = size.x, .height = size.y, .sampling = gl::Sampling::Flat}};
+}
+
 }  // namespace
 
 const float kSkyDrawnAnew = kWider * kWider * kFineness * kFineness / HeldSky::kFrames;
 
 std::optional<glm::mat3> HeldSky::from_view(const View& view, const passes::ViewBlock& now) const {
-    if (scene_.lock() != view.scene || viewport_ != view.viewport || fov_deg_ != view.camera.vertical_fov_deg)
+    if (held_.scene.lock() != view.scene || held_.viewport != view.viewport ||
+        held_.fov_deg != view.camera.vertical_fov_deg)
         return std::nullopt;
-    const glm::mat3 shear = drift(leading(*view.scene), now.eye_seconds, held_.eye_seconds);
+    const glm::mat3 shear = drift(leading(*view.scene), now.eye_seconds, held_.block.eye_seconds);
     for (const float moved : {shear[1].x, shear[1].z, shear[0].x - 1})
         if (std::abs(moved) > kMostShear) return std::nullopt;
     if (std::abs(kept(now) - 1) > kMostDimmed) return std::nullopt;
     const glm::mat3 half{{0.5F, 0, 0}, {0, 0.5F, 0}, {0.5F, 0.5F, 1}};
-    const glm::mat3 m = half * clip_from_direction(held_.clip_from_world) * shear *
+    const glm::mat3 m = half * clip_from_direction(held_.block.clip_from_world) * shear *
                         glm::inverse(clip_from_direction(now.clip_from_world));
     constexpr std::array<glm::vec2, 4> kCorners{glm::vec2{-1, -1}, glm::vec2{1, -1}, glm::vec2{-1, 1}, glm::vec2{1, 1}};
     const bool covers = std::ranges::all_of(kCorners, [&](glm::vec2 corner) {
@@ -70,32 +83,28 @@ std::optional<glm::mat3> HeldSky::from_view(const View& view, const passes::View
     return covers ? std::optional(m) : std::nullopt;
 }
 
-gl::Work HeldSky::hold(const View& view, float seconds, const passes::SkyPass& sky, Canvas& canvas) {
-    scene_ = view.scene;
-    viewport_ = view.viewport;
-    fov_deg_ = view.camera.vertical_fov_deg;
-    const glm::ivec2 size =
-        glm::max(glm::ivec2(glm::ceil(glm::vec2{view.viewport.width, view.viewport.height} * (kWider * kFineness))), 1);
-    for (gl::Texture2D* picture : {&picture_, &canvas.picture})
-        if (picture->name() == 0 || glm::ivec2{picture->shape().width, picture->shape().height} != size)
-            *picture = gl::Texture2D{{.width = size.x, .height = size.y, .sampling = gl::Sampling::Flat}};
+gl::Work HeldSky::Canvas::draw(const View& view, float seconds, const passes::SkyPass& sky) {
+    const glm::ivec2 size = picture_size(view.viewport);
+    if (size_of(picture_) != size) picture_ = flat_picture(size);
     glm::mat4 clip_from_world = clip_from_world_of(view);
     for (int column = 0; column < 4; ++column) {
         clip_from_world[column].x /= kWider;
         clip_from_world[column].y /= kWider;
     }
-    held_ = block_of(view, clip_from_world, seconds);
-    block_.fill<std::byte>(std::as_bytes(std::span(&held_, 1)));
-    gl::Work work;
-    {
-        const auto drawing = canvas.target.onto(canvas.picture);
-        glClearColor(0, 0, 0, 1);
-        glClear(GL_COLOR_BUFFER_BIT);  // a tiler need not fetch what was there
-        gl::bind_uniforms(block_, passes::kViewBinding, 0, sizeof(passes::ViewBlock));
-        work = sky.draw_dome(*view.scene->sky, passes::Frustum(clip_from_world), view.camera.eye_m);
-    }
-    canvas.target.copy(canvas.picture, picture_);
-    return work;
+    drawn_ = {view.scene, view.viewport, view.camera.vertical_fov_deg, block_of(view, clip_from_world, seconds)};
+    block_.fill<std::byte>(std::as_bytes(std::span(&drawn_.block, 1)));
+    const auto drawing = target_.onto(picture_);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);  // a tiler need not fetch what was there
+    gl::bind_uniforms(block_, passes::kViewBinding, 0, sizeof(passes::ViewBlock));
+    return sky.draw_dome(*view.scene->sky, passes::Frustum(clip_from_world), view.camera.eye_m);
+}
+
+void HeldSky::take(const Canvas& canvas) {
+    const glm::ivec2 size = size_of(canvas.picture_);
+    if (size_of(picture_) != size) picture_ = flat_picture(size);
+    canvas.target_.copy(canvas.picture_, picture_);
+    held_ = canvas.drawn_;
 }
 
 }  // namespace quadrat::render

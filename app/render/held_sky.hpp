@@ -20,27 +20,40 @@ class HeldSky {
   public:
     static constexpr std::size_t kFrames = 4;  // from one turn of a view to its next
 
+    // What a picture is of.
+    struct Sight {
+        std::weak_ptr<const GpuScene> scene;
+        Rect viewport;
+        float fov_deg = 0;
+        passes::ViewBlock block;
+    };
+
     // From the view's clip xy and 1 to coordinates of picture(), times depth. now: the view's block of this frame.
     // None: what is held would leave a corner of the view bare, or is of another scene, or too old for its dome.
     std::optional<glm::mat3> from_view(const View& view, const passes::ViewBlock& now) const;
-    // Where it is drawn, for all views: what they show is a copy.
-    struct Canvas {
-        gl::TextureTarget target;
-        gl::Texture2D picture;
+
+    // Where the skies of all views are drawn, one at a time: what they show is a copy.
+    class Canvas {
+      public:
+        // Leaves the framebuffer that was bound bound, and no test enabled.
+        gl::Work draw(const View& view, float seconds, const passes::SkyPass& sky);
+
+      private:
+        friend class HeldSky;
+        gl::TextureTarget target_;
+        gl::Texture2D picture_;
+        gl::StreamBuffer block_{GL_UNIFORM_BUFFER};
+        Sight drawn_;
     };
-    // Draws it anew. Leaves the framebuffer that was bound bound, and no test enabled.
-    gl::Work hold(const View& view, float seconds, const passes::SkyPass& sky, Canvas& canvas);
+    // Holds what was drawn there last. A software rasteriser finishes it first: a frame later it has.
+    void take(const Canvas& canvas);
 
     const gl::Texture2D& picture() const { return picture_; }
     // Of its light, where the view has been dimmed since.
-    float kept(const passes::ViewBlock& now) const { return now.to_sun.w / held_.to_sun.w; }
+    float kept(const passes::ViewBlock& now) const { return now.to_sun.w / held_.block.to_sun.w; }
 
   private:
-    std::weak_ptr<const GpuScene> scene_;
-    Rect viewport_;
-    float fov_deg_ = 0;
-    passes::ViewBlock held_;
-    gl::StreamBuffer block_{GL_UNIFORM_BUFFER};
+    Sight held_;
     gl::Texture2D picture_;
 };
 

@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "render/gl/fence.hpp"
 #include "render/gl/picture_upload.hpp"
+#include "render/gl/rasteriser_threads.hpp"
 #include "render/gl/reduced_target.hpp"
 #include "render/gl/wires.hpp"
 #include "render/gpu_scene.hpp"
@@ -105,12 +106,14 @@ struct Renderer::Parts {
     std::vector<HeldSky> skies;             // one a view, where frames follow each other
     std::vector<std::optional<int>> steps;  // one a view: of its crowd's fineness, in the frame before
     HeldSky::Canvas sky_canvas;
+    std::optional<std::size_t> sky_drawn_for;  // of which view the canvas has one that was not taken yet
     std::size_t frames = 0;
     std::vector<gl::StreamBuffer> instances;  // one a view
     std::shared_ptr<Shelves> shelves = std::make_shared<Shelves>();
     bool is_on_processor = is_software();
     gl::ReducedTarget reduced{is_on_processor ? gl::ReducedTarget::SpreadBy::Processor
                                               : gl::ReducedTarget::SpreadBy::Shader};
+    gl::RasteriserThreads threads;  // known from the second frame on
     gl::Fence last_drawn;
     std::vector<passes::Instance> view_instances;  // kept from view to view for its memory only
 
@@ -118,6 +121,7 @@ struct Renderer::Parts {
     void fill(const std::vector<Selection>& selections);
     void choose(const Frame& frame, std::size_t slot, Selection& selection, Drawn& drawn);
     gl::Work hold_skies(const Frame& frame, std::vector<Selection>& selections);
+    gl::Work draw_sky_in_turn(const Frame& frame);
     void draw_views(const Frame& frame, std::vector<Selection>& selections, float scale, Drawn& drawn);
     void draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot,
                    const Rect& place, Drawn& drawn);
@@ -179,24 +183,32 @@ void Renderer::Parts::choose(const Frame& frame, std::size_t slot, Selection& s,
     drawn.sent_bytes += view_instances.size() * sizeof(passes::Instance);
 }
 
-// A view's sky takes its turn every few frames, or when the one it has no longer serves, as all of a new generation's
-// at once. Where views are drawn so small that it costs less, it waits for its turn, and is drawn where it is seen.
+// Of every view that has one which serves; one that no longer does is drawn and shown at once, as all of a new
+// generation's. Where views are drawn so small that it costs less, it waits for its turn, and is drawn where it is seen.
 gl::Work Renderer::Parts::hold_skies(const Frame& frame, std::vector<Selection>& selections) {
     gl::Work work;
-    ++frames;
-    if (!frame.is_one_of_many || !frame.measured.sky || frame.measured.is_counted || frame.is_wired) return work;
     skies.resize(frame.views.size());
+    if (sky_drawn_for && *sky_drawn_for < skies.size()) skies[*sky_drawn_for].take(sky_canvas);
+    sky_drawn_for.reset();
     for (std::size_t slot = 0; slot < skies.size(); ++slot) {
         const View& view = frame.views[slot];
-        const passes::ViewBlock& now = selections[slot].block;
-        const bool is_its_turn = frames % HeldSky::kFrames == slot % HeldSky::kFrames;
         std::optional<glm::mat3>& from_view = selections[slot].held_sky_from_view;
-        if (!is_its_turn) from_view = skies[slot].from_view(view, now);
-        if (from_view || (!is_its_turn && scale_of(frame) < kSmallViews)) continue;
-        work += skies[slot].hold(view, frame.seconds, sky, sky_canvas);
-        from_view = skies[slot].from_view(view, now);
+        from_view = skies[slot].from_view(view, selections[slot].block);
+        if (from_view || scale_of(frame) < kSmallViews) continue;
+        work += sky_canvas.draw(view, frame.seconds, sky);
+        skies[slot].take(sky_canvas);
+        from_view = skies[slot].from_view(view, selections[slot].block);
     }
     return work;
+}
+
+// Every few frames a view's sky has its turn: it is drawn while what else the frame shows is chosen, and shown from the
+// next frame on.
+gl::Work Renderer::Parts::draw_sky_in_turn(const Frame& frame) {
+    const std::size_t slot = frames % HeldSky::kFrames;
+    if (slot >= frame.views.size()) return {};
+    sky_drawn_for = slot;
+    return sky_canvas.draw(frame.views[slot], frame.seconds, sky);
 }
 
 // On the framebuffer that is bound, from its lower left corner. Adds to drawn, and sums it.
@@ -342,7 +354,13 @@ Drawn Renderer::draw(const Frame& frame) {
     std::vector<Selection> selections;
     for (std::size_t slot = 0; slot < frame.views.size(); ++slot) selections.push_back(parts.outline(frame, slot));
     Drawn drawn;
-    drawn.of[static_cast<std::size_t>(Kind::Sky)] = parts.hold_skies(frame, selections);
+    gl::Work& skies = drawn.of[static_cast<std::size_t>(Kind::Sky)];
+    if (++parts.frames == 2 && parts.is_on_processor)
+        parts.threads = gl::RasteriserThreads::of_this_process("llvmpipe-");
+    const bool holds_skies = frame.is_one_of_many && frame.measured.sky && !frame.measured.is_counted && !frame.is_wired;
+    if (holds_skies) skies += parts.hold_skies(frame, selections);
+    std::optional<gl::RasteriserThreads::Feeding> feeding(std::in_place, parts.threads);
+    if (holds_skies) skies += parts.draw_sky_in_turn(frame);
     parts.fill(selections);
 
     const glm::ivec2 size = turned_size(frame.size, frame.hanging);
@@ -350,6 +368,7 @@ Drawn Renderer::draw(const Frame& frame) {
     const GLuint smaller = drawn_size == size ? 0 : parts.reduced.of(size);
     glBindFramebuffer(GL_FRAMEBUFFER, smaller != 0 ? smaller : frame.framebuffer);
     parts.draw_views(frame, selections, smaller != 0 ? scale_of(frame) : 1, drawn);
+    feeding.reset();
     if (smaller != 0) parts.reduced.show(drawn_size, frame.framebuffer, size);
     parts.draw_signs(frame);
     const bool is_window = frame.framebuffer == 0;
@@ -380,6 +399,7 @@ Drawn Renderer::rehearse(const Frame& like) {
     draw(frame);
     parts_->grounds.clear();  // another scene may get the address of this one
     parts_->skies.clear();    // of this size they are not needed again
+    parts_->sky_drawn_for.reset();
     parts_->instances.clear();
     frame.views.clear();
     parts_->shelves->grain_textures.trim(0);
