@@ -236,9 +236,9 @@ void Renderer::Parts::draw_views(const Frame& frame, std::vector<Selection>& sel
     for (std::size_t i = 0; i < frame.views.size(); ++i) {
         choose(frame, i, selections[i], drawn);
         draw_one(i, drawn);
-        // Its other threads draw this view while the next one is chosen. A tiler would write its tiles out for it, and
-        // fetch them again.
-        if (is_on_processor) glFlush();
+        // Its other threads draw this view while the next one is chosen; the last two, which leave them enough to do, go
+        // together. A tiler would write its tiles out for it, and fetch them again.
+        if (is_on_processor && i + 2 < frame.views.size()) glFlush();
     }
     if (frame.is_wired) {
         glDisable(GL_POLYGON_OFFSET_FILL);
