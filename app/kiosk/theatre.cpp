@@ -5,6 +5,7 @@
 
 #include "kiosk/detail/governor.hpp"
 #include "kiosk/easel.hpp"
+#include "kiosk/heap.hpp"
 
 namespace quadrat::kiosk {
 
@@ -165,6 +166,7 @@ void Theatre::rehearse(const display::Canvas& canvas) {
     if (is_rehearsed_ || !has_gpu() || drawn_.size.x == 0) return;
     drawn_.framebuffer = canvas.framebuffer;
     renderer_->rehearse(drawn_);
+    let_go_of_compilers();  // before the first landscapes take up as much
     is_rehearsed_ = true;
 }
 

@@ -36,6 +36,7 @@ FourViews::FourViews(const Options& options, std::uint64_t seed)
     picture.detail.alpha = options.alpha;
     picture.is_one_of_many = true;  // as the exhibit's are
     easel.renderer().rehearse(picture);
+    let_go_of_compilers();  // as the theatre does
     show_what_grows();
     keep_within(options);
 }
