@@ -37,7 +37,8 @@ struct DisplayOptions {
     Rotation rotation = Rotation::None;  // handed on in the Canvas; the projection turns the picture, never the plane
     Mirroring mirroring = Mirroring::None;
     std::string title = "Quadrat";
-    // headless: frames reach nobody at these rates, each when it is drawn, as a screen would take them. None: at once.
+    // headless: frames reach nobody at these rates, each when it is drawn, as a screen (kms) would take them. None: at
+    // once.
     std::vector<Pace> paces;  // in the order of time
 };
 
@@ -139,7 +140,8 @@ class Display {
     // Call before any GL of the frame. Takes what the window system or the kernel has to tell.
     virtual Canvas begin_frame() = 0;
     // Hands the frame over. On a screen it waits until this frame is out, so that the next one shows what was pressed
-    // meanwhile; a machine that is too slow for that draws one frame while one is shown. Headless never waits.
+    // meanwhile; a machine on which frames came late that way draws one frame while one is shown (pacing.hpp). Headless
+    // waits where it has paces.
     virtual Presented present() = 0;
 
     // Off: the screen is switched off for real (kms) or no longer drawn on.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/log.hpp"
+#include "display/shown_frames.hpp"
 #include "firmware-io/keyboard/keyboard_buttons.hpp"
 #include "kiosk/detail/memory.hpp"
 #include "kiosk/heap.hpp"
@@ -198,13 +199,17 @@ class Loop {
         if (parts_.governor == nullptr) return;
         period_ = period_of(presented);
         shown_at_ = presented.period.count() > 0 ? presented.shown_at : Instant{0};
-        const Instant at = presented.period.count() > 0 ? presented.shown_at : now;
-        const Instant took = at - std::exchange(framed_at_, at);
-        const bool is_shown = presented.outcome == display::Outcome::Shown && !is_dark();
-        if (!is_shown || took > kLongestFrame) return;  // the screen was away
+        is_one_in_flight_ = presented.shown_frame < frames_;
+        std::vector<Instant> shown = shown_frames_.since_last(presented);
+        if (presented.period.count() == 0) shown = {now};
         DetailGovernor& governor = *parts_.governor;
         governor.follow(static_cast<float>(parts_.configuration.picture.alpha));
-        governor.frame({now, took, period_, used, parts_.show.is_growing()});
+        for (const Instant at : shown) {
+            const Instant took = at - std::exchange(framed_at_, at);
+            const bool is_shown = presented.outcome == display::Outcome::Shown && !is_dark();
+            if (!is_shown || took > kLongestFrame) return;  // the screen was away
+            governor.frame({now, took, period_, used, parts_.show.is_growing()});
+        }
         set_detail();
         if (const auto why = governor.take_reason()) {
             base::log::info("{}", *why);
@@ -351,8 +356,9 @@ class Loop {
     // second.
     void wait_for_its_period() {
         if (periods() == 1 || shown_at_.count() == 0) return;
+        const Instant before_at = shown_at_ + (is_one_in_flight_ ? period_ * periods() : Instant{0});
         std::this_thread::sleep_until(
-            std::chrono::steady_clock::time_point{shown_at_ + period_ / 4 + period_ * (periods() - 1)});
+            std::chrono::steady_clock::time_point{before_at + period_ / 4 + period_ * (periods() - 1)});
     }
 
     const RunLoopParts& parts_;
@@ -374,6 +380,8 @@ class Loop {
     int act_before_ = 0;
     Instant framed_at_{0};
     Instant shown_at_{0};  // the last frame, where the screen tells
+    bool is_one_in_flight_ = false;  // handed over after that
+    display::ShownFrames shown_frames_;
     std::optional<Instant> remembered_at_;
     int photographed_ = 0;  // the last act that was
     int round_ = 1;         // that is or was seen last

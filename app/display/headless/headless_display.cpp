@@ -14,6 +14,7 @@
 #include "display/egl/offscreen_target.hpp"
 #include "display/monotonic.hpp"
 #include "display/options.hpp"
+#include "display/pacing.hpp"
 
 namespace quadrat::display {
 namespace {
@@ -52,16 +53,16 @@ class HeadlessDisplay final : public Display {
     Presented present() override {
         if (!context_)
             return {Outcome::Fault, shown_frame_, shown_at_, {}, "the GPU was reset, and does not start again"};
+        ++frame_;
         if (!options_.paces.empty())
-            wait_as_a_screen_would();
+            take_as_a_screen_would();
         else
             glFlush();
-        ++frame_;
-        const auto now = !options_.paces.empty() ? refreshed_at_ : monotonic_now();
         if (power_ == Power::Off) return {Outcome::Off, shown_frame_, shown_at_, {}, "switched off"};
+        if (!options_.paces.empty()) return {Outcome::Shown, shown_frame_, shown_at_, period(), {}};
         shown_frame_ = frame_;
-        shown_at_ = now;
-        return {Outcome::Shown, shown_frame_, shown_at_, !options_.paces.empty() ? period() : Instant{0}, {}};
+        shown_at_ = monotonic_now();
+        return {Outcome::Shown, shown_frame_, shown_at_, {}, {}};
     }
     void set_power(Power power) override { power_ = power; }
 
@@ -74,12 +75,23 @@ class HeadlessDisplay final : public Display {
             if (refreshed_at_ >= began_at_ + pace.from) now = &pace;
         return Instant{static_cast<Instant::rep>(1e9 / now->hz)};
     }
-    // Until the first refresh after the frame was drawn.
-    void wait_as_a_screen_would() {
+    // At the first refresh after it was drawn, and the frame before it was shown.
+    void take_as_a_screen_would() {
         glFinish();
+        wait_for_flip();
         const Instant now = monotonic_now();
         refreshed_at_ += ((now - refreshed_at_) / period() + 1) * period();
+        is_in_flight_ = true;
+        frame_in_flight_ = frame_;
+        if (pacing_.waits(now)) wait_for_flip();
+    }
+    void wait_for_flip() {
+        if (!std::exchange(is_in_flight_, false)) return;
         std::this_thread::sleep_until(std::chrono::steady_clock::time_point{refreshed_at_});
+        if (power_ == Power::Off) return pacing_.interrupted();
+        shown_frame_ = frame_in_flight_;
+        shown_at_ = refreshed_at_;
+        pacing_.shown(shown_at_, period());
     }
     void begin_anew() {
         const Size size = target_->size();
@@ -103,7 +115,10 @@ class HeadlessDisplay final : public Display {
     std::uint64_t shown_frame_ = 0;
     Instant shown_at_{0};
     Instant began_at_ = monotonic_now();
-    Instant refreshed_at_ = began_at_;
+    Instant refreshed_at_ = began_at_;  // or will be, where a frame is in flight
+    Pacing pacing_;
+    bool is_in_flight_ = false;
+    std::uint64_t frame_in_flight_ = 0;
 };
 
 }  // namespace

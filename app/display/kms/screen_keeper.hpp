@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "display/kms/pacing.hpp"
+#include "display/pacing.hpp"
 #include "display/kms/screen_hardware.hpp"
 
 namespace quadrat::display {
@@ -13,7 +13,7 @@ class ScreenKeeper {
     // Takes the news; may set the screen up, switch it off or lose it. Between frames only.
     void attend();
     // Hands over the frame that was drawn. With a screen it waits for it to be shown, 2 s at most, or, where there is
-    // no time for that (kms/pacing.hpp), for the frame before it; without one it waits a tenth of a second for news, so
+    // no time for that (pacing.hpp), for the frame before it; without one it waits a tenth of a second for news, so
     // that the show goes on slowly and costs nothing.
     Presented present();
     void set_power(Power power) { feed(event::PowerAsked{power}); }

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
 #include <thread>
 
 #include "base/file.hpp"
+#include "display/shown_frames.hpp"
 #include "firmware-io/scripted/scripted_buttons.hpp"
 #include "kiosk/benches/benches.hpp"
 #include "kiosk/benches/scratch.hpp"
@@ -54,7 +56,7 @@ class WatchedScreen final : public display::Display {
         const int act = show_.on_stage().number;
         const bool is_first = frames_.empty();
         FrameSeen frame{now,
-                        is_first ? Instant{0} : presented.shown_at - shown_at_,
+                        Instant{0},
                         presented.period * governor_.periods(),
                         presented.period,
                         governor_.level(),
@@ -67,12 +69,12 @@ class WatchedScreen final : public display::Display {
         if (!was_breeding) answered_at_ = show_.last_press_at() / kPause * kPause;
         const bool was_answered = was_breeding || screen_before_ == exhibit::Screen::Ask;
         if (!is_first && act != frames_.back().act && screen == exhibit::Screen::Ask && was_answered)
-            frame.since_press = now - answered_at_;
+            answers_[frames_.size()] = answered_at_;
         screen_before_ = screen;
-        shown_at_ = presented.shown_at;
         if (frames_.empty() || now / kWeighEvery != frames_.back().at / kWeighEvery)
             resident_mb_.push_back(resident_memory_mb());
         frames_.push_back(frame);
+        tell_shown(presented);
         // As the caretaker of quadrat run does.
         if (times_to_tidy_.is_due(show_.visits_ended(), now)) tidying_ = std::jthread(tidy_memory);
         if (now >= until_) stop_ = true;
@@ -83,6 +85,18 @@ class WatchedScreen final : public display::Display {
     const std::vector<double>& resident_mb() const { return resident_mb_; }
 
   private:
+    void tell_shown(const display::Presented& presented) {
+        const auto shown = shown_frames_.since_last(presented);
+        for (std::size_t i = 0; i < shown.size(); ++i) {
+            const std::size_t at = presented.shown_frame - shown.size() + i;  // the first is number 1
+            FrameSeen& frame = frames_[at];
+            if (at > 0) frame.took = shown[i] - shown_at_;
+            shown_at_ = shown[i];
+            if (const auto answered = answers_.find(at); answered != answers_.end())
+                frame.since_press = shown[i] - began_at_ - answered->second;
+        }
+    }
+
     display::Display& screen_;
     Clock& clock_;
     Show& show_;
@@ -90,8 +104,12 @@ class WatchedScreen final : public display::Display {
     Instant until_;
     bool is_busy_;
     std::atomic<bool>& stop_;
+    // On the screen's clock, where the show's began.
+    Instant began_at_ = std::chrono::steady_clock::now().time_since_epoch() - clock_.now();
+    display::ShownFrames shown_frames_;
     Instant shown_at_{0};
     Instant answered_at_{0};
+    std::map<std::size_t, Instant> answers_;  // that the frame of this place is the first to show the next four for
     exhibit::Screen screen_before_ = exhibit::Screen::Attract;
     std::vector<FrameSeen> frames_;
     std::vector<double> resident_mb_;  // now and then

@@ -6,8 +6,9 @@
 namespace quadrat::display {
 
 // Whether a frame that was handed over is waited for before the next one is begun. Waiting takes a whole frame off the
-// time from a press to the picture, but leaves processor and GPU one frame between them. Where that is not enough,
-// frames are drawn ahead for a while; then waiting is tried again, after ever longer times as long as it fails.
+// time from a press to the picture, but leaves processor and GPU one frame between them, and none for a hiccup. Where a
+// frame came late that would not have, had it been begun a frame earlier, frames are drawn ahead for a while; then
+// waiting is tried again, after ever longer times as long as it fails.
 class Pacing {
   public:
     using Instant = std::chrono::nanoseconds;
