@@ -180,6 +180,9 @@ class Loop {
         return used > DetailGovernor::kRoom ? 1 : used;
     }
 
+    // The next four, by who has answered.
+    bool is_waited_for() const { return parts_.show.state().screen == Screen::Breed; }
+
     void brace() {
         const bool is_growing = parts_.show.is_growing();
         const bool begins_to_grow = !std::exchange(was_growing_, is_growing) && is_growing;
@@ -208,8 +211,13 @@ class Loop {
             const Instant took = at - std::exchange(framed_at_, at);
             const bool is_shown = presented.outcome == display::Outcome::Shown && !is_dark();
             if (!is_shown || took > kLongestFrame) return;  // the screen was away
-            governor.frame({now, took, period_, used, parts_.show.is_growing()});
+            governor.frame({now, took, period_, used, parts_.show.is_growing() || is_waited_for()});
         }
+        // Two frames nobody takes for a wait.
+        if (!is_waited_for())
+            frames_waited_ = 0;
+        else if (++frames_waited_ == 3)
+            governor.kept_waiting();
         set_detail();
         if (const auto why = governor.take_reason()) {
             base::log::info("{}", *why);
@@ -377,6 +385,7 @@ class Loop {
     Instant period_ = kFrame;
     UploadTime upload_time_;
     bool was_growing_ = false;
+    int frames_waited_ = 0;
     int act_before_ = 0;
     Instant framed_at_{0};
     Instant shown_at_{0};  // the last frame, where the screen tells

@@ -22,6 +22,7 @@ constexpr auto kHopeless = 3s;       // late with the least detail: a frame in t
 constexpr float kLessAtOnce = 0.6F;  // of the level, where a frame takes one period again
 constexpr float kGrowing = 0.4F;
 constexpr float kLeastGrowing = 0.12F;
+constexpr float kWaitTakes = 0.5F;  // a wait, of what is drawn while landscapes grow
 constexpr float kSofterFrom = 0.3F;  // level
 constexpr float kRoomShare = 0.95F;  // of the frames must have had room before more is tried
 constexpr float kLeastRoom = 0.5F;
@@ -56,6 +57,13 @@ void DetailGovernor::follow(float most) {
     most_ = most;
     target_ = std::min(target_, most);
     patience_ = 4s;
+}
+
+void DetailGovernor::kept_waiting() {
+    if (growing_share_ <= kLeastGrowing) return;
+    growing_share_ = std::max(growing_share_ * kWaitTakes, kLeastGrowing);
+    brace();
+    reason_ = fmt::format("detail {:.2f} while landscapes grow: a visitor waited for them", target_ * growing_share_);
 }
 
 bool DetailGovernor::is_late(const FrameTold& told) const {

@@ -47,6 +47,9 @@ class DetailGovernor {
     // only once it was late.
     void brace() { recovered_ = std::min(recovered_, growing_share_); }
 
+    // Somebody waits for landscapes that grow, or are brought to the GPU: the next ones are left more of the machine.
+    void kept_waiting();
+
     // For the next frame. Moves without steps that could be seen; gives way at once while something grows.
     float level() const { return shown_ * (is_growing_ ? growing_share_ : recovered_); }
     // How many of the screen's periods a frame is meant to take: 1, or 2 while the machine cannot do better.

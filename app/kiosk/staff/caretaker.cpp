@@ -148,7 +148,11 @@ void Caretaker::ask_for_power(const char* what) {
 
 void Caretaker::framed(const display::Presented& presented, Instant now, const DrawnWith& drawn) {
     drawn_ = drawn;
-    frames_.frame(now, presented.period, drawn.periods);
+    // A screen that tells when a frame was on it does so by its own clock.
+    const bool tells = presented.period.count() > 0;
+    if (std::exchange(screen_tells_, tells) != tells) frames_.begin_anew();
+    const std::vector<Instant> shown = shown_frames_.since_last(presented);
+    for (const Instant at : tells ? shown : std::vector{now}) frames_.frame(at, presented.period, drawn.periods);
     if (!shown_since_) shown_since_ = now;
     const bool is_fine = presented.outcome == display::Outcome::Shown || presented.outcome == display::Outcome::Off;
     screen_trouble_ = is_fine ? "" : presented.reason;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "display/display.hpp"
+#include "display/shown_frames.hpp"
 #include "kiosk/heap.hpp"
 #include "kiosk/panel.hpp"
 #include "kiosk/show.hpp"
@@ -76,6 +77,8 @@ class Caretaker {
     Doorkeeper doorkeeper_;
     ServiceScreen service_;
     FrameCount frames_;
+    display::ShownFrames shown_frames_;
+    bool screen_tells_ = false;
     Seen seen_;
     Vitals vitals_;
     Curtain curtain_ = Curtain::Open;

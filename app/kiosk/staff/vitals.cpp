@@ -50,6 +50,12 @@ void FrameCount::frame(std::chrono::nanoseconds now, std::chrono::nanoseconds pe
     }
 }
 
+void FrameCount::begin_anew() {
+    last_.reset();
+    second_began_ = std::chrono::nanoseconds{0};
+    in_second_ = 0;
+}
+
 Verdict verdict_of(const Vitals& vitals) {
     if (vitals.buttons.presence == Presence::Absent || !vitals.screen_trouble.empty()) return Verdict::Bad;
     const bool is_doubtful = vitals.mode == Mode::Safe || !vitals.state_trouble.empty() ||

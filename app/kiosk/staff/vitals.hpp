@@ -18,9 +18,11 @@ namespace quadrat::kiosk::staff {
 // have.
 class FrameCount {
   public:
-    // A frame was handed over; `period` is the screen's, 0 where it has none, and `periods` how many of them it was
+    // A frame was shown; `period` is the screen's, 0 where it has none, and `periods` how many of them it was
     // meant to take.
     void frame(std::chrono::nanoseconds now, std::chrono::nanoseconds period, int periods = 1);
+    // What comes next is told by another clock.
+    void begin_anew();
 
     std::uint64_t frames = 0;
     std::uint64_t late = 0;

@@ -42,6 +42,7 @@ class SlowScreen final : public display::Display {
         stop_ = --left_ == 0;
         display::Presented presented;
         presented.outcome = display::Outcome::Shown;
+        presented.shown_frame = ++presented_;
         presented.shown_at = clock_.now();
         presented.period = kPeriod;
         return presented;
@@ -51,6 +52,7 @@ class SlowScreen final : public display::Display {
   private:
     HandMovedClock& clock_;
     int left_;
+    std::uint64_t presented_ = 0;
     std::atomic<bool>& stop_;
 };
 

@@ -318,5 +318,27 @@ TEST(Governor, DrawsLessOfWhatComesBeforeTheFirstFrameOfIt) {
     EXPECT_EQ(governor.settled(), before) << "nothing else is given up";
 }
 
+TEST(Governor, LeavesMoreToWhatGrowsWhereSomebodyHadToWaitForIt) {
+    DetailGovernor governor({});
+    Instant now = 1s;
+    const auto level_after = [&](int frames, bool is_growing) {
+        for (int i = 0; i < frames; ++i) {
+            now += kPeriod;
+            governor.frame({now, kPeriod, kPeriod, 0.6F, is_growing});
+        }
+        return governor.level();
+    };
+    const float picture = level_after(60, false);
+    const float growing = level_after(60, true);
+    governor.kept_waiting();
+    EXPECT_LT(level_after(1, true), 0.6F * growing);
+    EXPECT_TRUE(governor.take_reason().has_value());
+    EXPECT_NEAR(level_after(1200, false), picture, 0.01F) << "the picture they leave is as it was";
+    EXPECT_LT(level_after(60, true), 0.6F * growing) << "the next ones too";
+    for (int i = 0; i < 10; ++i) governor.kept_waiting();
+    EXPECT_GT(level_after(1, true), 0.1F * picture) << "never all of it";
+    EXPECT_NEAR(level_after(3600 * 20, true), growing, 0.01F) << "in twenty minutes it has come back";
+}
+
 }  // namespace
 }  // namespace quadrat::kiosk

@@ -83,6 +83,17 @@ TEST(Vitals, CountAFrameLateByWhatItWasMeantToTake) {
     EXPECT_EQ(count.late, 1U) << "one of the screen's periods more";
 }
 
+TEST(Vitals, ATimeByAnotherClockIsNoLateFrame) {
+    FrameCount count;
+    for (int i = 0; i < 200; ++i) {
+        if (i == 100) count.begin_anew();
+        count.frame(i * 16ms + (i >= 100 ? 24h : 0h), 16ms);
+    }
+    EXPECT_EQ(count.late, 0U);
+    EXPECT_EQ(count.frames, 200U);
+    EXPECT_NEAR(count.longest_ms, 16, 1);
+}
+
 TEST(ServiceScreen, ShowsWhatStaffAskOnTheTelephone) {
     ServiceScreen service;
     service.open(0s);
