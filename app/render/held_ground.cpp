@@ -10,8 +10,8 @@ namespace quadrat::render {
 namespace {
 
 // Triangles of a whole frame at alpha 1.
-constexpr float kLandBudget = 20'000;
-constexpr float kSurroundBudget = 6'000;
+constexpr float kLandBudget = 24'000;
+constexpr float kSurroundBudget = 24'000;  // the ridge that closes a landscape is seen before much of what is nearer
 
 }  // namespace
 
@@ -40,8 +40,8 @@ void HeldGround::update(const View& view, const glm::mat4& clip_from_world, cons
                                     grain_m_,
                                     hidden};
     };
-    land_ = choose(country.land.land, frustum, within(3.0F, kLandBudget, hidden_land_));
-    surround_ = choose(country.land.surround, frustum, within(2.6F, kSurroundBudget, hidden_surround_));
+    land_ = choose(country.land.land, frustum, within(2.4F, kLandBudget, hidden_land_));
+    surround_ = choose(country.land.surround, frustum, within(1.3F, kSurroundBudget, hidden_surround_));
     const std::size_t first = chosen_.size();
     const float stone_px = 1.2F / std::sqrt(wish.alpha);
     country.stone.pieces.select(frustum, {view.camera.eye_m, wish.pixels_per_radian, stone_px, &horizon_}, chosen_);

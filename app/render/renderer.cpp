@@ -32,8 +32,8 @@ namespace quadrat::render {
 namespace {
 
 // Visible triangles of a whole frame at alpha 1 that a Raspberry Pi 4 draws in time.
-constexpr float kTriangleBudget = 350'000;
-constexpr std::size_t kFewestPlantTriangles = 4'000;
+constexpr float kTriangleBudget = 240'000;
+constexpr std::size_t kFewestPlantTriangles = 10'000;
 constexpr float kSmallViews = 0.65F;  // of the sides: half of their pixels, their sky, are fewer than a held one's
 constexpr float kLeastScale = 0.25F;  // of the sides of what is drawn smaller than it is shown
 
@@ -72,6 +72,8 @@ glm::ivec2 scaled(glm::ivec2 size, float scale) { return {scaled(size.x, scale),
 
 float scale_of(const Frame& frame) { return std::clamp(frame.detail.scale, kLeastScale, 1.0F); }
 
+bool draws_plants(const Frame& frame) { return frame.measured.leaves || frame.measured.wood; }
+
 float alpha_of(const Frame& frame) { return std::max(frame.detail.alpha, 0.01F); }
 
 // Neighbours stay neighbours.
@@ -86,6 +88,9 @@ struct Selection {
 
     passes::Frustum frustum;
     passes::ViewBlock block;
+    passes::Gathering gathering;
+    passes::Sight plants;
+    std::size_t other_triangles = 0;  // than those of plants
     std::vector<passes::Batch> batches;
     std::optional<glm::mat3> held_sky_from_view;  // where the sky is a picture of some frames ago
 };
@@ -104,7 +109,7 @@ struct Renderer::Parts {
     gl::StreamBuffer blocks{GL_UNIFORM_BUFFER};
     std::vector<HeldGround> grounds;        // one a view
     std::vector<HeldSky> skies;             // one a view, where frames follow each other
-    std::vector<std::optional<int>> steps;  // one a view: of its crowd's fineness, in the frame before
+    std::optional<int> step;                // of the plants' fineness, in the frame before
     HeldSky::Canvas sky_canvas;
     std::optional<std::size_t> sky_drawn_for;  // of which view the canvas has one that was not taken yet
     std::size_t frames = 0;
@@ -119,6 +124,8 @@ struct Renderer::Parts {
 
     Selection outline(const Frame& frame, std::size_t slot) const;
     void fill(const std::vector<Selection>& selections);
+    void look(const Frame& frame, std::size_t slot, Selection& selection, Drawn& drawn);
+    void share_out(const Frame& frame, const std::vector<Selection>& selections);
     void choose(const Frame& frame, std::size_t slot, Selection& selection, Drawn& drawn);
     gl::Work hold_skies(const Frame& frame, std::vector<Selection>& selections);
     gl::Work draw_sky_in_turn(const Frame& frame);
@@ -143,38 +150,54 @@ void Renderer::Parts::fill(const std::vector<Selection>& selections) {
     blocks.fill<std::byte>(bytes);
 }
 
-// What of its ground and plants is drawn how closely.
-void Renderer::Parts::choose(const Frame& frame, std::size_t slot, Selection& s, Drawn& drawn) {
+// What of its ground is drawn how closely, and which plants are seen.
+void Renderer::Parts::look(const Frame& frame, std::size_t slot, Selection& s, Drawn& drawn) {
     const View& view = frame.views[slot];
     const GpuScene& scene = *view.scene;
     const float alpha = alpha_of(frame);
     const float scale = pixels_per_radian(view);
-    const auto views = static_cast<float>(frame.views.size());
     HeldGround& held = grounds[slot];
     if (frame.measured.ground)
-        held.update(view, clip_from_world_of(view), {alpha, scale, aspect_ratio(view), views});
+        held.update(view, clip_from_world_of(view),
+                    {alpha, scale, aspect_ratio(view), static_cast<float>(frame.views.size())});
     else
         held.drop();
     drawn.sent_bytes += passes::kViewBlockBytes + held.sent_bytes();
-    if (!frame.measured.leaves && !frame.measured.wood) return;
+    if (!draws_plants(frame)) return;
 
-    passes::Gathering gathering;
-    gathering.view = s.block;
-    gathering.clouds = &scene.sky->shadow_map;
-    gathering.pixels_per_radian = scale;
-    gathering.scale = scale_of(frame);
-    gathering.growth = view.growth;
-    gathering.fineness = std::sqrt(alpha);  // the budget takes the rest where there is much to see
-    const auto budget = static_cast<std::size_t>(kTriangleBudget * alpha / views);
-    const std::size_t others =
-        held.triangles() +
-        (frame.measured.sky ? passes::FallingPass::triangles(scene.air.sky.precipitation, alpha) : 0);
-    gathering.triangle_budget = std::max(budget, others + kFewestPlantTriangles) - others;
-    gathering.horizon = &held.horizon();
+    s.gathering.view = s.block;
+    s.gathering.clouds = &scene.sky->shadow_map;
+    s.gathering.pixels_per_radian = scale;
+    s.gathering.scale = scale_of(frame);
+    s.gathering.growth = view.growth;
+    s.gathering.fineness = std::sqrt(alpha);  // the budget takes the rest where there is much to see
+    s.gathering.horizon = &held.horizon();
+    s.plants = passes::look(*scene.plants, scene.flora->kinds, s.frustum, s.gathering);
+    s.other_triangles = held.triangles() +
+                        (frame.measured.sky ? passes::FallingPass::triangles(scene.air.sky.precipitation, alpha) : 0);
+}
+
+// All views' plants are drawn with one fineness: a forest has more of the frame's triangles than a desert.
+void Renderer::Parts::share_out(const Frame& frame, const std::vector<Selection>& selections) {
+    if (!draws_plants(frame)) return;
+    std::vector<passes::Crowding> views;
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < selections.size(); ++i) {
+        const Selection& s = selections[i];
+        views.push_back({frame.views[i].scene->flora->kinds, &s.gathering, &s.plants});
+        others += s.other_triangles;
+    }
+    const auto budget = static_cast<std::size_t>(kTriangleBudget * alpha_of(frame));
+    step = passes::affordable_step(views, std::max(budget, others + kFewestPlantTriangles) - others, step);
+}
+
+// How closely its plants are drawn.
+void Renderer::Parts::choose(const Frame& frame, std::size_t slot, Selection& s, Drawn& drawn) {
+    if (!draws_plants(frame)) return;
+    const GpuScene& scene = *frame.views[slot].scene;
     view_instances.clear();
-    gathering.guess = steps[slot];
-    passes::Crowd crowd = passes::gather(*scene.plants, scene.flora->kinds, s.frustum, gathering, view_instances);
-    steps[slot] = crowd.step;
+    passes::Crowd crowd =
+        passes::gather(*scene.plants, scene.flora->kinds, std::move(s.plants), *step, s.gathering, view_instances);
     s.batches = std::move(crowd.batches);
     std::erase_if(s.batches, [&](const passes::Batch& batch) {
         return batch.part == passes::Batch::Part::Wood ? !frame.measured.wood : !frame.measured.leaves;
@@ -233,6 +256,8 @@ void Renderer::Parts::draw_views(const Frame& frame, std::vector<Selection>& sel
         glEnable(GL_POLYGON_OFFSET_FILL);  // so that edges lie before what they are the edges of
         glPolygonOffset(1, 2);
     }
+    for (std::size_t i = 0; i < frame.views.size(); ++i) look(frame, i, selections[i], drawn);
+    share_out(frame, selections);
     for (std::size_t i = 0; i < frame.views.size(); ++i) {
         choose(frame, i, selections[i], drawn);
         draw_one(i, drawn);
@@ -349,7 +374,6 @@ std::shared_ptr<const Texture> Renderer::texture(const mesh::Image& premultiplie
 Drawn Renderer::draw(const Frame& frame) {
     Parts& parts = *parts_;
     parts.grounds.resize(frame.views.size());
-    parts.steps.resize(frame.views.size());
     while (parts.instances.size() < frame.views.size()) parts.instances.emplace_back(GL_ARRAY_BUFFER);
     std::vector<Selection> selections;
     for (std::size_t slot = 0; slot < frame.views.size(); ++slot) selections.push_back(parts.outline(frame, slot));

@@ -86,6 +86,7 @@ void fidelity(Results& results, const Options& options) {
             ++pictures;
         }
     }
+    results.push_back({"detail.triangles", triangles / pictures, "triangles a picture", 1});
     results.push_back({"detail.triangle_ratio", most / triangles, "times fewer than all", 1});
     results.push_back({"detail.delta_e", apart / pictures, "CIE 1976, mean of all pixels", 1});
     results.push_back({"detail.delta_e_4px", apart_blurred / pictures, "the same of means of 4x4 pixels", 1});

@@ -16,7 +16,9 @@ namespace {
 
 constexpr float kSeedling = 0.07F;
 constexpr float kLowPlant_m = 2.2F;  // below this it is undergrowth, which fades out long before a tree does
+constexpr float kBladesA_px2 = 0.22F;  // of a plant as high as wide, where all that is asked for is drawn
 constexpr std::size_t kFewestBlades = 4;
+constexpr float kFewestBladesA_px = 0.15F;  // of its height: large blades that are few are flags
 constexpr float kLeastStand = 0.3F;   // of plants that are but a few blades: the fewest that stand for all of them
 constexpr float kMergedFrom = 0.40F;  // share of its blades with which a crown begins to become one mass
 constexpr float kMergedTo = 0.15F;
@@ -40,14 +42,10 @@ constexpr float kShardsTo_fineness = 0.05F;
 constexpr float kShardsFrom_px = 6;
 constexpr float kShardsTo_px = 11;
 constexpr float kLeaving = 1.5F;  // a level begins to become the next with so many times the triangles asked for
+constexpr float kLimb_px = 1.3F;  // as thick are limbs that begin to be missed
 constexpr float kShape_px = 11;   // a shorter blade shows no more than that it is one
 
-struct Seen {
-    std::uint32_t plant;
-    std::uint32_t species;
-    float height_px;  // as shown
-    float shown;      // 1, or less while it fades with distance
-};
+using Seen = Sight::Seen;
 
 float leafiness(float fineness) { return std::min(std::sqrt(fineness / kLeafyFrom), 1.0F); }
 
@@ -105,60 +103,20 @@ bool is_hidden(const scene::Plant& plant, const Kind& kind, float height_px, con
                                      plant.root_m.y + kind.height_m * size);
 }
 
-std::vector<Seen> seen_by(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Frustum& frustum,
-                          const Gathering& g, std::size_t& hidden) {
-    // Where less is drawn of everything, undergrowth is drawn less far.
-    const float reach = std::min(std::sqrt(g.fineness), 1.0F);
-    std::vector<Seen> seen;
-    for (std::size_t i = 0; i < plants.size(); ++i) {
-        const scene::Plant& plant = plants[i];
-        const Kind& kind = kinds[plant.species];
-        const float half_m = 0.5F * kind.height_m * plant.scale;
-        const glm::vec3 middle_m = plant.root_m + glm::vec3{0, half_m, 0};
-        const float distance_m = glm::length(middle_m - glm::vec3{g.view.eye_seconds});
-        const float height_px = 2 * half_m * g.pixels_per_radian / std::max(distance_m, 0.5F);
-        const bool is_low = kind.height_m < kLowPlant_m;
-        const float shown =
-            is_low ? glm::smoothstep(5.0F, 9.0F, height_px * reach) : glm::smoothstep(1.2F, 2.2F, height_px * reach);
-        if (shown <= 0) continue;
-        if (!frustum.may_see_sphere(middle_m, std::hypot(half_m, kind.radius_m * plant.scale))) continue;
-        if (is_hidden(plant, kind, height_px, g)) {
-            ++hidden;
-            continue;
-        }
-        seen.push_back({static_cast<std::uint32_t>(i), plant.species, height_px, shown});
-    }
-    return seen;
-}
-
-constexpr int kSteps = 512;  // of the fineness that is asked for
-
 float fineness_at(int step, const Gathering& g) { return g.fineness * static_cast<float>(step) / kSteps; }
 
-// The most steps at which the crowd fits its budget. Counting is monotone in them: from a guess, twice as far each time
-// until it lies between two of them, then half as far.
-int fitting_step(const std::vector<Seen>& seen, std::span<const Kind> kinds, const Gathering& g) {
-    const auto fits = [&](int step) {
-        const float fineness = fineness_at(step, g);
-        std::size_t sum = 0;
-        for (const Seen& s : seen) {
-            const Closeness how = closeness(kinds[s.species], drawn_px(s, g.scale, fineness), fineness);
-            if (kept(s.plant, how.stand) > 0) sum += triangles_of(kinds[s.species], how);
-            if (sum > g.triangle_budget) return false;
-        }
-        return true;
-    };
-    int least = 0;  // fits, or nothing does
-    int too_many = kSteps + 1;
-    const auto ask = [&](int step) { (fits(step) ? least : too_many) = step; };
-    if (!g.guess) ask(kSteps);
-    int next = std::clamp(g.guess.value_or(0), 0, kSteps);
-    for (int stride = 1; least < next && next < too_many; stride *= 2) {
-        ask(next);
-        next = least == next ? std::min(next + stride, kSteps) : std::max(next - stride, 0);
+// Counted until they are more than `enough`.
+std::size_t triangles_at(int step, const Crowding& view, std::size_t enough) {
+    const Gathering& g = *view.gathering;
+    const float fineness = fineness_at(step, g);
+    std::size_t sum = 0;
+    for (const Seen& s : view.sight->seen) {
+        const Kind& kind = view.kinds[s.species];
+        const Closeness how = closeness(kind, drawn_px(s, g.scale, fineness), fineness);
+        if (kept(s.plant, how.stand) > 0) sum += triangles_of(kind, how);
+        if (sum > enough) break;
     }
-    while (too_many - least > 1) ask((least + too_many) / 2);
-    return least;
+    return sum;
 }
 
 glm::u8vec4 bytes_of(const glm::vec4& shares) {
@@ -213,6 +171,17 @@ Level level_within(const std::vector<std::size_t>& triangles, float wanted) {
     return {triangles.empty() ? 0 : triangles.size() - 1};
 }
 
+// The coarsest level that leaves out no more than so much ("Genetic selection of parametric scenes" 2003, section 6.2:
+// D = alpha E^beta, of which a thickness in metres makes beta 1); it becomes the next one as that comes to be as much.
+Level level_leaving_out(const std::vector<float>& left_out_m, float allowed_m) {
+    std::size_t level = left_out_m.empty() ? 0 : left_out_m.size() - 1;
+    while (level > 0 && left_out_m[level] > allowed_m) --level;
+    if (level + 1 >= left_out_m.size()) return {level};
+    const float next_m = left_out_m[level + 1];
+    const float begins_m = std::max(next_m / kLeaving, left_out_m[level]);
+    return {level, std::clamp((allowed_m - begins_m) / (next_m - begins_m), 0.0F, 1.0F)};
+}
+
 // 0 from, 1 at to and beyond.
 float between(float from, float to, float value) { return std::clamp((value - from) / (to - from), 0.0F, 1.0F); }
 
@@ -243,17 +212,18 @@ float grown(float growth, float delay) {
 Closeness closeness(const Kind& kind, float height_px, float fineness) {
     Closeness how;
     const bool has_leaves = how.has_leaves = kind.blades > 0;
-    const float wanted_wood = std::sqrt(fineness) * (0.030F * height_px * height_px + 2);
-    const Level wood = level_within(kind.wood_triangles, wanted_wood);
+    const float m_a_px = kind.height_m / std::max(height_px, 1e-3F);
+    const Level wood = level_leaving_out(kind.wood_left_out_m, kLimb_px * m_a_px / std::sqrt(fineness));
     how.wood_level = wood.at;
     how.to_coarser = wood.to_coarser;
     // A stem under half a pixel behind leaves is not missed.
     if (has_leaves && height_px < 14) how.wood_level = kind.wood_triangles.size();
     if (!has_leaves) return how;
     const float least = kind.mass_triangles.empty() ? kBladesFineness : 0;
-    const float fewest = static_cast<float>(std::min(kind.blades, kFewestBlades));
+    const float fewest = std::min(static_cast<float>(kind.blades),
+                                  std::max(static_cast<float>(kFewestBlades), kFewestBladesA_px * height_px));
     const float all = static_cast<float>(kind.blades);
-    float wanted_blades = std::max(fineness, least) * 0.16F * height_px * height_px;
+    float wanted_blades = std::max(fineness, least) * kBladesA_px2 * height_px * height_px;
     const auto share_of = [&](float blades) { return std::clamp(blades, fewest, all) / all; };
     const auto enlarged_by = [&](float blades) {
         return std::min(1 / std::sqrt(share_of(blades)), kind.largest_blade);
@@ -294,12 +264,62 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     return how;
 }
 
-Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Frustum& frustum,
+Sight look(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Frustum& frustum,
+           const Gathering& g) {
+    // Where less is drawn of everything, undergrowth is drawn less far.
+    const float reach = std::min(std::sqrt(g.fineness), 1.0F);
+    Sight sight;
+    for (std::size_t i = 0; i < plants.size(); ++i) {
+        const scene::Plant& plant = plants[i];
+        const Kind& kind = kinds[plant.species];
+        const float half_m = 0.5F * kind.height_m * plant.scale;
+        const glm::vec3 middle_m = plant.root_m + glm::vec3{0, half_m, 0};
+        const float distance_m = glm::length(middle_m - glm::vec3{g.view.eye_seconds});
+        const float height_px = 2 * half_m * g.pixels_per_radian / std::max(distance_m, 0.5F);
+        const bool is_low = kind.height_m < kLowPlant_m;
+        const float shown =
+            is_low ? glm::smoothstep(5.0F, 9.0F, height_px * reach) : glm::smoothstep(1.2F, 2.2F, height_px * reach);
+        if (shown <= 0) continue;
+        if (!frustum.may_see_sphere(middle_m, std::hypot(half_m, kind.radius_m * plant.scale))) continue;
+        if (is_hidden(plant, kind, height_px, g)) {
+            ++sight.hidden;
+            continue;
+        }
+        sight.seen.push_back({static_cast<std::uint32_t>(i), plant.species, height_px, shown});
+    }
+    return sight;
+}
+
+// Counting is monotone in the steps: from a guess, twice as far each time until the answer lies between two of them, then
+// half as far.
+int affordable_step(std::span<const Crowding> views, std::size_t triangle_budget, std::optional<int> guess) {
+    const auto fits = [&](int step) {
+        std::size_t left = triangle_budget;
+        for (const Crowding& view : views) {
+            const std::size_t takes = triangles_at(step, view, left);
+            if (takes > left) return false;
+            left -= takes;
+        }
+        return true;
+    };
+    int least = 0;  // fits, or nothing does
+    int too_many = kSteps + 1;
+    const auto ask = [&](int step) { (fits(step) ? least : too_many) = step; };
+    if (!guess) ask(kSteps);
+    int next = std::clamp(guess.value_or(0), 0, kSteps);
+    for (int stride = 1; least < next && next < too_many; stride *= 2) {
+        ask(next);
+        next = least == next ? std::min(next + stride, kSteps) : std::max(next - stride, 0);
+    }
+    while (too_many - least > 1) ask((least + too_many) / 2);
+    return least;
+}
+
+Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, Sight sight, int step,
              const Gathering& gathering, std::vector<Instance>& instances) {
     Crowd crowd;
-    std::vector<Seen> seen = seen_by(plants, kinds, frustum, gathering, crowd.hidden);
-    crowd.step = fitting_step(seen, kinds, gathering);
-    crowd.fineness = fineness_at(crowd.step, gathering);
+    std::vector<Seen>& seen = sight.seen;
+    crowd.fineness = fineness_at(step, gathering);
     // By species, then large to small: every level's plants lie side by side, nearest first.
     std::ranges::sort(seen, [](const Seen& a, const Seen& b) {
         if (a.species != b.species) return a.species < b.species;

@@ -31,6 +31,7 @@ struct Kind {
     float height_m = 1;
     float radius_m = 1;                       // of a cylinder about the stem that holds all of it
     std::vector<std::size_t> wood_triangles;  // a level, finest first
+    std::vector<float> wood_left_out_m;       // the same: scene::Wood
     std::size_t blades = 0;
     std::size_t triangles_per_blade = 0;
     std::size_t triangles_per_plain_blade = 0;  // 0: there is no plain form
@@ -72,22 +73,48 @@ struct Gathering {
     float pixels_per_radian = 500;        // as shown
     float scale = 1;  // of the sides of the picture it is drawn in, if that is smaller: it needs less
     float growth = 1;
-    float fineness = 1;  // 1 is the standard; lowered by itself to keep the budget
-    std::size_t triangle_budget = 60'000;
-    std::optional<int> guess;          // Crowd::step of the frame before: found sooner, the same is found
+    float fineness = 1;                   // asked for: 1 is the standard
     const Horizon* horizon = nullptr;  // of the ground before them; null: none
 };
+
+// The plants that are seen, and how large.
+struct Sight {
+    struct Seen {
+        std::uint32_t plant;
+        std::uint32_t species;
+        float height_px;  // as shown
+        float shown;      // 1, or less while it fades with distance
+    };
+    std::vector<Seen> seen;
+    std::size_t hidden = 0;  // plants that are in sight but for the ground
+};
+
+// Culls.
+Sight look(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Frustum& frustum,
+           const Gathering& gathering);
+
+// Of the fineness that is asked for, in kSteps: what a budget leaves of it.
+inline constexpr int kSteps = 512;
+
+// One view's, where several share a budget.
+struct Crowding {
+    std::span<const Kind> kinds;
+    const Gathering* gathering;
+    const Sight* sight;
+};
+// The most steps with which all of them are within so many triangles; 0 where nothing is. All get the same fineness,
+// so that one more triangle would do as much in each of them. guess: of the frame before; found sooner, the same is
+// found.
+int affordable_step(std::span<const Crowding> views, std::size_t triangle_budget, std::optional<int> guess = {});
 
 struct Crowd {
     std::vector<Batch> batches;  // near ones before far ones within a species
     std::size_t triangles = 0;
-    float fineness = 1;      // what the budget left
-    int step = 0;            // that, in steps of what was asked for
-    std::size_t hidden = 0;  // plants that are in sight but for the ground
+    float fineness = 1;  // it was drawn with
 };
 
-// Culls, chooses detail, sorts front to back, appends to instances. plants are sorted by species.
-Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Frustum& frustum,
+// Chooses detail for what is seen, sorts front to back, appends to instances. plants are sorted by species.
+Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, Sight sight, int step,
              const Gathering& gathering, std::vector<Instance>& instances);
 
 // 0 seed to 1 grown: each plant takes its turn within the generation's arrival. Reaches 1 for all at growth 1.

@@ -178,7 +178,10 @@ Kind kind_of(const scene::Species& species) {
     Kind kind;
     kind.height_m = species.height_m;
     kind.radius_m = reach_of(species);
-    for (const scene::Wood& wood : species.wood) kind.wood_triangles.push_back(wood.mesh.triangle_count());
+    for (const scene::Wood& wood : species.wood) {
+        kind.wood_triangles.push_back(wood.mesh.triangle_count());
+        kind.wood_left_out_m.push_back(wood.left_out_m);
+    }
     kind.blades = species.leaves.blades;
     kind.triangles_per_blade = species.leaves.indices_per_blade() / 3;
     kind.triangles_per_plain_blade = species.leaves.indices_per_plain_blade() / 3;

@@ -263,6 +263,7 @@ scene::Species shrub(const ShrubOptions& o, base::Seed seed) {
     far.most_nodes = 18;
     far.flattest = 2;
     species.wood = {sweep_tubes(skeleton, near), sweep_tubes(skeleton, far)};
+    species.wood.back().left_out_m = 0.02F * o.height_m;
     set_coarser(species.wood);
     FoliageOptions foliage;
     foliage.kind = LeafKind::Ovate;

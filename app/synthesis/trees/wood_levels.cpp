@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/trees/wood_levels.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -12,6 +13,9 @@ namespace {
 
 constexpr std::size_t kSmoothTriangles = 3600;
 constexpr std::size_t kTwigNodes = 420;  // beside them
+constexpr float kFewEnough = 0.75F;      // of a level's triangles, for another
+constexpr float kLeastStep = 1.3F;       // from what one level leaves out to what the next does: room to morph
+constexpr float kJoints = 0.06F;         // of the trunk's thickness: what tubes miss of joints that are smooth
 
 // Of three values at a triangle's corners, that of a point on it.
 float between(const mesh::Mesh& mesh, const std::vector<float>& values, const mesh::Nearness::Nearest& on) {
@@ -27,6 +31,15 @@ float between(const mesh::Mesh& mesh, const std::vector<float>& values, const me
     return (values[corner[0]] * of_a + values[corner[1]] * of_b + values[corner[2]] * of_c) / all;
 }
 
+float thickest_left_out_m(const TreeSkeleton& skeleton, std::size_t most_nodes) {
+    const std::vector<std::uint32_t> kept = strongest_limbs(skeleton, most_nodes);
+    float thickest_m = 0;
+    for (std::uint32_t i = 0; i < skeleton.limbs.size(); ++i)
+        if (!std::ranges::binary_search(kept, i))
+            thickest_m = std::max(thickest_m, 2 * skeleton.limbs[i].nodes.front().radius_m);
+    return thickest_m;
+}
+
 }  // namespace
 
 std::vector<scene::Wood> wood_levels(const TreeSkeleton& skeleton) {
@@ -36,18 +49,26 @@ std::vector<scene::Wood> wood_levels(const TreeSkeleton& skeleton) {
     smooth.twig_sides = 3;
     std::vector<scene::Wood> levels{mesh_meta_tubes(skeleton, smooth)};
     const std::size_t trunk = skeleton.limbs.front().nodes.size();
+    const float thickness_m = 2 * skeleton.limbs.front().nodes.front().radius_m;
     struct Level {
         int sides;
         std::size_t nodes;  // beside the trunk's
         float flattest;
     };
-    constexpr Level kLevels[] = {{8, 260, 0.15F}, {6, 90, 0.4F}, {4, 26, 0.9F}, {3, 0, 2.0F}};
+    constexpr Level kLevels[] = {{8, 260, 0.15F}, {7, 150, 0.25F}, {6, 90, 0.4F},  {5, 54, 0.55F},
+                                 {4, 32, 0.75F},  {4, 16, 0.95F},  {3, 7, 1.4F}, {3, 0, 2.0F}};
     for (const Level& level : kLevels) {
         TubeDetail detail;
         detail.trunk_sides = level.sides;
         detail.most_nodes = trunk + level.nodes;
         detail.flattest = level.flattest;
-        levels.push_back(sweep_tubes(skeleton, detail));
+        scene::Wood coarser = sweep_tubes(skeleton, detail);
+        coarser.left_out_m =
+            std::max(thickest_left_out_m(skeleton, detail.most_nodes), kLeastStep * levels.back().left_out_m);
+        if (levels.size() == 1) coarser.left_out_m = std::max(coarser.left_out_m, kJoints * thickness_m);
+        // The next limb may have been too long for one level more.
+        const auto share = [&](float of_it) { return of_it * static_cast<float>(levels.back().mesh.triangle_count()); };
+        if (static_cast<float>(coarser.mesh.triangle_count()) < share(kFewEnough)) levels.push_back(std::move(coarser));
     }
     return levels;
 }
@@ -68,6 +89,7 @@ void add_spindle(std::vector<scene::Wood>& levels, float height_m, float radius_
         wood.sways[i] = is_top ? 0.3F : 0;
     }
     wood.mesh.indices = {0, 1, 3, 1, 2, 3, 2, 0, 3, 0, 2, 1};
+    wood.left_out_m = std::max(2 * radius_m, kLeastStep * levels.back().left_out_m);
     levels.push_back(std::move(wood));
 }
 

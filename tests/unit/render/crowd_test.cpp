@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <optional>
+#include <span>
+#include <utility>
 
 #include "base/seed.hpp"
 #include "scene/camera.hpp"
@@ -16,8 +19,8 @@ const scene::Camera kCamera{{0, 6, 0}, {0, 4, -100}, 42};
 
 Frustum frustum() { return Frustum(scene::clip_from_view(kCamera, 16.0F / 9) * scene::view_from_world(kCamera)); }
 
-Kind tree() { return {12, 4, {2800, 1100, 180, 30, 6}, 2100, 2}; }
-Kind grass() { return {0.4F, 0.2F, {}, 9, 2}; }
+Kind tree() { return {12, 4, {2800, 1100, 180, 30, 6}, {0, 0.04F, 0.12F, 0.3F, 0.6F}, 2100, 2}; }
+Kind grass() { return {0.4F, 0.2F, {}, {}, 9, 2}; }
 
 std::vector<scene::Plant> forest(std::size_t trees, std::size_t tufts) {
     std::vector<scene::Plant> plants;
@@ -36,15 +39,28 @@ Gathering looking_from_the_camera() {
     Gathering g;
     g.view.eye_seconds = {kCamera.eye_m, 0};
     g.pixels_per_radian = 469;
-    g.triangle_budget = 1'000'000;
     return g;
+}
+
+// One view by itself.
+int step_within(std::size_t budget, std::span<const Kind> kinds, const Gathering& g, const Sight& sight,
+                std::optional<int> guess = {}) {
+    const Crowding alone{kinds, &g, &sight};
+    return affordable_step({&alone, 1}, budget, guess);
+}
+
+Crowd gathered(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Gathering& g,
+               std::vector<Instance>& instances, std::size_t budget = 1'000'000) {
+    Sight sight = look(plants, kinds, frustum(), g);
+    const int step = step_within(budget, kinds, g, sight);
+    return gather(plants, kinds, std::move(sight), step, g, instances);
 }
 
 TEST(Crowd, HoldsEveryTreeThatReachesIntoTheViewAndNoneThatIsFarOutside) {
     const auto plants = forest(3000, 0);
     const std::vector<Kind> kinds{tree()};
     std::vector<Instance> instances;
-    gather(plants, kinds, frustum(), looking_from_the_camera(), instances);
+    gathered(plants, kinds, looking_from_the_camera(), instances);
     const auto is_in = [&](const scene::Plant& plant) {
         return std::ranges::any_of(instances,
                                    [&](const Instance& i) { return glm::vec3{i.root_scale} == plant.root_m; });
@@ -64,7 +80,7 @@ TEST(Crowd, BatchesCoverEveryInstanceOnceAndCountTheirTriangles) {
     const auto plants = forest(1500, 4000);
     const std::vector<Kind> kinds{tree(), grass()};
     std::vector<Instance> instances;
-    const Crowd crowd = gather(plants, kinds, frustum(), looking_from_the_camera(), instances);
+    const Crowd crowd = gathered(plants, kinds, looking_from_the_camera(), instances);
     std::vector<int> leaves(instances.size());
     std::size_t triangles = 0;
     for (const Batch& batch : crowd.batches) {
@@ -83,7 +99,7 @@ TEST(Crowd, DrawsTheBladesItsInstancesAskFor) {
     const auto plants = forest(1500, 0);
     const std::vector<Kind> kinds{tree()};
     std::vector<Instance> instances;
-    const Crowd crowd = gather(plants, kinds, frustum(), looking_from_the_camera(), instances);
+    const Crowd crowd = gathered(plants, kinds, looking_from_the_camera(), instances);
     for (const Batch& batch : crowd.batches) {
         if (batch.part != Batch::Part::Leaves) continue;
         for (std::size_t i = batch.first; i < batch.first + batch.count; ++i)
@@ -96,7 +112,7 @@ TEST(Crowd, WithinASpeciesNearPlantsComeBeforeFarOnes) {
     for (scene::Plant& plant : plants) plant.scale = 1;
     const std::vector<Kind> kinds{tree()};
     std::vector<Instance> instances;
-    gather(plants, kinds, frustum(), looking_from_the_camera(), instances);
+    gathered(plants, kinds, looking_from_the_camera(), instances);
     for (std::size_t i = 1; i < instances.size(); ++i) {
         const auto distance = [&](std::size_t k) {
             return glm::length(glm::vec3{instances[k].root_scale} + glm::vec3{0, 6, 0} - kCamera.eye_m);
@@ -108,14 +124,14 @@ TEST(Crowd, WithinASpeciesNearPlantsComeBeforeFarOnes) {
 TEST(Crowd, KeepsItsBudgetByGivingUpFineness) {
     const auto plants = forest(4000, 4000);
     const std::vector<Kind> kinds{tree(), grass()};
-    Gathering g = looking_from_the_camera();
+    const Gathering g = looking_from_the_camera();
     std::vector<Instance> instances;
-    const Crowd free = gather(plants, kinds, frustum(), g, instances);
-    g.triangle_budget = free.triangles / 2;
+    const Crowd free = gathered(plants, kinds, g, instances);
+    const std::size_t budget = free.triangles / 2;
     instances.clear();
-    const Crowd held = gather(plants, kinds, frustum(), g, instances);
-    EXPECT_LE(held.triangles, g.triangle_budget);
-    EXPECT_GT(held.triangles, g.triangle_budget * 8 / 10);
+    const Crowd held = gathered(plants, kinds, g, instances, budget);
+    EXPECT_LE(held.triangles, budget);
+    EXPECT_GT(held.triangles, budget * 8 / 10);
     EXPECT_LT(held.fineness, free.fineness);
 }
 
@@ -127,16 +143,34 @@ TEST(Crowd, IsTheSameWhateverIsGuessed) {
         for (const std::size_t budget : {0U, 300U, 4'000U, 20'000U, 100'000'000U}) {
             Gathering g = looking_from_the_camera();
             g.fineness = fineness;
-            g.triangle_budget = budget;
-            std::vector<Instance> instances;
-            const Crowd alone = gather(plants, kinds, frustum(), g, instances);
-            EXPECT_EQ(alone.fineness, fineness * static_cast<float>(alone.step) / 512);
-            for (const int guess : {-5, 0, 1, 2, 100, 255, 256, 510, 511, 512, 9999, alone.step - 1, alone.step + 1}) {
-                g.guess = guess;
-                EXPECT_EQ(gather(plants, kinds, frustum(), g, instances).step, alone.step) << budget << ' ' << guess;
-            }
+            const Sight sight = look(plants, kinds, frustum(), g);
+            const int alone = step_within(budget, kinds, g, sight);
+            for (const int guess : {-5, 0, 1, 2, 100, 255, 256, 510, 511, 512, 9999, alone - 1, alone + 1})
+                EXPECT_EQ(step_within(budget, kinds, g, sight, guess), alone) << budget << ' ' << guess;
         }
     }
+}
+
+TEST(Crowd, OfSeveralViewsShareABudgetByOneFineness) {
+    const std::vector<Kind> kinds{tree(), grass()};
+    const Gathering g = looking_from_the_camera();
+    const auto wood = forest(6000, 3000);
+    const auto heath = forest(40, 900);
+    const Sight in_wood = look(wood, kinds, frustum(), g);
+    const Sight on_heath = look(heath, kinds, frustum(), g);
+    const std::vector<Crowding> both{{kinds, &g, &in_wood}, {kinds, &g, &on_heath}};
+    std::vector<Instance> instances;
+    const auto triangles = [&](int step) {
+        return gather(wood, kinds, in_wood, step, g, instances).triangles +
+               gather(heath, kinds, on_heath, step, g, instances).triangles;
+    };
+    const std::size_t budget = triangles(kSteps) / 3;
+    const int step = affordable_step(both, budget);
+    ASSERT_GT(step, 0);
+    ASSERT_LT(step, kSteps);
+    EXPECT_LE(triangles(step), budget);
+    EXPECT_GT(triangles(step + 1), budget) << "the finest that is within it";
+    EXPECT_GT(step, step_within(budget / 2, kinds, g, in_wood)) << "the forest has what the heath does not need";
 }
 
 TEST(Closeness, NeverGrowsCoarserAsAPlantGrowsLargerOnTheScreen) {
@@ -175,9 +209,9 @@ TEST(Closeness, WoodHasBecomeTheNextLevelWhenThatTakesItsPlace) {
     Kind bare = tree();
     bare.blades = 0;
     for (const float fineness : {0.2F, 1.0F, 3.0F}) {
-        Closeness before = closeness(bare, 800, fineness);
+        Closeness before = closeness(bare, 1500, fineness);
         int changes = 0;
-        for (float px = 800; px > 3; px *= 0.9995F) {
+        for (float px = 1500; px > 3; px *= 0.9995F) {
             const Closeness now = closeness(bare, px, fineness);
             if (now.wood_level != before.wood_level) {
                 EXPECT_EQ(now.wood_level, before.wood_level + 1);
@@ -191,6 +225,30 @@ TEST(Closeness, WoodHasBecomeTheNextLevelWhenThatTakesItsPlace) {
             before = now;
         }
         EXPECT_EQ(changes, 4);
+    }
+}
+
+TEST(Closeness, NoLimbIsMissedThatIsThickOnTheScreen) {
+    Kind bare = tree();
+    bare.blades = 0;
+    for (float px = 2; px < 1500; px *= 1.1F) {
+        const Closeness how = closeness(bare, px, 1);
+        EXPECT_LE(bare.wood_left_out_m[how.wood_level] * px / bare.height_m, 1.31F) << px;
+    }
+}
+
+TEST(Closeness, ATreeTenTimesAsLargeAsFarAwayIsDrawnAsClosely) {
+    Kind large = tree();
+    large.height_m *= 10;
+    large.radius_m *= 10;
+    large.blade_m *= 10;
+    for (float& left_out_m : large.wood_left_out_m) left_out_m *= 10;
+    for (float px = 2; px < 1500; px *= 1.03F) {
+        const Closeness small = closeness(tree(), px, 0.5F);
+        const Closeness ten_times = closeness(large, px, 0.5F);
+        EXPECT_EQ(ten_times.wood_level, small.wood_level) << px;
+        EXPECT_NEAR(ten_times.to_coarser, small.to_coarser, 1e-3F) << px;
+        EXPECT_FLOAT_EQ(ten_times.share, small.share) << px;
     }
 }
 
@@ -303,7 +361,7 @@ TEST(Closeness, NoBladeThatStandsForManyIsLongOnTheScreen) {
                 for (float px = 14; px < 600; px *= 1.03F) {
                     const Closeness how = closeness(kind, px, fineness);
                     const float blade_px = kind.blade_m / kind.height_m * px * how.enlarged;
-                    const bool stands_for_many = 0.16F * fineness * px * px * kMany < static_cast<float>(kind.blades);
+                    const bool stands_for_many = 0.22F * fineness * px * px * kMany < static_cast<float>(kind.blades);
                     EXPECT_FALSE(how.has_leaves && stands_for_many && blade_px > kLong_px)
                         << px << " " << fineness << " " << largest;
                     EXPECT_LE(how.enlarged, largest);
@@ -318,18 +376,18 @@ TEST(Crowd, WhatIsDrawnSmallerNeedsLessAndIsThere) {
     const std::vector<Kind> kinds{leafy(), grass()};
     Gathering g = looking_from_the_camera();
     std::vector<Instance> whole;
-    const Crowd all = gather(plants, kinds, frustum(), g, whole);
+    const Crowd all = gathered(plants, kinds, g, whole);
     g.scale = 0.5F;
     std::vector<Instance> halved;
-    EXPECT_EQ(gather(plants, kinds, frustum(), g, halved).triangles, all.triangles);
+    EXPECT_EQ(gathered(plants, kinds, g, halved).triangles, all.triangles);
     // And where there is little to spend:
     g.fineness = 0.01F;
     g.scale = 1;
     whole.clear();
-    const Crowd little = gather(plants, kinds, frustum(), g, whole);
+    const Crowd little = gathered(plants, kinds, g, whole);
     g.scale = 0.5F;
     halved.clear();
-    const Crowd fewer = gather(plants, kinds, frustum(), g, halved);
+    const Crowd fewer = gathered(plants, kinds, g, halved);
     EXPECT_LT(fewer.triangles, little.triangles * 8 / 10);
     EXPECT_GT(halved.size(), whole.size() * 8 / 10);  // some of the smallest stand for others
 }
@@ -359,11 +417,10 @@ TEST(Crowd, FewOfTheFarthestStandForAllAndCoverAsMuch) {
         plants.push_back(plant);
     }
     const std::vector<Kind> kinds{tree()};
-    Gathering g = looking_from_the_camera();
+    const Gathering g = looking_from_the_camera();
     const auto covered = [&](std::size_t budget, std::size_t& count) {
-        g.triangle_budget = budget;
         std::vector<Instance> instances;
-        gather(plants, kinds, frustum(), g, instances);
+        gathered(plants, kinds, g, instances, budget);
         count = instances.size();
         double sum = 0;
         for (const Instance& i : instances) sum += static_cast<double>(i.root_scale.w) * i.root_scale.w;

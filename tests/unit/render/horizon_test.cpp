@@ -163,19 +163,19 @@ TEST(Horizon, LeavesOutHiddenPlants) {
     std::vector<scene::Plant> plants(2);
     plants[0].root_m = {0, 0, -30};
     plants[1].root_m = {0, 0, -150};
-    const std::vector<Kind> kinds{{5, 2, {200, 50}, 0, 0}};
+    const std::vector<Kind> kinds{{5, 2, {200, 50}, {0, 0.1F}, 0, 0}};
     const scene::Camera camera{{0, 2, 0}, {0, 2, -100}, 42};
     const Frustum frustum(scene::clip_from_view(camera, 1) * scene::view_from_world(camera));
     Gathering gathering;
     gathering.view.eye_seconds = {camera.eye_m, 0};
-    std::vector<Instance> instances;
-    EXPECT_EQ(gather(plants, kinds, frustum, gathering, instances).hidden, 0U);
-    EXPECT_EQ(instances.size(), 2U);
-    instances.clear();
+    const Sight all = look(plants, kinds, frustum, gathering);
+    EXPECT_EQ(all.hidden, 0U);
+    EXPECT_EQ(all.seen.size(), 2U);
     gathering.horizon = &horizon;
-    EXPECT_EQ(gather(plants, kinds, frustum, gathering, instances).hidden, 1U);
-    ASSERT_EQ(instances.size(), 1U);
-    EXPECT_EQ(instances[0].root_scale.z, -30);
+    const Sight over_hills = look(plants, kinds, frustum, gathering);
+    EXPECT_EQ(over_hills.hidden, 1U);
+    ASSERT_EQ(over_hills.seen.size(), 1U);
+    EXPECT_EQ(over_hills.seen[0].plant, 0U);
 }
 
 }  // namespace

@@ -115,12 +115,14 @@ TEST_P(EveryHabit, GrowsSoundClosedWoodAndLeavesWithinItsBudget) {
         EXPECT_EQ(masses_fault(species), "");
     }
     const scene::Species& tree = flora.species.front();
-    ASSERT_EQ(tree.wood.size(), tree.leaves.blades > 0 ? 6U : 5U);
     EXPECT_LE(tree.wood[0].mesh.triangle_count(), kMostWoodTriangles);
     EXPECT_LE(tree.wood[1].mesh.triangle_count(), 4500U);
-    EXPECT_LE(tree.wood[4].mesh.triangle_count(), 200U);
-    for (std::size_t level = 1; level < tree.wood.size(); ++level)
-        EXPECT_LE(tree.wood[level].mesh.triangle_count(), tree.wood[level - 1].mesh.triangle_count());
+    EXPECT_LE(tree.wood.back().mesh.triangle_count(), tree.leaves.blades > 0 ? 4U : 200U);
+    EXPECT_EQ(tree.wood.front().left_out_m, 0);
+    for (std::size_t level = 1; level < tree.wood.size(); ++level) {
+        EXPECT_LE(4 * tree.wood[level].mesh.triangle_count(), 3 * tree.wood[level - 1].mesh.triangle_count());
+        EXPECT_GT(tree.wood[level].left_out_m, tree.wood[level - 1].left_out_m);
+    }
     EXPECT_LE(tree.leaves.indices.size() / 3, kMostLeafTriangles);
     EXPECT_NEAR(tree.height_m, GetParam() == static_cast<int>(Habit::Cactus) ? 6.5 : 13, 5);
     EXPECT_EQ(tree.bark.width, 128);
