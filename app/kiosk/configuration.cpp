@@ -242,6 +242,7 @@ Configuration configuration_from(std::string_view source_text, const std::string
     read_breeding(reader, configuration.breeding);
     reader.read_words(configuration.words);
     reader.read("picture", "alpha", configuration.picture.alpha, 0.05, 20);
+    reader.read("picture", "samples", configuration.picture.samples, 1, 4);
     reader.read("picture", "land_samples", configuration.picture.land_samples, 65, 1025);
     reader.read("fleet", "broker", configuration.fleet.broker);
     reader.read("fleet", "name", configuration.fleet.name);
@@ -252,6 +253,9 @@ Configuration configuration_from(std::string_view source_text, const std::string
     read_closing(reader, configuration.closing);
     reader.read_texts(configuration.texts);
     reader.refuse_what_was_not_read();
+    if (configuration.picture.samples != 1 && configuration.picture.samples != 4)
+        throw base::InputError(
+            fmt::format("{}: picture.samples is {}; it must be 1 or 4", source, configuration.picture.samples));
     const auto land = static_cast<unsigned>(configuration.picture.land_samples - 1);
     if (!std::has_single_bit(land))
         throw base::InputError(fmt::format("{}: picture.land_samples is {}; it must be 65, 129, 257, 513 or 1025",

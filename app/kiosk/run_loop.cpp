@@ -11,6 +11,7 @@
 #include "display/shown_frames.hpp"
 #include "firmware-io/keyboard/keyboard_buttons.hpp"
 #include "kiosk/detail/memory.hpp"
+#include "kiosk/detail/trial.hpp"
 #include "kiosk/heap.hpp"
 #include "kiosk/service.hpp"
 #include "kiosk/start_report.hpp"
@@ -29,6 +30,7 @@ using firmware_io::Motion;
 constexpr std::size_t kUploadBytes = 4U << 20U;
 constexpr Instant kFrame = std::chrono::nanoseconds{16'666'667};
 constexpr Instant kLongestFrame = std::chrono::seconds{1};
+constexpr std::chrono::seconds kUntilCalm{5};     // landscapes have grown in, and were looked at
 constexpr std::chrono::seconds kTimeToGrow{120};  // the next part of the first four; as TimeoutStartSec=
 
 exhibit::Choice choice_of(Button button) { return static_cast<exhibit::Choice>(button); }
@@ -136,6 +138,7 @@ class Loop {
     void draw(const display::Canvas& canvas, Instant now) {
         if (canvas.context != 0) keep_pictures(canvas, now);
         if (!parts_.clock.is_simulated()) theatre_.rehearse(canvas);  // or no frame can come late
+        calibrate(canvas, now);
         Theatre::Over over;
         if (parts_.caretaker != nullptr) over.board = parts_.caretaker->board();
         if (parts_.keepsakes != nullptr && shows_earlier_landscapes()) over.backdrop = parts_.keepsakes->at(now);
@@ -145,6 +148,30 @@ class Loop {
         if (parts_.caretaker == nullptr) return;
         if (const std::string file = parts_.caretaker->take_picture_wish(); !file.empty())
             parts_.caretaker->keep_picture(theatre_.read_back(), file);
+    }
+
+    // On a GPU that is not known yet, while nobody is there and nothing grows: some frames come late for it, once.
+    void calibrate(const display::Canvas& canvas, Instant now) {
+        const bool is_calm = parts_.show.state().screen == Screen::Attract && !parts_.show.is_growing() &&
+                             now - parts_.show.on_stage().arrived > kUntilCalm;
+        if (!is_calibrating() || !is_calm || !canvas.is_seen) return;
+        if (!trial_) trial_.emplace(*theatre_.renderer());
+        frames_not_judged_ = 3;
+        if (!theatre_.try_out(*trial_, parts_.show.on_stage(), canvas) || !trial_->is_over()) return;
+        const double pixels = static_cast<double>(canvas.size.width) * canvas.size.height;
+        const GpuProfile profile = trial_->profile(*theatre_.renderer(), pixels);
+        const double period_ms = std::chrono::duration<double, std::milli>(period_).count();
+        const auto most = static_cast<float>(parts_.configuration.picture.alpha);
+        *parts_.governor = DetailGovernor(start_for(profile, most, period_ms));
+        is_calibrated_ = true;
+        base::log::info("GPU: {}; detail {:.2f}{}", to_text(profile), parts_.governor->settled(),
+                        parts_.governor->samples() > 1 ? ", smooth edges" : "");
+        parts_.show.remember("gpu", to_text(profile));
+        parts_.show.remember("detail", to_text(*parts_.governor, parts_.display));
+    }
+
+    bool is_calibrating() const {
+        return parts_.calibrates && !is_calibrated_ && parts_.governor != nullptr && !budget_ && theatre_.has_gpu();
     }
 
     // The governor's; where nobody governs, alpha.
@@ -189,13 +216,14 @@ class Loop {
         const int act = parts_.show.on_stage().number;
         const bool is_first = std::exchange(act_before_, act) != act;
         if (parts_.governor == nullptr || (!begins_to_grow && !is_first)) return;
+        if (is_first) parts_.governor->other_landscapes(parts_.clock.now());
         parts_.governor->brace();
         set_detail();
     }
 
     void set_detail() {
         const float level = parts_.governor->level();
-        theatre_.set_detail({alpha_for(level), scale_for(level)});
+        theatre_.set_detail({alpha_for(level), scale_for(level), parts_.governor->samples()});
     }
 
     void govern(const display::Presented& presented, Instant now, float used) {
@@ -207,10 +235,12 @@ class Loop {
         if (presented.period.count() == 0) shown = {now};
         DetailGovernor& governor = *parts_.governor;
         governor.follow(static_cast<float>(parts_.configuration.picture.alpha));
+        governor.allow_samples(theatre_.most_samples());
         for (const Instant at : shown) {
             const Instant took = at - std::exchange(framed_at_, at);
             const bool is_shown = presented.outcome == display::Outcome::Shown && !is_dark();
             if (!is_shown || took > kLongestFrame) return;  // the screen was away
+            if (frames_not_judged_ > 0 && frames_not_judged_-- > 0) continue;
             governor.frame({now, took, period_, used, parts_.show.is_growing() || is_waited_for()});
         }
         // Two frames nobody takes for a wait.
@@ -305,7 +335,8 @@ class Loop {
         using display::Outcome;
         if (parts_.caretaker != nullptr)
             parts_.caretaker->framed(
-                presented, now, {level(), alpha(), scale(), periods(), drawn_.triangles, drawn_.draws, drawn_.objects});
+                presented, now,
+                {level(), alpha(), scale(), drawn_.samples, periods(), drawn_.triangles, drawn_.draws, drawn_.objects});
         if (presented.outcome != last_outcome_) {
             last_outcome_ = presented.outcome;
             if (presented.outcome == Outcome::Shown)
@@ -374,7 +405,10 @@ class Loop {
     display::Power power_ = display::Power::On;
     display::Outcome last_outcome_ = display::Outcome::Shown;
     std::optional<BudgetKeeper> budget_;
-    render::Drawn drawn_;  // last
+    std::optional<Trial> trial_;
+    bool is_calibrated_ = false;
+    int frames_not_judged_ = 0;  // what was tried out took their time
+    render::Drawn drawn_;        // last
     StartReport start_;
     std::uint64_t frames_ = 0;
     bool had_landscapes_ = false;  // the last frame
@@ -388,7 +422,7 @@ class Loop {
     int frames_waited_ = 0;
     int act_before_ = 0;
     Instant framed_at_{0};
-    Instant shown_at_{0};  // the last frame, where the screen tells
+    Instant shown_at_{0};            // the last frame, where the screen tells
     bool is_one_in_flight_ = false;  // handed over after that
     display::ShownFrames shown_frames_;
     std::optional<Instant> remembered_at_;

@@ -41,6 +41,7 @@ struct RunLoopParts {
     staff::Keepsakes* keepsakes = nullptr;  // borrowed
     staff::Mode mode = staff::Mode::Usual;
     DetailGovernor* governor = nullptr;  // borrowed; nothing: the configured detail, however long a frame takes
+    bool calibrates = false;  // this GPU first, when four landscapes are there; the governor starts from that
     std::optional<Budget> budget = std::nullopt;  // instead of the governor's
     Album* album = nullptr;                       // borrowed; nothing: no pictures are kept
     bool ends_after_visit = false;                // the program ends with the first visit that ends

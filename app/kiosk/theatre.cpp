@@ -165,9 +165,34 @@ render::Drawn Theatre::draw(const Show& show, float growing_progress, Instant no
 void Theatre::rehearse(const display::Canvas& canvas) {
     if (is_rehearsed_ || !has_gpu() || drawn_.size.x == 0) return;
     drawn_.framebuffer = canvas.framebuffer;
-    renderer_->rehearse(drawn_);
+    render::Frame like = drawn_;
+    like.detail.samples = most_samples();
+    renderer_->rehearse(like);
     let_go_of_compilers();  // before the first landscapes take up as much
     is_rehearsed_ = true;
+}
+
+int Theatre::most_samples() const {
+    return has_gpu() ? std::min(configuration_.picture.samples, renderer_->most_samples()) : 1;
+}
+
+bool Theatre::try_out(Trial& trial, const Act& act, const display::Canvas& canvas) {
+    const Cast cast = cast_of(act);
+    const auto places = quarters(canvas.size.width, canvas.size.height);
+    if (cast.scenes.size() != places.size()) return false;
+    render::Frame frame;
+    frame.size = {canvas.size.width, canvas.size.height};
+    frame.framebuffer = canvas.framebuffer;
+    frame.is_one_of_many = true;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        render::View view;
+        view.scene = cast.scenes[i].gpu;
+        view.camera = scene::camera_at(cast.scenes[i].scene->track, 0);
+        view.viewport = places[i];
+        frame.views.push_back(std::move(view));
+    }
+    trial.step(*renderer_, std::move(frame));
+    return true;
 }
 
 mesh::Image Theatre::read_back() {

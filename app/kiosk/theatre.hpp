@@ -10,6 +10,7 @@
 
 #include "display/display.hpp"
 #include "kiosk/album.hpp"
+#include "kiosk/detail/trial.hpp"
 #include "kiosk/low_priority.hpp"
 #include "kiosk/show.hpp"
 #include "kiosk/stage.hpp"
@@ -62,6 +63,12 @@ class Theatre {
     bool is_drawn_within(std::chrono::nanoseconds patience) {
         return !has_gpu() || renderer_->is_done_within(patience);
     }
+    // Of a pixel: what the GPU and the site allow.
+    int most_samples() const;
+    // Draws the act as four views, to be drawn over, in the trial's next way; true when all of it is there to be drawn.
+    bool try_out(Trial& trial, const Act& act, const display::Canvas& canvas);
+    // Nothing to try on: there is no GPU.
+    render::Renderer* renderer() { return renderer_.get(); }
     // What the canvas's context has not drawn yet it draws once, to be drawn over. Not before there was a frame: the
     // first one is not to wait for it.
     void rehearse(const display::Canvas& canvas);

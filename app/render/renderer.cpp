@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "render/gl/fence.hpp"
+#include "render/gl/multisampled_target.hpp"
 #include "render/gl/picture_upload.hpp"
 #include "render/gl/rasteriser_threads.hpp"
 #include "render/gl/reduced_target.hpp"
@@ -25,17 +26,14 @@
 #include "render/passes/signs.hpp"
 #include "render/passes/water.hpp"
 #include "render/rehearsal.hpp"
+#include "render/selection.hpp"
 #include "render/upload.hpp"
 #include "render/view.hpp"
 
 namespace quadrat::render {
 namespace {
 
-// Visible triangles of a whole frame at alpha 1 that a Raspberry Pi 4 draws in time.
-constexpr float kTriangleBudget = 240'000;
-constexpr std::size_t kFewestPlantTriangles = 10'000;
 constexpr float kSmallViews = 0.65F;  // of the sides: half of their pixels, their sky, are fewer than a held one's
-constexpr float kLeastScale = 0.25F;  // of the sides of what is drawn smaller than it is shown
 
 void require_gles_31() {
     const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
@@ -51,14 +49,6 @@ bool is_software() {
     return driver.find("llvmpipe") != driver.npos || driver.find("softpipe") != driver.npos;
 }
 
-glm::mat4 turned(const glm::mat4& clip_from_world, const Hanging& hanging) {
-    glm::mat4 turn{1};
-    const glm::mat2 turn_xy = panel_from_upright(hanging);
-    turn[0] = {turn_xy[0], 0, 0};
-    turn[1] = {turn_xy[1], 0, 0};
-    return turn * clip_from_world;
-}
-
 // Opaque shaders write an alpha of one: each pixel of theirs adds a step.
 void count_fragments() {
     glEnable(GL_BLEND);
@@ -70,30 +60,11 @@ int scaled(int pixels, float scale) { return static_cast<int>(std::lround(static
 
 glm::ivec2 scaled(glm::ivec2 size, float scale) { return {scaled(size.x, scale), scaled(size.y, scale)}; }
 
-float scale_of(const Frame& frame) { return std::clamp(frame.detail.scale, kLeastScale, 1.0F); }
-
-bool draws_plants(const Frame& frame) { return frame.measured.leaves || frame.measured.wood; }
-
-float alpha_of(const Frame& frame) { return std::max(frame.detail.alpha, 0.01F); }
-
 // Neighbours stay neighbours.
 Rect scaled(const Rect& r, float scale) {
     const glm::ivec2 low = {scaled(r.x, scale), scaled(r.y, scale)};
     return {low.x, low.y, scaled(r.x + r.width, scale) - low.x, scaled(r.y + r.height, scale) - low.y};
 }
-
-// One view's share of the frame: what is drawn of its scene.
-struct Selection {
-    explicit Selection(const glm::mat4& clip_from_world) : frustum(clip_from_world) {}
-
-    passes::Frustum frustum;
-    passes::ViewBlock block;
-    passes::Gathering gathering;
-    passes::Sight plants;
-    std::size_t other_triangles = 0;  // than those of plants
-    std::vector<passes::Batch> batches;
-    std::optional<glm::mat3> held_sky_from_view;  // where the sky is a picture of some frames ago
-};
 
 }  // namespace
 
@@ -107,9 +78,9 @@ struct Renderer::Parts {
     passes::FallingPass falling;
     passes::SignsPass signs;
     gl::StreamBuffer blocks{GL_UNIFORM_BUFFER};
-    std::vector<HeldGround> grounds;        // one a view
-    std::vector<HeldSky> skies;             // one a view, where frames follow each other
-    std::optional<int> step;                // of the plants' fineness, in the frame before
+    std::vector<HeldGround> grounds;  // one a view
+    std::vector<HeldSky> skies;       // one a view, where frames follow each other
+    std::optional<int> step;          // of the plants' fineness, in the frame before
     HeldSky::Canvas sky_canvas;
     std::optional<std::size_t> sky_drawn_for;  // of which view the canvas has one that was not taken yet
     std::size_t frames = 0;
@@ -118,14 +89,12 @@ struct Renderer::Parts {
     bool is_on_processor = is_software();
     gl::ReducedTarget reduced{is_on_processor ? gl::ReducedTarget::SpreadBy::Processor
                                               : gl::ReducedTarget::SpreadBy::Shader};
+    gl::MultisampledTarget smooth;
     gl::RasteriserThreads threads;  // known from the second frame on
     gl::Fence last_drawn;
     std::vector<passes::Instance> view_instances;  // kept from view to view for its memory only
 
-    Selection outline(const Frame& frame, std::size_t slot) const;
     void fill(const std::vector<Selection>& selections);
-    void look(const Frame& frame, std::size_t slot, Selection& selection, Drawn& drawn);
-    void share_out(const Frame& frame, const std::vector<Selection>& selections);
     void choose(const Frame& frame, std::size_t slot, Selection& selection, Drawn& drawn);
     gl::Work hold_skies(const Frame& frame, std::vector<Selection>& selections);
     gl::Work draw_sky_in_turn(const Frame& frame);
@@ -133,62 +102,14 @@ struct Renderer::Parts {
     void draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot,
                    const Rect& place, Drawn& drawn);
     void draw_signs(const Frame& frame);
+    GLuint smooth_target(const Frame& frame, glm::ivec2 size);
 };
-
-Selection Renderer::Parts::outline(const Frame& frame, std::size_t slot) const {
-    const View& view = frame.views[slot];
-    const glm::mat4 clip_from_world = clip_from_world_of(view);
-    Selection s(clip_from_world);
-    s.block = block_of(view, turned(clip_from_world, frame.hanging), frame.seconds);
-    return s;
-}
 
 void Renderer::Parts::fill(const std::vector<Selection>& selections) {
     std::vector<std::byte> bytes(selections.size() * passes::kViewBlockBytes);
     for (std::size_t i = 0; i < selections.size(); ++i)
         std::memcpy(bytes.data() + i * passes::kViewBlockBytes, &selections[i].block, sizeof(passes::ViewBlock));
     blocks.fill<std::byte>(bytes);
-}
-
-// What of its ground is drawn how closely, and which plants are seen.
-void Renderer::Parts::look(const Frame& frame, std::size_t slot, Selection& s, Drawn& drawn) {
-    const View& view = frame.views[slot];
-    const GpuScene& scene = *view.scene;
-    const float alpha = alpha_of(frame);
-    const float scale = pixels_per_radian(view);
-    HeldGround& held = grounds[slot];
-    if (frame.measured.ground)
-        held.update(view, clip_from_world_of(view),
-                    {alpha, scale, aspect_ratio(view), static_cast<float>(frame.views.size())});
-    else
-        held.drop();
-    drawn.sent_bytes += passes::kViewBlockBytes + held.sent_bytes();
-    if (!draws_plants(frame)) return;
-
-    s.gathering.view = s.block;
-    s.gathering.clouds = &scene.sky->shadow_map;
-    s.gathering.pixels_per_radian = scale;
-    s.gathering.scale = scale_of(frame);
-    s.gathering.growth = view.growth;
-    s.gathering.fineness = std::sqrt(alpha);  // the budget takes the rest where there is much to see
-    s.gathering.horizon = &held.horizon();
-    s.plants = passes::look(*scene.plants, scene.flora->kinds, s.frustum, s.gathering);
-    s.other_triangles = held.triangles() +
-                        (frame.measured.sky ? passes::FallingPass::triangles(scene.air.sky.precipitation, alpha) : 0);
-}
-
-// All views' plants are drawn with one fineness: a forest has more of the frame's triangles than a desert.
-void Renderer::Parts::share_out(const Frame& frame, const std::vector<Selection>& selections) {
-    if (!draws_plants(frame)) return;
-    std::vector<passes::Crowding> views;
-    std::size_t others = 0;
-    for (std::size_t i = 0; i < selections.size(); ++i) {
-        const Selection& s = selections[i];
-        views.push_back({frame.views[i].scene->flora->kinds, &s.gathering, &s.plants});
-        others += s.other_triangles;
-    }
-    const auto budget = static_cast<std::size_t>(kTriangleBudget * alpha_of(frame));
-    step = passes::affordable_step(views, std::max(budget, others + kFewestPlantTriangles) - others, step);
 }
 
 // How closely its plants are drawn.
@@ -207,7 +128,8 @@ void Renderer::Parts::choose(const Frame& frame, std::size_t slot, Selection& s,
 }
 
 // Of every view that has one which serves; one that no longer does is drawn and shown at once, as all of a new
-// generation's. Where views are drawn so small that it costs less, it waits for its turn, and is drawn where it is seen.
+// generation's. Where views are drawn so small that it costs less, it waits for its turn, and is drawn where it is
+// seen.
 gl::Work Renderer::Parts::hold_skies(const Frame& frame, std::vector<Selection>& selections) {
     gl::Work work;
     skies.resize(frame.views.size());
@@ -256,13 +178,16 @@ void Renderer::Parts::draw_views(const Frame& frame, std::vector<Selection>& sel
         glEnable(GL_POLYGON_OFFSET_FILL);  // so that edges lie before what they are the edges of
         glPolygonOffset(1, 2);
     }
-    for (std::size_t i = 0; i < frame.views.size(); ++i) look(frame, i, selections[i], drawn);
-    share_out(frame, selections);
+    for (std::size_t i = 0; i < frame.views.size(); ++i) {
+        look(frame, i, grounds[i], selections[i]);
+        drawn.sent_bytes += passes::kViewBlockBytes + grounds[i].sent_bytes();
+    }
+    if (draws_plants(frame)) step = affordable_step(frame, selections, step);
     for (std::size_t i = 0; i < frame.views.size(); ++i) {
         choose(frame, i, selections[i], drawn);
         draw_one(i, drawn);
-        // Its other threads draw this view while the next one is chosen; the last two, which leave them enough to do, go
-        // together. A tiler would write its tiles out for it, and fetch them again.
+        // Its other threads draw this view while the next one is chosen; the last two, which leave them enough to do,
+        // go together. A tiler would write its tiles out for it, and fetch them again.
         if (is_on_processor && i + 2 < frame.views.size()) glFlush();
     }
     if (frame.is_wired) {
@@ -344,6 +269,14 @@ void Renderer::Parts::draw_signs(const Frame& frame) {
     signs.draw(flat, frame.size, panel_from_upright(frame.hanging));
 }
 
+// 0 where a frame has one sample a pixel. What is counted is counted once a pixel.
+GLuint Renderer::Parts::smooth_target(const Frame& frame, glm::ivec2 size) {
+    if (frame.detail.samples > 1 && !frame.measured.is_counted)
+        return smooth.of(size, frame.detail.samples, frame.framebuffer);
+    if (frame.is_one_of_many) smooth.let_go();
+    return 0;
+}
+
 Renderer::Renderer() {
     require_gles_31();
     parts_ = std::make_unique<Parts>();
@@ -376,12 +309,13 @@ Drawn Renderer::draw(const Frame& frame) {
     parts.grounds.resize(frame.views.size());
     while (parts.instances.size() < frame.views.size()) parts.instances.emplace_back(GL_ARRAY_BUFFER);
     std::vector<Selection> selections;
-    for (std::size_t slot = 0; slot < frame.views.size(); ++slot) selections.push_back(parts.outline(frame, slot));
+    for (std::size_t slot = 0; slot < frame.views.size(); ++slot) selections.push_back(outline(frame, slot));
     Drawn drawn;
     gl::Work& skies = drawn.of[static_cast<std::size_t>(Kind::Sky)];
     if (++parts.frames == 2 && parts.is_on_processor)
         parts.threads = gl::RasteriserThreads::of_this_process("llvmpipe-");
-    const bool holds_skies = frame.is_one_of_many && frame.measured.sky && !frame.measured.is_counted && !frame.is_wired;
+    const bool holds_skies =
+        frame.is_one_of_many && frame.measured.sky && !frame.measured.is_counted && !frame.is_wired;
     if (holds_skies) skies += parts.hold_skies(frame, selections);
     std::optional<gl::RasteriserThreads::Feeding> feeding(std::in_place, parts.threads);
     if (holds_skies) skies += parts.draw_sky_in_turn(frame);
@@ -390,11 +324,15 @@ Drawn Renderer::draw(const Frame& frame) {
     const glm::ivec2 size = turned_size(frame.size, frame.hanging);
     const glm::ivec2 drawn_size = scaled(size, scale_of(frame));
     const GLuint smaller = drawn_size == size ? 0 : parts.reduced.of(size);
-    glBindFramebuffer(GL_FRAMEBUFFER, smaller != 0 ? smaller : frame.framebuffer);
+    const GLuint smooth = smaller == 0 ? parts.smooth_target(frame, size) : 0;
+    const GLuint target = smooth != 0 ? smooth : frame.framebuffer;
+    glBindFramebuffer(GL_FRAMEBUFFER, smaller != 0 ? smaller : target);
     parts.draw_views(frame, selections, smaller != 0 ? scale_of(frame) : 1, drawn);
     feeding.reset();
     if (smaller != 0) parts.reduced.show(drawn_size, frame.framebuffer, size);
     parts.draw_signs(frame);
+    if (smooth != 0) parts.smooth.resolve(frame.framebuffer);
+    drawn.samples = smooth != 0 ? frame.detail.samples : 1;
     const bool is_window = frame.framebuffer == 0;
     const GLenum unneeded[2] = {static_cast<GLenum>(is_window ? GL_DEPTH : GL_DEPTH_ATTACHMENT),
                                 static_cast<GLenum>(is_window ? GL_STENCIL : GL_STENCIL_ATTACHMENT)};
@@ -419,7 +357,10 @@ Drawn Renderer::rehearse(const Frame& like) {
     frame.views.push_back(std::move(view));
     frame.is_one_of_many = true;
     const Drawn drawn = draw(frame);
-    frame.detail.scale = 0.5F;
+    // Drivers compile what is drawn once more for several samples.
+    frame.detail.samples = like.detail.samples;
+    if (frame.detail.samples > 1) draw(frame);
+    frame.detail = {1, 0.5F, 1};
     draw(frame);
     parts_->grounds.clear();  // another scene may get the address of this one
     parts_->skies.clear();    // of this size they are not needed again
@@ -432,6 +373,8 @@ Drawn Renderer::rehearse(const Frame& like) {
     parts_->shelves->buffers.trim(0);
     return drawn;
 }
+
+int Renderer::most_samples() const { return gl::most_samples(parts_->is_on_processor); }
 
 bool Renderer::is_done_within(std::chrono::nanoseconds patience) { return parts_->last_drawn.is_done_within(patience); }
 

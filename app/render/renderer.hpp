@@ -24,6 +24,7 @@ namespace quadrat::render {
 struct Detail {
     float alpha = 1;
     float scale = 1;  // of each side of the views, 0.25 to 1, drawn smaller and spread; signs stay sharp
+    int samples = 1;  // a pixel, 1 or 4: edges are smooth. Not where views are drawn smaller, nor where a GPU has none
 };
 
 class GpuScene;  // a scene's buffers and textures; freed on the context's thread
@@ -101,6 +102,7 @@ struct Drawn {
     std::size_t draws = 0;
     std::size_t sent_bytes = 0;  // that are new every frame: instances, indices, views
     std::size_t objects = 0;     // buffers, textures, programs that there are
+    int samples = 1;             // a pixel
 };
 
 class Renderer {
@@ -122,6 +124,9 @@ class Renderer {
     Drawn rehearse(const Frame& like);
     // Waits so long at most for what draw() asked of the GPU last; true when it is done.
     bool is_done_within(std::chrono::nanoseconds patience);
+    // Of a pixel, that this GPU can be asked for without waiting much longer: 1 or 4.
+    int most_samples() const;
+    double upload_bytes_per_s() const;            // into a texture; measured when it is asked, in some milliseconds
     void finish();                                // waits until everything is drawn; for measuring, never in the show
     mesh::Image read_pixels(const Frame& frame);  // RGBA, rows from the top, as the panel has them
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""compile.py FOLDER x.vert+x.frag…: links each pair and draws a triangle with it, so that the driver compiles what it would
-draw with; its statistics come out by V3D_DEBUG=shaderdb. Nothing but ctypes: it runs in a system that was only unpacked."""
+"""compile.py FOLDER x.vert+x.frag[*SAMPLES]…: links each pair and draws a triangle with it, with so many samples a pixel, so that
+the driver compiles what it would draw with; its statistics come out by V3D_DEBUG=shaderdb. Nothing but ctypes: it runs in a system that was only unpacked."""
 import ctypes
 import os
 import sys
@@ -15,6 +15,7 @@ egl.eglMakeCurrent.argtypes = [pointer] * 4
 SURFACELESS, OPENGL_ES, NONE = 0x31DD, 0x30A0, 0x3038
 VERTEX_SHADER, FRAGMENT_SHADER, COMPILE_STATUS, LINK_STATUS = 0x8B31, 0x8B30, 0x8B81, 0x8B82
 TEXTURE_2D, RGBA8, ARRAY_BUFFER, UNIFORM_BUFFER, FRAMEBUFFER = 0x0DE1, 0x8058, 0x8892, 0x8A11, 0x8D40
+RENDERBUFFER, COLOUR = 0x8D41, 0x8CE0
 
 
 def name_from(generate):
@@ -69,11 +70,21 @@ def program_of(folder, names):
     return program
 
 
-def draw_with(folder, pair):
-    context()
-    target = texture(64)
+def bind_target(samples):
     gl.glBindFramebuffer(FRAMEBUFFER, name_from(gl.glGenFramebuffers))
-    gl.glFramebufferTexture2D(FRAMEBUFFER, 0x8CE0, TEXTURE_2D, target, 0)
+    if samples == 1:
+        gl.glFramebufferTexture2D(FRAMEBUFFER, COLOUR, TEXTURE_2D, texture(64), 0)
+        return
+    gl.glBindRenderbuffer(RENDERBUFFER, colour := name_from(gl.glGenRenderbuffers))
+    gl.glRenderbufferStorageMultisample(RENDERBUFFER, samples, RGBA8, 64, 64)
+    gl.glFramebufferRenderbuffer(FRAMEBUFFER, COLOUR, RENDERBUFFER, colour)
+    if gl.glCheckFramebufferStatus(FRAMEBUFFER) != 0x8CD5:
+        sys.exit(f'no target of {samples} samples a pixel')
+
+
+def draw_with(folder, pair, samples):
+    context()
+    bind_target(samples)
     gl.glViewport(0, 0, 64, 64)
     gl.glBindVertexArray(name_from(gl.glGenVertexArrays))
     gl.glBindBuffer(ARRAY_BUFFER, name_from(gl.glGenBuffers))
@@ -98,7 +109,8 @@ for pair in sys.argv[2:]:
     print('PAIR', pair, flush=True)
     child = os.fork()
     if child == 0:
-        draw_with(sys.argv[1], pair)
+        name, _, samples = pair.partition('*')
+        draw_with(sys.argv[1], name, int(samples or 1))
         os._exit(0)  # the driver's own end is not what is looked at
     if os.waitpid(child, 0)[1] != 0:
         sys.exit(1)

@@ -91,6 +91,21 @@ TEST(Staff, AnExhibitTellsHowItIsAndGivesAPictureOfItself) {
     EXPECT_THAT(contents_of(service.folder / "run/starts"), HasSubstr("well"));
 }
 
+TEST(Staff, AGpuThatIsNotKnownIsMeasuredAndNeverAgain) {
+    const Service service;
+    Process exhibit(service.command(), service.folder.path());
+    service.wait_for_log(exhibit, "GPU: ");
+    exhibit.kill(SIGTERM);
+    EXPECT_TRUE(succeeds(exhibit.wait()));
+    Database state(service.folder / "state/quadrat.db");
+    EXPECT_EQ(state.number("SELECT COUNT(*) FROM memory WHERE name = 'gpu' AND value LIKE '%triangles%pixels%'"), 1);
+    EXPECT_EQ(state.number("SELECT COUNT(*) FROM memory WHERE name = 'detail' AND value LIKE '% llvmpipe%'"), 1);
+    Process again(service.command(), service.folder.path());
+    service.wait_for_log(again, "what this GPU came to the last time");
+    again.kill(SIGTERM);
+    EXPECT_TRUE(succeeds(again.wait()));
+}
+
 TEST(Staff, AShotOfNothingSaysThatNothingRuns) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "state");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kiosk/detail/calibration.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,7 +23,8 @@ double GpuProfile::frame_ms(float alpha, float scale) const {
     return always_ms + 1e3 * (triangles / triangles_per_s + pixels * scale * scale / pixels_per_s);
 }
 
-GpuProfile profile_of(const FrameCost& much, const FrameCost& little, const FrameCost& small, double pixels) {
+GpuProfile profile_of(const FrameCosts& costs, double pixels) {
+    const auto& [much, little, small, smooth] = costs;
     GpuProfile profile;
     profile.much = much;
     profile.little = little;
@@ -30,7 +33,23 @@ GpuProfile profile_of(const FrameCost& much, const FrameCost& little, const Fram
     profile.pixels_per_s =
         rate(pixels * (little.scale * little.scale - small.scale * small.scale), little.ms - small.ms);
     profile.always_ms = std::max(0.0, little.ms - profile.frame_ms(little.alpha, little.scale));
+    if (smooth.samples > 1) profile.smooth_ms = std::max(smooth.ms - much.ms, 0.0);
+    profile.can_be_smooth = smooth.samples > 1;
     return profile;
+}
+
+std::string to_text(const GpuProfile& profile) {
+    const auto per_second = [](double rate, const char* what) {
+        return std::isfinite(rate) ? fmt::format("{:.0f} million {} a second", rate / 1e6, what)
+                                   : fmt::format("{} for nothing", what);
+    };
+    std::string text =
+        fmt::format("{}, {}, {:.1f} ms whatever is drawn", per_second(profile.triangles_per_s, "triangles"),
+                    per_second(profile.pixels_per_s, "pixels"), profile.always_ms);
+    if (profile.can_be_smooth) text += fmt::format(", {:.1f} ms for smooth edges", profile.smooth_ms);
+    if (profile.upload_bytes_per_s > 0)
+        text += fmt::format(", {:.0f} MB a second to it", profile.upload_bytes_per_s / 1e6);
+    return text;
 }
 
 GovernorOptions start_for(const GpuProfile& profile, float most, double period_ms) {
@@ -40,7 +59,12 @@ GovernorOptions start_for(const GpuProfile& profile, float most, double period_m
         options.periods = periods;
         for (float level = most; level >= GovernorOptions::kLeast; level *= 0.97F) {
             options.start = level;
-            if (profile.frame_ms(alpha_for(level), scale_for(level)) <= kShare * period_ms * periods) return options;
+            const double left_ms = kShare * period_ms * periods - profile.frame_ms(alpha_for(level), scale_for(level));
+            if (left_ms < 0) continue;
+            const bool is_smooth =
+                profile.can_be_smooth && level >= most && periods == 1 && left_ms >= profile.smooth_ms;
+            options.samples = is_smooth ? 4 : 1;
+            return options;
         }
     }
     options.start = std::min(GovernorOptions::kLeast, most);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <array>
-#include <cstddef>
+#include <string>
 
 #include "kiosk/detail/governor.hpp"
 
@@ -12,6 +11,7 @@ namespace quadrat::kiosk {
 struct FrameCost {
     float alpha = 1;
     float scale = 1;
+    int samples = 1;
     double ms = 0;
     double triangles = 0;
 };
@@ -21,6 +21,9 @@ struct GpuProfile {
     double always_ms = 0;
     double triangles_per_s = 0;
     double pixels_per_s = 0;
+    bool can_be_smooth = false;     // with four samples a pixel,
+    double smooth_ms = 0;           // which take so much more
+    double upload_bytes_per_s = 0;  // 0: not measured
     // Triangles are taken to follow alpha between these two.
     FrameCost much;
     FrameCost little;
@@ -29,12 +32,19 @@ struct GpuProfile {
     double frame_ms(float alpha, float scale) const;
 };
 
-// much: at a high alpha, little: at a low one, small: that one at half the scale; of a frame of so many pixels. Where a
-// difference is lost in noise, what it stands for is taken to be free.
-GpuProfile profile_of(const FrameCost& much, const FrameCost& little, const FrameCost& small, double pixels);
+// much: at a high alpha, little: at a low one, small: that one at half the scale, smooth: the first with several
+// samples a pixel, or with one where there are none; of a frame of so many pixels. Where a difference is lost in noise,
+// what it stands for is taken to be free.
+struct FrameCosts {
+    FrameCost much, little, small, smooth;
+};
+GpuProfile profile_of(const FrameCosts& costs, double pixels);
+
+// For people, and for the state: its rates in one line.
+std::string to_text(const GpuProfile& profile);
 
 // Where to start: the most detail, up to `most`, that leaves three tenths of the screen's period, or of two periods
-// where one cannot be held at all.
+// where one cannot be held at all; and smooth edges where they leave as much beside all that is asked for.
 GovernorOptions start_for(const GpuProfile& profile, float most, double period_ms);
 
 }  // namespace quadrat::kiosk

@@ -18,11 +18,12 @@ constexpr float kMuchMore = 1.4F;        // far from what it could be: seen, and
 constexpr auto kSettling = 400ms;        // until a change can be judged
 constexpr auto kBlame = 5s;              // lateness so soon after a raise is the raise's
 constexpr auto kLongestPatience = std::chrono::nanoseconds{10min};
-constexpr auto kHopeless = 3s;       // late with the least detail: a frame in two periods
+constexpr auto kHopeless = 3s;  // late with the least detail: a frame in two periods
+constexpr auto kLongestRough = std::chrono::nanoseconds{2h};
 constexpr float kLessAtOnce = 0.6F;  // of the level, where a frame takes one period again
 constexpr float kGrowing = 0.4F;
 constexpr float kLeastGrowing = 0.12F;
-constexpr float kWaitTakes = 0.5F;  // a wait, of what is drawn while landscapes grow
+constexpr float kWaitTakes = 0.5F;   // a wait, of what is drawn while landscapes grow
 constexpr float kSofterFrom = 0.3F;  // level
 constexpr float kRoomShare = 0.95F;  // of the frames must have had room before more is tried
 constexpr float kLeastRoom = 0.5F;
@@ -50,13 +51,37 @@ DetailGovernor::DetailGovernor(const GovernorOptions& options)
       target_(std::clamp(options.start, std::min(GovernorOptions::kLeast, options.most), options.most)),
       shown_(target_),
       growing_share_(kGrowing),
-      periods_(options.periods) {}
+      periods_(options.periods),
+      samples_(options.samples),
+      most_samples_(options.samples) {}
 
 void DetailGovernor::follow(float most) {
     if (most == most_) return;
     most_ = most;
     target_ = std::min(target_, most);
     patience_ = 4s;
+}
+
+void DetailGovernor::allow_samples(int most) {
+    most_samples_ = most;
+    samples_ = std::min(samples_, most);
+}
+
+void DetailGovernor::other_landscapes(Instant now) {
+    const bool is_possible = has_room_for_smooth_edges_ && samples_ < most_samples_ && now >= rough_until_;
+    if (!is_possible) return;
+    samples_ = most_samples_;
+    has_room_for_smooth_edges_ = false;
+    reason_ = fmt::format("detail {:.2f}: in time, with much room: edges are smooth from now on", target_);
+}
+
+// Never soon again, and each time it was wrong for twice as long.
+void DetailGovernor::give_up_smooth_edges(const FrameTold& told) {
+    samples_ = 1;
+    rough_until_ = told.now + rough_for_;
+    rough_for_ = std::min(2 * rough_for_, kLongestRough);
+    say("late with smooth edges: without them", target_, told);
+    begin_anew(told.now);
 }
 
 void DetailGovernor::kept_waiting() {
@@ -112,7 +137,7 @@ void DetailGovernor::yield_a_little(const FrameTold& told) {
     const float before = target_;
     if (told.is_growing) {
         growing_share_ = std::max(growing_share_ * kLateTakes, kLeastGrowing);
-    } else if (target_ > GovernorOptions::kLeast) {
+    } else if (target_ > GovernorOptions::kLeast && samples_ == 1) {
         target_ = std::min(target_, std::max({target_ * kLateTakesNow, least_by_ones_, GovernorOptions::kLeast}));
         if (target_ < before) say("late", before, told);
         if (target_ <= GovernorOptions::kLeast) at_least_since_ = told.now;
@@ -121,6 +146,8 @@ void DetailGovernor::yield_a_little(const FrameTold& told) {
 
 void DetailGovernor::give_way(const FrameTold& told) {
     if (late_.count() < kTooManyLate || told.now - changed_at_ < kSettling) return;
+    has_room_for_smooth_edges_ = false;
+    if (samples_ > 1 && told.used > room_) return give_up_smooth_edges(told);
     const float before = target_;
     if (told.is_growing && growing_share_ > kLeastGrowing) {
         // Another generation will grow in a minute: that is its share, not the picture's.
@@ -155,6 +182,7 @@ void DetailGovernor::try_more(const FrameTold& told) {
     begin_calm(told.now);
     // Rather smooth than fine.
     if (periods_ > 1 && had_much_room && way_back_.watch(told.now)) return;
+    has_room_for_smooth_edges_ = had_much_room && target_ >= most_ && periods_ == 1;
     if (!had_room || target_ >= most_) return;
     before_raise_ = target_;
     target_ = std::min(target_ * (had_much_room ? kMuchMore : kOneMore), most_);

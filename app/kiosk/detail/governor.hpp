@@ -17,6 +17,7 @@ struct GovernorOptions {
     float most = 1;  // level; what the site asks for
     float start = 1;
     int periods = 1;  // of the screen's a frame, at the start
+    int samples = 1;  // a pixel, at the start; more than 1: edges are smooth
     static constexpr float kLeast = 0.01F;
 };
 
@@ -43,6 +44,11 @@ class DetailGovernor {
     };
     void frame(const FrameTold& told);
     void follow(float most);  // the site changed its mind
+    // Of a pixel: what the GPU and the site allow. None of its own accord until it is told.
+    void allow_samples(int most);
+    // The next frame is the first of other landscapes: what could be seen to change may change with it. Edges are
+    // smooth from then on where all that is asked for has been drawn in less than half of the time.
+    void other_landscapes(Instant now);
     // The next frame is the first of other landscapes, or the first while some grow: less is drawn of it already, not
     // only once it was late.
     void brace() { recovered_ = std::min(recovered_, growing_share_); }
@@ -54,6 +60,7 @@ class DetailGovernor {
     float level() const { return shown_ * (is_growing_ ? growing_share_ : recovered_); }
     // How many of the screen's periods a frame is meant to take: 1, or 2 while the machine cannot do better.
     int periods() const { return periods_; }
+    int samples() const { return samples_; }
     // To start with another time.
     float settled() const { return target_; }
     // Why it changed its mind last; once.
@@ -69,6 +76,7 @@ class DetailGovernor {
     void try_more(const FrameTold& told);
     void look_back(const FrameTold& told);
     void change_periods(int periods, Instant now);
+    void give_up_smooth_edges(const FrameTold& told);
     void say(const char* why, float before, const FrameTold& told);
     void begin_anew(Instant now);
     void begin_calm(Instant now);
@@ -80,6 +88,11 @@ class DetailGovernor {
     float recovered_ = 1;  // comes back from growing_share_
     bool is_growing_ = false;
     int periods_ = 1;
+    int samples_ = 1;
+    int most_samples_ = 1;
+    bool has_room_for_smooth_edges_ = false;
+    Instant rough_until_{0};                      // at least
+    Instant rough_for_{std::chrono::minutes{5}};  // the next time
     WayBack way_back_;
     std::bitset<kWindow> late_;  // the last frames, the newest first
     Instant late_took_{0};       // the longest of them

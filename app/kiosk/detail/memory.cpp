@@ -8,25 +8,41 @@
 
 namespace quadrat::kiosk {
 
+namespace {
+
+constexpr std::string_view kSmooth = "x4";  // behind the periods: with four samples a pixel
+
+}  // namespace
+
 std::string to_text(const DetailGovernor& governor, const display::Display& screen) {
-    return fmt::format("{} {:.4f} {}", governor.periods(), governor.settled(), screen.renderer());
+    return fmt::format("{}{} {:.4f} {}", governor.periods(), governor.samples() > 1 ? kSmooth : "", governor.settled(),
+                       screen.renderer());
+}
+
+std::optional<GovernorOptions> remembered_options(float most, std::string_view remembered,
+                                                  const display::Display& screen) {
+    GovernorOptions options;
+    options.most = most;
+    const char* const end = remembered.data() + remembered.size();
+    const auto first = std::from_chars(remembered.data(), end, options.periods);
+    if (first.ec != std::errc{} || first.ptr == end || options.periods < 1 || options.periods > 2) return {};
+    std::string_view rest(first.ptr, static_cast<std::size_t>(end - first.ptr));
+    if (rest.starts_with(kSmooth)) {
+        options.samples = 4;
+        rest.remove_prefix(kSmooth.size());
+    }
+    if (!rest.starts_with(' ')) return {};
+    const auto second = std::from_chars(rest.data() + 1, end, options.start);
+    if (second.ec != std::errc{} || second.ptr == end || !std::isfinite(options.start) || options.start <= 0) return {};
+    if (std::string_view(second.ptr + 1, static_cast<std::size_t>(end - second.ptr - 1)) != screen.renderer())
+        return {};
+    return options;
 }
 
 GovernorOptions options_for(float most, std::string_view remembered, const display::Display& screen) {
-    GovernorOptions options;
-    options.most = options.start = most;
-    const char* const end = remembered.data() + remembered.size();
-    int periods = 0;
-    const auto first = std::from_chars(remembered.data(), end, periods);
-    if (first.ec != std::errc{} || first.ptr == end || periods < 1 || periods > 2) return options;
-    float alpha = 0;
-    const auto second = std::from_chars(first.ptr + 1, end, alpha);
-    if (second.ec != std::errc{} || second.ptr == end || !std::isfinite(alpha) || alpha <= 0) return options;
-    if (std::string_view(second.ptr + 1, static_cast<std::size_t>(end - second.ptr - 1)) != screen.renderer())
-        return options;
-    options.start = alpha;
-    options.periods = periods;
-    return options;
+    GovernorOptions all;
+    all.most = all.start = most;
+    return remembered_options(most, remembered, screen).value_or(all);
 }
 
 }  // namespace quadrat::kiosk

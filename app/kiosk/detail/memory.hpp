@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,7 +13,10 @@ namespace quadrat::kiosk {
 
 std::string to_text(const DetailGovernor& governor, const display::Display& screen);
 
-// most: alpha, what the site asks for. What was remembered of another GPU, or cannot be read, counts for nothing.
+// Nothing where none is remembered, it is of another GPU, or cannot be read. most: alpha, what the site asks for.
+std::optional<GovernorOptions> remembered_options(float most, std::string_view remembered,
+                                                  const display::Display& screen);
+// The same; where there is none, all that the site asks for.
 GovernorOptions options_for(float most, std::string_view remembered, const display::Display& screen);
 
 }  // namespace quadrat::kiosk

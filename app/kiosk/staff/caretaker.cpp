@@ -207,6 +207,7 @@ Vitals Caretaker::vitals(const Panel& panel, const Show& show, Instant now) cons
     vitals.level = drawn_.level;
     vitals.alpha = drawn_.alpha;
     vitals.scale = drawn_.scale;
+    vitals.samples = drawn_.samples;
     vitals.triangles = drawn_.triangles;
     vitals.draws = drawn_.draws;
     vitals.gpu_objects = drawn_.objects;

@@ -42,6 +42,7 @@ class Caretaker {
         float level;  // the governor's
         float alpha;
         float scale;
+        int samples;  // a pixel
         int periods;  // of the screen's, that a frame is meant to take
         std::size_t triangles;
         std::size_t draws;
@@ -90,7 +91,7 @@ class Caretaker {
     int fault_pictures_ = 0;
     std::optional<Instant> looked_at_, shown_since_, reported_at_, remembered_at_, drawn_at_;
     bool has_looked_ = false;
-    DrawnWith drawn_{1, 1, 1, 1, 0, 0, 0};  // the last frame
+    DrawnWith drawn_{1, 1, 1, 1, 1, 0, 0, 0};  // the last frame
     enum class Figures { None, Shown, WithWires } figures_ = Figures::None;
     bool is_good_ = false;
     bool wants_restart_ = false;

@@ -55,9 +55,9 @@ std::string live_line(const Vitals& vitals) {
 std::string frames_line(const Vitals& vitals) {
     return fmt::format(
         "{:.0f} frames/s · {} late of {} · detail {:.2f} (α {:.2f}) · {} thousand triangles in {} draws · views at "
-        "{:.0f} %",
+        "{:.0f} %{}",
         vitals.frames.per_second, vitals.frames.late, vitals.frames.frames, vitals.level, vitals.alpha,
-        (vitals.triangles + 500) / 1000, vitals.draws, 100 * vitals.scale);
+        (vitals.triangles + 500) / 1000, vitals.draws, 100 * vitals.scale, vitals.samples > 1 ? " · smooth edges" : "");
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ struct Vitals {
     double level = 1;  // of detail, the governor's
     double alpha = 1;  // that is drawn with at this level
     double scale = 1;  // of a side of the views, as they are drawn
+    int samples = 1;   // a pixel
     std::size_t triangles = 0;
     std::size_t draws = 0;
     std::size_t gpu_objects = 0;  // buffers, textures, programs; constant over visits

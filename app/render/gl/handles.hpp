@@ -27,6 +27,9 @@ struct DeleteBuffer : LiveObjects {
 struct DeleteTexture : LiveObjects {
     void operator()(GLuint name) const noexcept { glDeleteTextures(1, &name); }
 };
+struct DeleteRenderbuffer : LiveObjects {
+    void operator()(GLuint name) const noexcept { glDeleteRenderbuffers(1, &name); }
+};
 struct DeleteVertexArray : LiveObjects {
     void operator()(GLuint name) const noexcept { glDeleteVertexArrays(1, &name); }
 };
@@ -39,6 +42,7 @@ struct DeleteProgram : LiveObjects {
 
 using BufferName = base::Owned<GLuint, DeleteBuffer>;
 using TextureName = base::Owned<GLuint, DeleteTexture>;
+using RenderbufferName = base::Owned<GLuint, DeleteRenderbuffer>;
 using VertexArrayName = base::Owned<GLuint, DeleteVertexArray>;
 using ShaderName = base::Owned<GLuint, DeleteShader>;
 using ProgramName = base::Owned<GLuint, DeleteProgram>;

@@ -147,6 +147,19 @@ double mean_difference(const mesh::Image& a, const mesh::Image& b) {
     return sum / static_cast<double>(a.bytes.size());
 }
 
+// Each pixel the mean of four.
+mesh::Image halved(const mesh::Image& picture) {
+    mesh::Image half(picture.width / 2, picture.height / 2, picture.channels);
+    for (int y = 0; y < half.height; ++y)
+        for (int x = 0; x < half.width; ++x)
+            for (int c = 0; c < half.channels; ++c) {
+                const int sum = picture.pixel(2 * x, 2 * y)[c] + picture.pixel(2 * x + 1, 2 * y)[c] +
+                                picture.pixel(2 * x, 2 * y + 1)[c] + picture.pixel(2 * x + 1, 2 * y + 1)[c];
+                half.pixel(x, y)[c] = static_cast<std::uint8_t>((sum + 2) / 4);
+            }
+    return half;
+}
+
 TEST_F(Pictures, ViewsThatAreDrawnSmallerLookAlikeAndSignsStaySharp) {
     render::Frame f = frame();
     f.views = {view_of(Hour::Noon, Ground::Meadow, {0, 0, 318, 360}),
@@ -169,6 +182,36 @@ TEST_F(Pictures, ViewsThatAreDrawnSmallerLookAlikeAndSignsStaySharp) {
     }
     f.detail.scale = 1;
     EXPECT_EQ(drawn(f).bytes, whole.bytes) << "nothing of it is left behind";
+}
+
+TEST_F(Pictures, SeveralSamplesAPixelAreNearerToAPictureOfTwiceTheSize) {
+    render::Frame f = frame();
+    f.detail.alpha = 100;  // or what is larger on the screen is drawn more closely
+    const auto two_views = [&](int times) {
+        f.size = {640 * times, 360 * times};
+        f.framebuffer = canvas_.framebuffer;
+        f.views = {view_of(Hour::Noon, Ground::Meadow, {0, 0, 318 * times, 360 * times}),
+                   view_of(Hour::Sunset, Ground::Desert, {322 * times, 0, 318 * times, 360 * times})};
+    };
+    two_views(1);
+    const mesh::Image rough = drawn(f);
+    f.detail.samples = 4;
+    EXPECT_EQ(renderer_->draw(f).samples, 4);
+    const mesh::Image smooth = renderer_->read_pixels(f);
+    f.detail.samples = 1;
+    EXPECT_EQ(renderer_->draw(f).samples, 1);
+    EXPECT_EQ(renderer_->read_pixels(f).bytes, rough.bytes) << "nothing of it is left behind";
+    f.views.clear();
+    renderer_.reset();
+    display::DisplayOptions options;
+    options.kind = display::Kind::Headless;
+    options.size = {1280, 720};
+    display_ = display::open_display(options);
+    canvas_ = display_->begin_frame();
+    renderer_ = std::make_unique<render::Renderer>();
+    two_views(2);
+    const mesh::Image reference = halved(drawn(f));
+    EXPECT_LT(mean_difference(smooth, reference), 0.7 * mean_difference(rough, reference));
 }
 
 TEST_F(Pictures, AnArrivingGenerationStandsAsSaplings) {

@@ -3,6 +3,7 @@
 // follows the detail, and a screen shows what is ready at its next period.
 #include "kiosk/detail/governor.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,6 +19,7 @@ namespace quadrat::kiosk {
 namespace {
 
 using namespace std::chrono_literals;
+using ::testing::HasSubstr;
 using Instant = DetailGovernor::Instant;
 
 constexpr Instant kPeriod{16'666'667};
@@ -291,8 +293,16 @@ TEST(Governor, StartsWhereItEndedOnTheSameGpuOnly) {
                             "/dev/dri/card0, HDMI-A-2 1280x720@50"})
         EXPECT_NEAR(options_for(1, text, tests::NamedScreen("V3D 4.2", now)).start, governor.settled(), 1e-3F) << now;
     EXPECT_EQ(options_for(1, text, tests::NamedScreen("V3D 7.1", "/dev/dri/card0, HDMI-A-1 1920x1080@60")).start, 1.0F);
-    for (const char* broken : {"", "1", "1 ", "1 x V3D 4.2", "9 0.5 V3D 4.2", "1 nan V3D 4.2", "1 -3 V3D 4.2", "1 0.5"})
+    for (const char* broken : {"", "1", "1 ", "1 x V3D 4.2", "9 0.5 V3D 4.2", "1 nan V3D 4.2", "1 -3 V3D 4.2", "1 0.5",
+                               "1x 0.5 V3D 4.2", "1x4", "1x40.5 V3D 4.2"})
         EXPECT_EQ(options_for(0.7F, broken, tests::NamedScreen("V3D 4.2")).start, 0.7F) << broken;
+    GovernorOptions smooth;
+    smooth.start = 0.8F;
+    smooth.samples = 4;
+    const GovernorOptions again =
+        options_for(1, to_text(DetailGovernor(smooth), tests::NamedScreen("V3D 4.2")), tests::NamedScreen("V3D 4.2"));
+    EXPECT_EQ(again.samples, 4);
+    EXPECT_NEAR(again.start, 0.8F, 1e-3F);
 }
 
 // What has never been drawn costs more than what was there before it.
@@ -338,6 +348,63 @@ TEST(Governor, LeavesMoreToWhatGrowsWhereSomebodyHadToWaitForIt) {
     for (int i = 0; i < 10; ++i) governor.kept_waiting();
     EXPECT_GT(level_after(1, true), 0.1F * picture) << "never all of it";
     EXPECT_NEAR(level_after(3600 * 20, true), growing, 0.01F) << "in twenty minutes it has come back";
+}
+
+// At most, in a visit of landscapes that change every so often: what is drawn takes so much of a frame, and with smooth
+// edges so much more.
+struct Visits {
+    DetailGovernor governor;
+    Instant now = 1s;
+    float used = 0.3F;
+    float more = 0.1F;
+    int changes = 0;
+
+    explicit Visits(const GovernorOptions& options) : governor(options) { governor.allow_samples(4); }
+    void pass(std::chrono::seconds span, std::chrono::seconds act = 20s) {
+        for (const Instant end = now + span; now < end;) {
+            now += kPeriod;
+            const int before = governor.samples();
+            if (now % act < kPeriod) governor.other_landscapes(now);
+            const float taken = used + (governor.samples() > 1 ? more : 0);
+            governor.frame({now, taken > 1 ? 2 * kPeriod : kPeriod, kPeriod, taken, false});
+            changes += governor.samples() != before;
+        }
+    }
+};
+
+TEST(Governor, SmoothsEdgesWithTheNextLandscapesWhereThereIsMuchRoom) {
+    Visits visits({});
+    visits.pass(15s);
+    EXPECT_EQ(visits.governor.samples(), 1) << "not in the midst of a picture";
+    visits.pass(10s);
+    EXPECT_EQ(visits.governor.samples(), 4);
+    visits.pass(600s);
+    EXPECT_EQ(visits.changes, 1);
+}
+
+TEST(Governor, SmoothsNoEdgesWhereThereIsLittleRoomOrTheGpuHasNoSamples) {
+    Visits little({});
+    little.used = 0.6F;
+    little.pass(600s);
+    EXPECT_EQ(little.governor.samples(), 1);
+    Visits none({});
+    none.governor.allow_samples(1);
+    none.pass(600s);
+    EXPECT_EQ(none.governor.samples(), 1);
+}
+
+TEST(Governor, GivesUpSmoothEdgesBeforeAnyDetailAndTriesThemEverMoreSeldom) {
+    GovernorOptions smooth;
+    smooth.samples = 4;
+    Visits visits(smooth);
+    visits.more = 0.9F;
+    visits.pass(1s);
+    EXPECT_EQ(visits.governor.samples(), 1);
+    EXPECT_EQ(visits.governor.settled(), 1);
+    EXPECT_THAT(visits.governor.take_reason().value_or(""), HasSubstr("smooth"));
+    visits.pass(3600s * 8);
+    EXPECT_LE(visits.changes, 15);
+    EXPECT_GE(visits.changes, 5);
 }
 
 }  // namespace

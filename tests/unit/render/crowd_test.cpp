@@ -11,6 +11,7 @@
 
 #include "base/seed.hpp"
 #include "scene/camera.hpp"
+#include "unit/render/plant_kinds.hpp"
 
 namespace quadrat::render::passes {
 namespace {
@@ -18,9 +19,6 @@ namespace {
 const scene::Camera kCamera{{0, 6, 0}, {0, 4, -100}, 42};
 
 Frustum frustum() { return Frustum(scene::clip_from_view(kCamera, 16.0F / 9) * scene::view_from_world(kCamera)); }
-
-Kind tree() { return {12, 4, {2800, 1100, 180, 30, 6}, {0, 0.04F, 0.12F, 0.3F, 0.6F}, 2100, 2}; }
-Kind grass() { return {0.4F, 0.2F, {}, {}, 9, 2}; }
 
 std::vector<scene::Plant> forest(std::size_t trees, std::size_t tufts) {
     std::vector<scene::Plant> plants;
@@ -135,7 +133,6 @@ TEST(Crowd, KeepsItsBudgetByGivingUpFineness) {
     EXPECT_LT(held.fineness, free.fineness);
 }
 
-// A frame does not depend on the one before it.
 TEST(Crowd, IsTheSameWhateverIsGuessed) {
     const auto plants = forest(4000, 4000);
     const std::vector<Kind> kinds{tree(), grass()};
@@ -173,204 +170,6 @@ TEST(Crowd, OfSeveralViewsShareABudgetByOneFineness) {
     EXPECT_GT(step, step_within(budget / 2, kinds, g, in_wood)) << "the forest has what the heath does not need";
 }
 
-TEST(Closeness, NeverGrowsCoarserAsAPlantGrowsLargerOnTheScreen) {
-    for (const float fineness : {0.1F, 1.0F, 4.0F}) {
-        Closeness before = closeness(tree(), 1, fineness);
-        for (float px = 1; px < 1500; px *= 1.03F) {
-            const Closeness now = closeness(tree(), px, fineness);
-            EXPECT_LE(now.wood_level, before.wood_level) << px;
-            EXPECT_GE(now.share, before.share) << px;
-            before = now;
-        }
-        EXPECT_EQ(before.wood_level, 0U);
-        EXPECT_EQ(before.share, 1.0F);
-    }
-}
-
-TEST(Closeness, MoreFinenessNeverTakesAnythingAway) {
-    for (float px = 2; px < 800; px *= 1.3F) {
-        for (float fineness = 0.05F; fineness < 4; fineness *= 1.5F) {
-            const Closeness coarse = closeness(tree(), px, fineness);
-            const Closeness fine = closeness(tree(), px, fineness * 1.5F);
-            EXPECT_LE(fine.wood_level, coarse.wood_level);
-            EXPECT_GE(fine.share, coarse.share);
-        }
-    }
-}
-
-Kind leafy() {
-    Kind kind = tree();
-    kind.mass_triangles = {240, 120, 60, 28, 14};
-    kind.massed = 0.8F;
-    return kind;
-}
-
-TEST(Closeness, WoodHasBecomeTheNextLevelWhenThatTakesItsPlace) {
-    Kind bare = tree();
-    bare.blades = 0;
-    for (const float fineness : {0.2F, 1.0F, 3.0F}) {
-        Closeness before = closeness(bare, 1500, fineness);
-        int changes = 0;
-        for (float px = 1500; px > 3; px *= 0.9995F) {
-            const Closeness now = closeness(bare, px, fineness);
-            if (now.wood_level != before.wood_level) {
-                EXPECT_EQ(now.wood_level, before.wood_level + 1);
-                EXPECT_GT(before.to_coarser, 0.98F) << px;
-                EXPECT_LT(now.to_coarser, 0.02F) << px;
-                ++changes;
-            } else {
-                EXPECT_NEAR(now.to_coarser, before.to_coarser, 0.02F) << px;
-                EXPECT_GE(now.to_coarser, before.to_coarser) << px;
-            }
-            before = now;
-        }
-        EXPECT_EQ(changes, 4);
-    }
-}
-
-TEST(Closeness, NoLimbIsMissedThatIsThickOnTheScreen) {
-    Kind bare = tree();
-    bare.blades = 0;
-    for (float px = 2; px < 1500; px *= 1.1F) {
-        const Closeness how = closeness(bare, px, 1);
-        EXPECT_LE(bare.wood_left_out_m[how.wood_level] * px / bare.height_m, 1.31F) << px;
-    }
-}
-
-TEST(Closeness, ATreeTenTimesAsLargeAsFarAwayIsDrawnAsClosely) {
-    Kind large = tree();
-    large.height_m *= 10;
-    large.radius_m *= 10;
-    large.blade_m *= 10;
-    for (float& left_out_m : large.wood_left_out_m) left_out_m *= 10;
-    for (float px = 2; px < 1500; px *= 1.03F) {
-        const Closeness small = closeness(tree(), px, 0.5F);
-        const Closeness ten_times = closeness(large, px, 0.5F);
-        EXPECT_EQ(ten_times.wood_level, small.wood_level) << px;
-        EXPECT_NEAR(ten_times.to_coarser, small.to_coarser, 1e-3F) << px;
-        EXPECT_FLOAT_EQ(ten_times.share, small.share) << px;
-    }
-}
-
-TEST(Closeness, AMassHasBecomeTheNextLevelWhenThatTakesItsPlace) {
-    const std::size_t levels = leafy().mass_triangles.size();
-    ASSERT_GE(levels, 2U);
-    for (const float fineness : {0.01F, 1.0F, 2.0F}) {
-        Closeness before = closeness(leafy(), 400, fineness);
-        int changes = 0;
-        for (float px = 400; px > 2; px *= 0.9995F) {
-            const Closeness now = closeness(leafy(), px, fineness);
-            if (before.mass_level < levels && now.mass_level != before.mass_level) {
-                EXPECT_EQ(now.mass_level, before.mass_level + 1);
-                EXPECT_GT(before.mass_to_coarser, 0.98F) << px;
-                EXPECT_LT(now.mass_to_coarser, 0.02F) << px;
-                ++changes;
-            } else if (before.mass_level < levels) {
-                EXPECT_NEAR(now.mass_to_coarser, before.mass_to_coarser, 0.02F) << px;
-            }
-            before = now;
-        }
-        EXPECT_GE(changes, 1) << fineness;
-    }
-}
-
-TEST(Closeness, ACrownBecomesOneMassGraduallyAndNearbyNever) {
-    for (const float fineness : {0.1F, 0.5F, 1.0F}) {
-        Closeness before = closeness(leafy(), 400, fineness);
-        for (float px = 400; px > 2; px *= 0.999F) {
-            const Closeness now = closeness(leafy(), px, fineness);
-            const bool is_mass = now.mass_level < leafy().mass_triangles.size();
-            const bool was_mass = before.mass_level < leafy().mass_triangles.size();
-            if (px > 50) {
-                EXPECT_FALSE(is_mass);
-            }
-            if (px < 20 && fineness < 0.6F) {
-                EXPECT_TRUE(is_mass);
-            }
-            if (is_mass && !was_mass) {
-                EXPECT_LT(now.merged, 0.05F) << px;
-            }
-            if (is_mass && was_mass) {
-                EXPECT_GE(now.merged + 1e-6F, before.merged);
-            }
-            before = now;
-        }
-    }
-}
-
-TEST(Closeness, ACrownOfAHandfulOfBladesIsOneMassHoweverLarge) {
-    constexpr float kHandful = 12;
-    for (const float fineness : {0.0001F, 0.001F, 0.005F}) {
-        for (float px = 30; px < 400; px *= 1.1F) {
-            const Closeness how = closeness(leafy(), px, fineness);
-            if (fineness * 0.16F * px * px > kHandful) continue;
-            ASSERT_LT(how.mass_level, leafy().mass_triangles.size()) << px;
-            EXPECT_FALSE(how.has_leaves) << px;
-            // And round enough for its size.
-            if (px > 120) {
-                EXPECT_GE(leafy().mass_triangles[how.mass_level], 28U) << px;
-            }
-        }
-    }
-}
-
-// Its mass stands for few of its leaves.
-Kind airy(std::size_t coarsest) {
-    Kind kind = leafy();
-    kind.mass_triangles.back() = coarsest;
-    kind.massed = 0.2F;
-    return kind;
-}
-
-TEST(Closeness, ASmallCrownIsItsMassOrItsBladesWhereLittleIsDrawn) {
-    const std::size_t levels = leafy().mass_triangles.size();
-    for (float px = 3; px < 9; px += 0.5F) {
-        const Closeness dear = closeness(airy(40), px, 0.001F);
-        EXPECT_EQ(dear.mass_level, levels) << px;
-        EXPECT_TRUE(dear.has_leaves) << px;
-        const Closeness cheap = closeness(airy(12), px, 0.001F);
-        EXPECT_LT(cheap.mass_level, levels) << px;
-        EXPECT_FALSE(cheap.has_leaves) << px;
-        const Closeness standard = closeness(airy(40), px, 1);
-        EXPECT_LT(standard.mass_level, levels) << px;
-        EXPECT_TRUE(standard.has_leaves) << px;
-    }
-}
-
-TEST(Closeness, AMassThatIsLeftOutHasDwindledBefore) {
-    for (const float fineness : {0.0001F, 0.01F, 0.05F}) {
-        float before = 1;
-        for (float px = 60; px > 2; px *= 0.999F) {
-            const Closeness how = closeness(airy(40), px, fineness);
-            const float size = how.mass_level < airy(40).mass_triangles.size() ? how.mass_size : 0;
-            EXPECT_NEAR(size, before, 0.02F) << px;
-            before = size;
-        }
-    }
-}
-
-TEST(Closeness, NoBladeThatStandsForManyIsLongOnTheScreen) {
-    constexpr float kLong_px = 16;
-    constexpr float kMany = 4.5F * 4.5F;
-    for (const float massed : {0.2F, 0.8F}) {
-        Kind kind = leafy();
-        kind.massed = massed;
-        for (const float largest : {1.5F, 6.0F, 100.0F}) {
-            kind.largest_blade = largest;
-            for (const float fineness : {0.0F, 0.003F, 0.02F, 0.1F, 0.4F}) {
-                for (float px = 14; px < 600; px *= 1.03F) {
-                    const Closeness how = closeness(kind, px, fineness);
-                    const float blade_px = kind.blade_m / kind.height_m * px * how.enlarged;
-                    const bool stands_for_many = 0.22F * fineness * px * px * kMany < static_cast<float>(kind.blades);
-                    EXPECT_FALSE(how.has_leaves && stands_for_many && blade_px > kLong_px)
-                        << px << " " << fineness << " " << largest;
-                    EXPECT_LE(how.enlarged, largest);
-                }
-            }
-        }
-    }
-}
-
 TEST(Crowd, WhatIsDrawnSmallerNeedsLessAndIsThere) {
     const auto plants = forest(1500, 4000);
     const std::vector<Kind> kinds{leafy(), grass()};
@@ -390,23 +189,6 @@ TEST(Crowd, WhatIsDrawnSmallerNeedsLessAndIsThere) {
     const Crowd fewer = gathered(plants, kinds, g, halved);
     EXPECT_LT(fewer.triangles, little.triangles * 8 / 10);
     EXPECT_GT(halved.size(), whole.size() * 8 / 10);  // some of the smallest stand for others
-}
-
-TEST(Closeness, ACrownThatIsNeverAMassKeepsBladesNearBy) {
-    for (const float fineness : {0.0F, 0.001F, 0.01F}) {
-        const auto blades = [&](float px) {
-            return closeness(tree(), px, fineness).share * static_cast<float>(tree().blades);
-        };
-        EXPECT_GE(blades(400), 200) << fineness;
-        EXPECT_GE(blades(100), 12) << fineness;
-        EXPECT_LE(blades(20), 8) << fineness;
-    }
-}
-
-TEST(Closeness, APlantNearByStandsForItselfAlone) {
-    for (const float fineness : {0.0F, 0.0001F, 0.01F, 1.0F})
-        for (float px = 45; px < 1000; px *= 1.1F) EXPECT_EQ(closeness(leafy(), px, fineness).stand, 1) << px;
-    EXPECT_LT(closeness(leafy(), 10, 0).stand, 0.5F);
 }
 
 TEST(Crowd, FewOfTheFarthestStandForAllAndCoverAsMuch) {

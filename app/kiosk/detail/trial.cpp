@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/detail/trial.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "kiosk/measurement.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds kPatience{1500};  // for each way to draw
+constexpr std::size_t kMostFrames = 12;
+constexpr std::size_t kFewestFrames = 3;
+
+double ms_since(Clock::time_point began) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - began).count();
+}
+
+}  // namespace
+
+Trial::Trial(const render::Renderer& renderer)
+    : ways_{{1, 1}, {0.1F, 1}, {0.1F, 0.5F}, {1, 1, renderer.most_samples()}} {}
+
+void Trial::step(render::Renderer& renderer, render::Frame frame) {
+    frame.detail = ways_[next_++];
+    FrameCost cost{frame.detail.alpha, frame.detail.scale};
+    std::vector<double> took;
+    const auto began = Clock::now();
+    // The first one compiles what it needs.
+    for (std::size_t n = 0; n <= kMostFrames && (took.size() < kFewestFrames || Clock::now() - began < kPatience);
+         ++n) {
+        const auto from = Clock::now();
+        const render::Drawn drawn = renderer.draw(frame);
+        renderer.finish();
+        cost.triangles = static_cast<double>(drawn.triangles);
+        cost.samples = drawn.samples;
+        if (n > 0) took.push_back(ms_since(from));
+    }
+    cost.ms = percentile(took, 0.5);
+    costs_.push_back(cost);
+}
+
+GpuProfile Trial::profile(render::Renderer& renderer, double pixels) const {
+    GpuProfile profile = profile_of({costs_[0], costs_[1], costs_[2], costs_[3]}, pixels);
+    profile.upload_bytes_per_s = renderer.upload_bytes_per_s();
+    return profile;
+}
+
+}  // namespace quadrat::kiosk

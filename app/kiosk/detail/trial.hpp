@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "kiosk/detail/calibration.hpp"
+#include "render/renderer.hpp"
+
+namespace quadrat::kiosk {
+
+// What a GPU takes for the same frame drawn in several ways, without waiting for a screen: where its profile comes
+// from.
+class Trial {
+  public:
+    explicit Trial(const render::Renderer& renderer);
+
+    bool is_over() const { return next_ == ways_.size(); }
+    // Draws the frame again and again in the next way, for a second and a half at most, and leaves nothing of it but
+    // what it drew. The frame has four views.
+    void step(render::Renderer& renderer, render::Frame frame);
+    // Once it is over. Measures what can be brought to the GPU, too.
+    GpuProfile profile(render::Renderer& renderer, double pixels) const;
+    const std::vector<FrameCost>& costs() const { return costs_; }
+
+  private:
+    std::vector<render::Detail> ways_;
+    std::vector<FrameCost> costs_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace quadrat::kiosk

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/selection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/gpu_scene.hpp"
+#include "render/passes/falling.hpp"
+#include "render/view.hpp"
+
+namespace quadrat::render {
+namespace {
+
+// Visible triangles of a whole frame at alpha 1 that a Raspberry Pi 4 draws in time.
+constexpr float kTriangleBudget = 240'000;
+constexpr std::size_t kFewestPlantTriangles = 10'000;
+constexpr float kLeastScale = 0.25F;  // of the sides of what is drawn smaller than it is shown
+
+glm::mat4 turned(const glm::mat4& clip_from_world, const Hanging& hanging) {
+    glm::mat4 turn{1};
+    const glm::mat2 turn_xy = panel_from_upright(hanging);
+    turn[0] = {turn_xy[0], 0, 0};
+    turn[1] = {turn_xy[1], 0, 0};
+    return turn * clip_from_world;
+}
+
+}  // namespace
+
+float scale_of(const Frame& frame) { return std::clamp(frame.detail.scale, kLeastScale, 1.0F); }
+
+float alpha_of(const Frame& frame) { return std::max(frame.detail.alpha, 0.01F); }
+
+bool draws_plants(const Frame& frame) { return frame.measured.leaves || frame.measured.wood; }
+
+Selection outline(const Frame& frame, std::size_t slot) {
+    const View& view = frame.views[slot];
+    const glm::mat4 clip_from_world = clip_from_world_of(view);
+    Selection s(clip_from_world);
+    s.block = block_of(view, turned(clip_from_world, frame.hanging), frame.seconds);
+    return s;
+}
+
+void look(const Frame& frame, std::size_t slot, HeldGround& held, Selection& s) {
+    const View& view = frame.views[slot];
+    const GpuScene& scene = *view.scene;
+    const float alpha = alpha_of(frame);
+    const float scale = pixels_per_radian(view);
+    if (frame.measured.ground)
+        held.update(view, clip_from_world_of(view),
+                    {alpha, scale, aspect_ratio(view), static_cast<float>(frame.views.size())});
+    else
+        held.drop();
+    if (!draws_plants(frame)) return;
+
+    s.gathering.view = s.block;
+    s.gathering.clouds = &scene.sky->shadow_map;
+    s.gathering.pixels_per_radian = scale;
+    s.gathering.scale = scale_of(frame);
+    s.gathering.growth = view.growth;
+    s.gathering.fineness = std::sqrt(alpha);  // the budget takes the rest where there is much to see
+    s.gathering.horizon = &held.horizon();
+    s.plants = passes::look(*scene.plants, scene.flora->kinds, s.frustum, s.gathering);
+    s.other_triangles = held.triangles() +
+                        (frame.measured.sky ? passes::FallingPass::triangles(scene.air.sky.precipitation, alpha) : 0);
+}
+
+int affordable_step(const Frame& frame, const std::vector<Selection>& selections, std::optional<int> before) {
+    std::vector<passes::Crowding> views;
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < selections.size(); ++i) {
+        const Selection& s = selections[i];
+        views.push_back({frame.views[i].scene->flora->kinds, &s.gathering, &s.plants});
+        others += s.other_triangles;
+    }
+    const auto budget = static_cast<std::size_t>(kTriangleBudget * alpha_of(frame));
+    return passes::affordable_step(views, std::max(budget, others + kFewestPlantTriangles) - others, before);
+}
+
+}  // namespace quadrat::render

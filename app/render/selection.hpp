@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <optional>
+#include <vector>
+
+#include "render/held_ground.hpp"
+#include "render/passes/crowd.hpp"
+#include "render/passes/frustum.hpp"
+#include "render/passes/view_block.hpp"
+#include "render/renderer.hpp"
+
+// What is drawn of each view, before any of it is.
+namespace quadrat::render {
+
+float alpha_of(const Frame& frame);
+float scale_of(const Frame& frame);
+bool draws_plants(const Frame& frame);
+
+// One view's share of the frame.
+struct Selection {
+    explicit Selection(const glm::mat4& clip_from_world) : frustum(clip_from_world) {}
+
+    passes::Frustum frustum;
+    passes::ViewBlock block;
+    passes::Gathering gathering;
+    passes::Sight plants;
+    std::size_t other_triangles = 0;  // than those of plants
+    std::vector<passes::Batch> batches;
+    std::optional<glm::mat3> held_sky_from_view;  // where the sky is a picture of some frames ago
+};
+
+Selection outline(const Frame& frame, std::size_t slot);
+// What of its ground is drawn how closely, and which plants are seen.
+void look(const Frame& frame, std::size_t slot, HeldGround& held, Selection& selection);
+// All views' plants are drawn with one fineness: a forest has more of the frame's triangles than a desert. before: of
+// the frame before.
+int affordable_step(const Frame& frame, const std::vector<Selection>& selections, std::optional<int> before);
+
+}  // namespace quadrat::render
