@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Visits played by somebody who answers every two seconds, on a screen that nobody sees, against the clock.
+// Visits played by somebody who answers about every two seconds, on a screen that nobody sees, against the clock.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,9 @@ namespace {
 
 using std::chrono::seconds;
 
-constexpr Instant kPause = seconds{2};  // between presses
+// Between presses. Not a multiple of a screen's period at 24, 30, 50 or 60 Hz: each press would come in the same phase
+// of a frame, and the times from it to the scenes would be those of that phase only.
+constexpr Instant kPause = std::chrono::milliseconds{2007};
 constexpr Instant kSlowUpload = std::chrono::milliseconds{3};
 constexpr Instant kWeighEvery = std::chrono::milliseconds{500};
 
