@@ -7,7 +7,6 @@
 #include <map>
 #include <thread>
 
-#include "base/file.hpp"
 #include "display/shown_frames.hpp"
 #include "firmware-io/scripted/scripted_buttons.hpp"
 #include "kiosk/benches/benches.hpp"
@@ -192,6 +191,7 @@ void visit(Results& results, const Options& options) {
     wanted.paces = {{options.hz}};
     if (options.then_hz > 0) wanted.paces.push_back({options.then_hz, 2 * span / 3});
     const auto screen = display::open_display(wanted);
+    results.gpu = screen->description();
     const auto buttons = visitor_for(span);
     Panel panel(*buttons);
     SteadyClock clock;
@@ -227,7 +227,7 @@ void visit(Results& results, const Options& options) {
     results.push_back({"visit.generations", static_cast<double>(to_scenes.size()), "", cores()});
     results.push_back({"visit.level", governor.settled(), "", cores()});
     results.push_back({"visit.deadline_ms", milliseconds(watched.frames().back().deadline), "ms", cores()});
-    if (!options.plot.empty()) base::write_file(options.plot, plot_of(watched.frames(), record.decisions));
+    results.visit_svg = plot_of(watched.frames(), record.decisions);
 }
 
 }  // namespace quadrat::kiosk::benches
