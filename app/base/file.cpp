@@ -28,6 +28,13 @@ void flush(const fs::path& path, int flags) {
     if (fd && ::fsync(fd.get()) != 0 && errno != EINVAL) fail(path, "cannot flush to the disk");
 }
 
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+// Where bytes lie until all of them do.
+fs::path beside(const fs::path& path) {
+    return folder_of(path) / fmt::format(".{}.{}{}", path.stem().string(), ::getpid(), path.extension().string());
+}
+
 }  // namespace
 
 std::string read_file(const fs::path& path, std::size_t limit_bytes) {
@@ -47,19 +54,30 @@ std::string read_file(const fs::path& path, std::size_t limit_bytes) {
 }
 
 void write_file_by(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-    const fs::path directory = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    const fs::path temporary =
-        directory / fmt::format(".{}.{}{}", path.stem().string(), ::getpid(), path.extension().string());
+    const fs::path temporary = beside(path);
     try {
         write(temporary);
         flush(temporary, O_RDONLY);
         if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, "cannot replace");
-        flush(directory, O_RDONLY | O_DIRECTORY);
+        flush(folder_of(path), O_RDONLY | O_DIRECTORY);
     } catch (...) {
         std::error_code ignored;
         fs::remove(temporary, ignored);
         throw;
     }
+}
+
+void require_writable(const fs::path& path) {
+    constexpr int kMode = 0600;
+    std::error_code error;
+    if (path.filename().empty() || fs::is_directory(path, error))
+        throw InputError(fmt::format("{}: is a directory, not a file", path.string()));
+    if (fs::exists(path, error) && !fs::is_regular_file(path, error))
+        throw InputError(fmt::format("{}: is not a file", path.string()));
+    const fs::path temporary = beside(path);
+    const OwnedDescriptor fd(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kMode));
+    if (!fd) fail(path, "cannot write");
+    fs::remove(temporary, error);
 }
 
 void write_file(const fs::path& path, std::string_view bytes) {

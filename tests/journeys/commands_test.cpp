@@ -332,7 +332,7 @@ bool is_well_formed(const std::string& xml) {
 TEST(Bench, OfAVisitPlotsItsFrames) {
     const TemporaryFolder folder;
     const Ended ended = run(program({"bench", "visit", "--json", "--minutes", "0.1", "--size", "160x90", "--busy",
-                                     "--hz", "60", "--then-hz", "30", "--plot", "visit.svg"}),
+                                     "--hz", "60", "--then-hz", "30", "--plot", "visit.svg", "--report", "visit.html"}),
                             folder);
     ASSERT_EQ(ended.status, 0) << ended.err;
     std::map<std::string, double> values;
@@ -351,6 +351,7 @@ TEST(Bench, OfAVisitPlotsItsFrames) {
     ASSERT_NE(points, std::string::npos);
     EXPECT_GE(std::count(svg.begin() + static_cast<std::ptrdiff_t>(points), svg.end(), ','), 3)
         << "a point a frame, in three lines";
+    EXPECT_EQ(count_of(contents_of(folder / "visit.html"), svg), 1U);
 }
 
 TEST(Doctor, LooksAtEveryPartAndSaysWhatToDo) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "genome/offer.hpp"
@@ -11,7 +12,14 @@
 
 namespace quadrat::kiosk::benches {
 
-using Results = std::vector<Measurement>;
+// What was measured, and on what.
+struct Results {
+    std::vector<Measurement> figures{};
+    std::string gpu{};        // that drew; empty where nothing was drawn
+    std::string visit_svg{};  // its frames and what the governor did; empty where no visit was played
+
+    void push_back(Measurement figure) { figures.push_back(std::move(figure)); }
+};
 
 // What `quadrat bench` was asked for, beyond the group.
 struct Options {
@@ -22,14 +30,13 @@ struct Options {
     double hz = 30;             // of the screen they are played on
     double then_hz = 0;         // and in the last third of them; 0: the same
     bool is_busy = false;       // another process takes a core, and time from uploads, for their middle third
-    std::string plot;           // FILE.svg of them; may be empty
     std::string profile;        // detail: "pi4", "pi5": what a frame would take there; or empty
     std::size_t triangles = 0;  // of a frame at most; 0: whatever alpha makes of it
     std::size_t pixels = 0;
 };
 
 // One function a group of `quadrat bench`; each appends its figures. A file a group.
-void frame(Results& results, const Options& options, std::string& gpu);
+void frame(Results& results, const Options& options);
 void generation(Results& results);
 void trees(Results& results);
 void land(Results& results);

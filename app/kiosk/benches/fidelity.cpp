@@ -58,6 +58,7 @@ double difference(const mesh::Image& a, const mesh::Image& b) {
 
 void fidelity(Results& results, const Options& options) {
     FourViews views(options);
+    results.gpu = views.easel.display().description();
     const render::Detail coarse_detail = views.picture.detail;
     double apart = 0;
     double apart_blurred = 0;

@@ -132,7 +132,7 @@ std::size_t fewest_trees(FourViews& views, int frames) {
 
 }  // namespace
 
-void frame(Results& results, const Options& options, std::string& gpu) {
+void frame(Results& results, const Options& options) {
     hold_memory();  // as quadrat run does
     const auto start = std::chrono::steady_clock::now();
     FourViews views(options);
@@ -140,7 +140,7 @@ void frame(Results& results, const Options& options, std::string& gpu) {
     results.push_back({"start.first_frame_ms", first.count(), "ms, in first light", cores()});
     Easel& easel = views.easel;
     render::Frame& picture = views.picture;
-    gpu = easel.display().description();
+    results.gpu = easel.display().description();
     SignWriter writer(easel.renderer());
     picture.signs = writer.badges(picture.size.x, picture.size.y);
     std::vector<double> wall;

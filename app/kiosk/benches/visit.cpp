@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Visits played by somebody who answers every two seconds, on a screen that nobody sees, against the clock.
+// Visits played by somebody who answers about every two seconds, on a screen that nobody sees, against the clock.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +7,6 @@
 #include <map>
 #include <thread>
 
-#include "base/file.hpp"
 #include "display/shown_frames.hpp"
 #include "firmware-io/scripted/scripted_buttons.hpp"
 #include "kiosk/benches/benches.hpp"
@@ -22,7 +21,9 @@ namespace {
 
 using std::chrono::seconds;
 
-constexpr Instant kPause = seconds{2};  // between presses
+// Between presses. Not a multiple of a screen's period at 24, 30, 50 or 60 Hz: each press would come in the same phase
+// of a frame, and the times from it to the scenes would be those of that phase only.
+constexpr Instant kPause = std::chrono::milliseconds{2007};
 constexpr Instant kSlowUpload = std::chrono::milliseconds{3};
 constexpr Instant kWeighEvery = std::chrono::milliseconds{500};
 
@@ -190,6 +191,7 @@ void visit(Results& results, const Options& options) {
     wanted.paces = {{options.hz}};
     if (options.then_hz > 0) wanted.paces.push_back({options.then_hz, 2 * span / 3});
     const auto screen = display::open_display(wanted);
+    results.gpu = screen->description();
     const auto buttons = visitor_for(span);
     Panel panel(*buttons);
     SteadyClock clock;
@@ -225,7 +227,7 @@ void visit(Results& results, const Options& options) {
     results.push_back({"visit.generations", static_cast<double>(to_scenes.size()), "", cores()});
     results.push_back({"visit.level", governor.settled(), "", cores()});
     results.push_back({"visit.deadline_ms", milliseconds(watched.frames().back().deadline), "ms", cores()});
-    if (!options.plot.empty()) base::write_file(options.plot, plot_of(watched.frames(), record.decisions));
+    results.visit_svg = plot_of(watched.frames(), record.decisions);
 }
 
 }  // namespace quadrat::kiosk::benches

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kiosk/benches/markup.hpp"
+
 namespace quadrat::kiosk::benches {
 namespace {
 
@@ -35,7 +37,7 @@ std::string bars(const std::vector<FrameSeen>& frames, const Scale& scale) {
         std::size_t end = i;
         while (end < frames.size() && frames[end].is_growing == frames[i].is_growing) ++end;
         if (frames[i].is_growing)
-            svg += fmt::format(R"(<rect x="{:.1f}" y="{}" width="{:.1f}" height="{}" fill="#e8f0e0"/>)",
+            svg += fmt::format(R"(<rect class="growing" x="{:.1f}" y="{}" width="{:.1f}" height="{}" fill="#e8f0e0"/>)",
                                scale.x(seconds(frames[i].at)), kTop,
                                std::max(0.5, scale.x(seconds(frames[end - 1].at)) - scale.x(seconds(frames[i].at))),
                                kHeight - kTop - kBottom) +
@@ -46,17 +48,11 @@ std::string bars(const std::vector<FrameSeen>& frames, const Scale& scale) {
 }
 
 template <typename Value>
-std::string line(const std::vector<FrameSeen>& frames, const Scale& scale, const char* colour, Value value) {
+std::string line(const std::vector<FrameSeen>& frames, const Scale& scale, const char* look, Value value) {
     std::string points;
     for (const FrameSeen& frame : frames)
         points += fmt::format("{:.1f},{:.1f} ", scale.x(seconds(frame.at)), value(frame));
-    return fmt::format(R"(<polyline fill="none" stroke="{}" stroke-width="1" points="{}"/>)", colour, points) + "\n";
-}
-
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char c : text) safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-    return safe;
+    return fmt::format(R"(<polyline fill="none" {} stroke-width="1" points="{}"/>)", look, points) + "\n";
 }
 
 std::string marks(const std::vector<RunRecord::Decision>& decisions, const Scale& scale) {
@@ -75,11 +71,11 @@ std::string plot_of(const std::vector<FrameSeen>& frames, const std::vector<RunR
     const double deadline_ms = 1e3 * seconds(std::ranges::max(frames, {}, &FrameSeen::deadline).deadline);
     const Scale scale{std::max(seconds(frames.back().at), 1.0), 4 * deadline_ms};
     std::string svg = fmt::format(
-        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {} {}" font-family="sans-serif" font-size="12">)",
+        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {} {}" font-family="sans-serif" font-size="12" fill="currentColor">)",
         kWidth, kHeight);
     svg +=
         "\n"
-        R"(<rect width="100%" height="100%" fill="white"/>)"
+        R"(<rect class="paper" width="100%" height="100%" fill="white"/>)"
         "\n" +
         bars(frames, scale);
     for (double ms = 0; ms <= scale.most_ms + 1e-9; ms += deadline_ms)
@@ -100,9 +96,11 @@ std::string plot_of(const std::vector<FrameSeen>& frames, const std::vector<RunR
             svg += fmt::format(R"(<line x1="{0:.1f}" x2="{0:.1f}" y1="{1}" y2="{2}" stroke="#80a060"/>)",
                                scale.x(seconds(frames[i].at)), kTop, kHeight - kBottom) +
                    "\n";
-    svg += line(frames, scale, "#3060a0", [&](const FrameSeen& f) { return scale.y(1e3 * seconds(f.took)); });
-    svg += line(frames, scale, "#909090", [&](const FrameSeen& f) { return scale.y(1e3 * seconds(f.deadline)); });
-    svg += line(frames, scale, "#c05010", [&](const FrameSeen& f) { return scale.y_of_level(f.level); });
+    svg += line(frames, scale, R"(class="took" stroke="#3060a0")",
+                [&](const FrameSeen& f) { return scale.y(1e3 * seconds(f.took)); });
+    svg += line(frames, scale, R"(stroke="#909090")",
+                [&](const FrameSeen& f) { return scale.y(1e3 * seconds(f.deadline)); });
+    svg += line(frames, scale, R"(stroke="#c05010")", [&](const FrameSeen& f) { return scale.y_of_level(f.level); });
     svg += marks(decisions, scale);
     svg += fmt::format(
         R"(<text x="{}" y="18">frame times (blue), their deadline (grey), level of detail (orange, right; a dot: why it changed), growing (shaded), arrivals (green)</text>)",

@@ -20,7 +20,8 @@ struct FrameSeen {
 };
 
 // SVG: how long each frame took, when landscapes grew and came, and what the governor made of it, with a mark for each
-// of its decisions that says why where a viewer's pointer rests on it.
+// of its decisions that says why where a viewer's pointer rests on it. Black on white, unless a page that it stands in
+// gives the classes paper, growing and took other colours.
 std::string plot_of(const std::vector<FrameSeen>& frames, const std::vector<RunRecord::Decision>& decisions);
 
 }  // namespace quadrat::kiosk::benches

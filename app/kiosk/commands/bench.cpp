@@ -1,49 +1,96 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/chrono.h>
+
 #include <algorithm>
+#include <ctime>
 #include <iostream>
 #include <memory>
+#include <optional>
 
+#include "base/file.hpp"
+#include "display/display.hpp"
 #include "kiosk/benches/benches.hpp"
+#include "kiosk/benches/report.hpp"
 #include "kiosk/commands/commands.hpp"
 
 namespace quadrat::kiosk::commands {
 namespace {
 
+using benches::Results;
+
 struct Options {
-    std::string group = "all";
+    std::vector<std::string> groups{"all"};
     bool is_json = false;
+    std::string plot;     // FILE.svg of a visit's frames; may be empty
+    std::string report;   // FILE.html; may be empty
+    std::string shaders;  // FILE.json that tests/gpu/run wrote, for the report; may be empty
     benches::Options how;
 };
 
 struct Group {
-    std::string name;
-    std::function<void(benches::Results&)> measure;
+    const char* name;
+    void (*measure)(Results& results, const benches::Options& how);
 };
 
-int bench(const Options& options) {
-    std::string gpu;
-    // Frames first: the peak of memory is then the exhibit's and not that of a group before it.
-    const std::vector<Group> groups{{"frame", [&](auto& results) { benches::frame(results, options.how, gpu); }},
-                                    {"generation", benches::generation},
-                                    {"trees", benches::trees},
-                                    {"land", benches::land},
-                                    {"sky", benches::sky},
-                                    {"breeding", benches::breeding},
-                                    {"detail", [&](auto& results) { benches::detail(results, options.how); }},
-                                    {"fidelity", [&](auto& results) { benches::fidelity(results, options.how); }},
-                                    {"start", [&](auto& results) { benches::start(results, options.how); }},
-                                    {"visit", [&](auto& results) { benches::visit(results, options.how); }}};
-    benches::Results results;
-    for (const Group& group : groups) {
-        const bool is_asked = options.group == group.name || (options.group == "all" && group.name != "visit");
-        if (!is_asked) continue;
-        std::cerr << "measuring " << group.name << " …\n";
-        group.measure(results);
-    }
-    if (options.is_json)
-        std::cout << json_of(results, gpu) << '\n';
+// Frames first: the peak of memory is then the exhibit's and not that of a group before it.
+constexpr Group kGroups[] = {
+    {"frame", benches::frame},
+    {"generation", [](Results& results, const benches::Options&) { benches::generation(results); }},
+    {"trees", [](Results& results, const benches::Options&) { benches::trees(results); }},
+    {"land", [](Results& results, const benches::Options&) { benches::land(results); }},
+    {"sky", [](Results& results, const benches::Options&) { benches::sky(results); }},
+    {"breeding", [](Results& results, const benches::Options&) { benches::breeding(results); }},
+    {"detail", benches::detail},
+    {"fidelity", benches::fidelity},
+    {"start", benches::start},
+    {"visit", benches::visit}};
+
+std::vector<std::string> group_names() {
+    std::vector<std::string> names;
+    for (const Group& group : kGroups) names.emplace_back(group.name);
+    return names;
+}
+
+bool is_asked(const Group& group, const std::vector<std::string>& groups) {
+    const auto holds = [&](std::string_view name) { return std::ranges::find(groups, name) != groups.end(); };
+    return holds(group.name) || (holds("all") && group.name != std::string_view("visit"));
+}
+
+// What would otherwise be found after minutes of measuring.
+std::optional<benches::ShaderTable> checked(const Options& options) {
+    constexpr std::size_t kLimit_bytes = 4U << 20U;
+    display::size_from(options.how.size, "--size");
+    for (const std::string& file : {options.plot, options.report})
+        if (!file.empty()) base::require_writable(file);
+    if (options.shaders.empty()) return std::nullopt;
+    return benches::shader_table_from(base::read_file(options.shaders, kLimit_bytes), options.shaders);
+}
+
+std::string now_as_text() { return fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr))); }
+
+void print(const Results& results, bool is_json) {
+    if (is_json)
+        std::cout << json_of(results.figures, results.gpu) << std::endl;
     else
-        std::cout << machine_description() << (gpu.empty() ? "" : "; " + gpu) << "\n\n" << table_of(results);
+        std::cout << machine_description() << (results.gpu.empty() ? "" : "; " + results.gpu) << "\n\n"
+                  << table_of(results.figures) << std::flush;
+}
+
+int bench(const Options& options) {
+    const auto shaders = checked(options);
+    benches::Report report{machine_description(), QUADRAT_VERSION, now_as_text(), {}, {}, {}, shaders};
+    Results& results = report.results;
+    for (const Group& group : kGroups) {
+        if (!is_asked(group, options.groups)) continue;
+        std::cerr << "measuring " << group.name << " …\n";
+        report.groups.emplace_back(group.name);
+        group.measure(results, options.how);
+    }
+    report.settings = benches::settings_of(options.how, report.groups);
+    // First where nothing can go wrong any more: a disk may have filled up meanwhile.
+    print(results, options.is_json);
+    if (!options.plot.empty() && !results.visit_svg.empty()) base::write_file(options.plot, results.visit_svg);
+    if (!options.report.empty()) base::write_file(options.report, benches::html_of(report));
     return 0;
 }
 
@@ -52,12 +99,11 @@ int bench(const Options& options) {
 void add_bench(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("bench", "Measure this machine: growing, frames, memory");
+    std::vector<std::string> names = group_names();
+    names.emplace_back("all");
     command
-        ->add_option("group", options->group,
-                     "all, frame, generation, trees, land, sky, breeding, detail, fidelity, start; or visit, which is "
-                     "not among all")
-        ->check(CLI::IsMember(
-            {"all", "frame", "generation", "trees", "land", "sky", "breeding", "detail", "fidelity", "start", "visit"}))
+        ->add_option("group", options->groups, "Groups. all: every one but visit, which is measured where it is named")
+        ->check(CLI::IsMember(names))
         ->capture_default_str();
     command->add_flag("--json", options->is_json, "One JSON object instead of a table");
     command->add_option("--size", options->how.size, "Pixels of the frames")->capture_default_str();
@@ -82,7 +128,13 @@ void add_bench(CLI::App& app, Action& chosen) {
         ->check(CLI::Range(1.0, 240.0));
     command->add_flag("--busy", options->how.is_busy,
                       "visit: something else takes a core, and time from uploads, for the middle third");
-    command->add_option("--plot", options->how.plot, "visit: FILE.svg of the frames and what the governor did");
+    command->add_option("--plot", options->plot, "visit: FILE.svg of the frames and what the governor did");
+    CLI::Option* report = command->add_option(
+        "--report", options->report, "FILE.html with all of it: machine, settings, tables, the plot of a visit");
+    command
+        ->add_option("--shaders", options->shaders,
+                     "For the report: FILE.json of what shaders need on a Raspberry Pi, from tests/gpu/run --json")
+        ->needs(report);
     command->callback([options, &chosen] { chosen = [options] { return bench(*options); }; });
 }
 

@@ -55,6 +55,18 @@ TEST_F(File, LeavesTheOldFileWholeWhenWritingFails) {
     EXPECT_EQ(files(), 1U) << "the half-written file is left behind";
 }
 
+TEST_F(File, IsKnownToBeWritableBeforeItIsWritten) {
+    const fs::path file = directory_ / "a.html";
+    require_writable(file);
+    EXPECT_EQ(files(), 0U) << "asking leaves nothing behind";
+    write_file(file, "old");
+    require_writable(file);
+    EXPECT_EQ(read_file(file), "old");
+    for (const fs::path& no_file : {directory_, directory_ / "", directory_ / "missing" / "a.html", file / "b.html"})
+        EXPECT_THROW(require_writable(no_file), InputError) << no_file;
+    EXPECT_THROW(require_writable("/dev/null"), InputError) << "it would be replaced";
+}
+
 TEST_F(File, SaysWhichFileCannotBeReadOrWritten) {
     const auto message_of = [](const auto& work) -> std::string {
         try {

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "journeys/quadrat_program.hpp"
+
+namespace {
+
+using namespace quadrat::tests;
+
+TEST(Bench, LeavesAReportInOnePage) {
+    const TemporaryFolder folder;
+    folder.write("shaders.json", R"({"compiler": "Mesa 25.0.7", "shaders": [{"vertex": "sky.vert", "fragment":
+        "sky.frag", "stage": "fragment", "chip": "4.2", "instructions": 47, "threads": 4, "spills": 0, "fills": 0,
+        "budget": 49}]})");
+    ASSERT_TRUE(
+        succeeds(run(program({"bench", "generation", "--report", "x.html", "--shaders", "shaders.json"}), folder)));
+    const std::string page = contents_of(folder / "x.html");
+    for (const char* text : {"<!DOCTYPE html>", "generation.cold_ms", "sky.frag", "Mesa 25.0.7", "</html>"})
+        EXPECT_NE(page.find(text), std::string::npos) << text;
+    EXPECT_EQ(count_of(page, "http"), 0U) << "it needs nothing from outside";
+}
+
+TEST(Bench, RefusesBeforeItMeasuresWhatItCouldNotReportAfterwards) {
+    const TemporaryFolder folder;
+    folder.write("shaders.json", R"({"compiler": "Mesa", "shaders": [{"vertex": 3}]})");
+    const std::vector<std::pair<std::vector<std::string>, std::string>> refused{
+        {{"--report", "no/such/folder/x.html"}, "no/such/folder/x.html: cannot write"},
+        {{"--plot", "no/such/folder/x.svg"}, "no/such/folder/x.svg: cannot write"},
+        {{"--report", "."}, ".: is a directory"},
+        {{"--report", "x.html", "--shaders", "shaders.json"}, "shaders.json: shaders[0]: vertex is 3"},
+        {{"--report", "x.html", "--shaders", "none.json"}, "none.json: cannot read"},
+        {{"--shaders", "shaders.json"}, "--report"}};
+    for (const auto& [options, said] : refused) {
+        std::vector<std::string> arguments{"bench", "generation"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Ended ended = run(program(arguments), folder);
+        EXPECT_TRUE(ends_with(ended, 2)) << said;
+        EXPECT_NE(ended.err.find(said), std::string::npos) << ended.err;
+        EXPECT_EQ(lines_of(ended.err).size(), 1U) << "one line, and nothing measured: " << ended.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "x.html"));
+}
+
+}  // namespace
