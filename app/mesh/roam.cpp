@@ -214,8 +214,8 @@ void Roam::update(const Wish& wish) {
         restart();
     };
     // In steps, and back only with room to spare: the mesh does not swing.
-    if (error_px_ > wish.error_px && leaves_ * 2 < wish.triangle_budget) change(1 / kStep);
-    while (leaves_ > wish.triangle_budget && leaves_ > roots_ && error_px_ < 1e6F) change(kStep);
+    while (error_px_ > wish.error_px && !are_more_than(wish.triangle_budget / 2, wish.planes)) change(1 / kStep);
+    while (error_px_ < 1e6F && leaves_ > roots_ && are_more_than(wish.triangle_budget, wish.planes)) change(kStep);
 }
 
 void Roam::split(std::uint32_t t) {
@@ -332,25 +332,66 @@ bool Roam::may_be_seen(const Triangle& triangle, std::span<const glm::vec4> plan
     return true;
 }
 
-void Roam::append(std::uint32_t t, std::span<const glm::vec4> planes, std::uint32_t cutting,
-                  std::vector<std::uint32_t>& indices) const {
+// What a walk over the triangles looks with: the eye on the map, in samples.
+struct Roam::Sight {
+    std::span<const glm::vec4> planes;
+    glm::vec2 eye;
+
+    std::uint32_t is_toward(glm::ivec2 way, glm::ivec2 from) const {
+        return glm::dot(eye - glm::vec2(from), glm::vec2(way)) > 0 ? 1 : 0;
+    }
+};
+
+template <typename Visit>
+void Roam::visit_seen(std::uint32_t t, const Sight& sight, std::uint32_t cutting, const Visit& visit) const {
     const Triangle& triangle = triangles_[t];
-    if (cutting != 0 && triangle.bound != kNone && !may_be_seen(triangle, planes, cutting)) return;
-    if (triangle.children != kNone) {
-        append(triangle.children, planes, cutting, indices);
-        append(triangle.children + 1, planes, cutting, indices);
+    if (cutting != 0 && triangle.bound != kNone && !may_be_seen(triangle, sight.planes, cutting)) return;
+    const Corners& c = triangle.corners;
+    if (triangle.children == kNone) {
+        visit(c);
         return;
     }
-    const Corners& c = triangle.corners;
-    indices.insert(indices.end(), {index_of(c.apex), index_of(c.left), index_of(c.right)});
+    // The halves meet in a line from the apex across the base.
+    const std::uint32_t nearer = triangle.children + sight.is_toward(c.right - c.left, c.apex);
+    const std::uint32_t other = 2 * triangle.children + 1 - nearer;
+    visit_seen(nearer, sight, cutting, visit);
+    visit_seen(other, sight, cutting, visit);
+}
+
+template <typename Visit>
+void Roam::visit_seen(std::span<const glm::vec4> planes, const Visit& visit) const {
+    assert(planes.size() < 32);
+    const std::uint32_t cutting = (1U << planes.size()) - 1;
+    const float middle = 0.5F * static_cast<float>(height_m_.columns - 1);
+    const Sight sight{planes, glm::vec2{eye_m_.x, eye_m_.z} / cell_m_ + middle};
+    for (std::uint32_t square = 0; square < roots_; square += 2) {
+        const Corners& c = triangles_[square].corners;
+        const std::uint32_t south_first = sight.is_toward(c.left + c.right - 2 * c.apex, c.left);
+        visit_seen(square + south_first, sight, cutting, visit);
+        visit_seen(square + 1 - south_first, sight, cutting, visit);
+    }
+}
+
+bool Roam::are_more_than(std::size_t triangles, std::span<const glm::vec4> planes) const {
+    if (leaves_ <= triangles) return false;
+    std::size_t seen = 0;
+    visit_seen(planes, [&](const Corners&) { ++seen; });
+    return seen > triangles;
 }
 
 std::size_t Roam::append_indices(std::span<const glm::vec4> planes, std::vector<std::uint32_t>& indices) const {
     const std::size_t before = indices.size();
-    assert(planes.size() < 32);
-    const std::uint32_t cutting = (1U << planes.size()) - 1;
-    for (std::uint32_t t = 0; t < roots_; ++t) append(t, planes, cutting, indices);
+    visit_seen(planes, [&](const Corners& c) {
+        indices.insert(indices.end(), {index_of(c.apex), index_of(c.left), index_of(c.right)});
+    });
     return (indices.size() - before) / 3;
+}
+
+glm::vec3 Roam::place_m(std::uint32_t index) const {
+    const auto columns = static_cast<std::uint32_t>(height_m_.columns);
+    const float middle = 0.5F * static_cast<float>(columns - 1);
+    return {(static_cast<float>(index % columns) - middle) * cell_m_, height_m_.samples[index],
+            (static_cast<float>(index / columns) - middle) * cell_m_};
 }
 
 }  // namespace quadrat::mesh

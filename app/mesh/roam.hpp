@@ -26,16 +26,18 @@ class Roam {
         float pixels_per_radian = 1000;                              // of the view
         float error_px = 1.3F;                                       // how far the ground may lie from its true height,
         std::size_t triangle_budget = static_cast<std::size_t>(-1);  // and further where this would not hold it
+        std::span<const glm::vec4> planes = {};  // what append_indices leaves of it is within the budget
     };
     void update(const Wish& wish);
 
     // Three indices a triangle into the field's samples, counter-clockwise seen from above, appended; without those
-    // parts that lie behind one of the planes (inward normals, 31 at most; none: everything). Returns how many
-    // triangles.
+    // parts that lie behind one of the planes (inward normals, 31 at most; none: everything). Of two triangles of a
+    // square, the one that may hide the other from the eye comes first. Returns how many triangles.
     std::size_t append_indices(std::span<const glm::vec4> planes, std::vector<std::uint32_t>& indices) const;
 
     std::size_t triangle_count() const { return leaves_; }
-    float error_px() const { return error_px_; }  // what the budget made of the wish
+    glm::vec3 place_m(std::uint32_t index) const;  // of a sample
+    float error_px() const { return error_px_; }   // what the budget made of the wish
 
   private:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
@@ -85,8 +87,13 @@ class Roam {
     void merge(std::uint32_t t);
     void merge_alone(std::uint32_t t);
     void relink(std::uint32_t neighbour, std::uint32_t from, std::uint32_t to);
-    void append(std::uint32_t t, std::span<const glm::vec4> planes, std::uint32_t cutting,
-                std::vector<std::uint32_t>& indices) const;
+    // The corners of every leaf that planes leave, what may hide before what it may hide.
+    struct Sight;
+    template <typename Visit>
+    void visit_seen(std::span<const glm::vec4> planes, const Visit& visit) const;
+    template <typename Visit>
+    void visit_seen(std::uint32_t t, const Sight& sight, std::uint32_t cutting, const Visit& visit) const;
+    bool are_more_than(std::size_t triangles, std::span<const glm::vec4> planes) const;
     bool may_be_seen(const Triangle& triangle, std::span<const glm::vec4> planes, std::uint32_t& cutting) const;
     std::uint32_t index_of(glm::ivec2 p) const { return static_cast<std::uint32_t>(p.y * height_m_.columns + p.x); }
 

@@ -165,6 +165,69 @@ TEST(Roam, HoldsItsBudgetAndComesBack) {
     EXPECT_EQ(roam.triangle_count(), whole);
 }
 
+TEST(Roam, ItsBudgetIsOfWhatThePlanesLeave) {
+    Roam roam(rugged(129), kCell_m);
+    const std::array<glm::vec4, 1> west{glm::vec4{-1, 0, 0, 0}};
+    Roam::Wish wish{{-30, 10, 0}, 500, 1, 2000};
+    roam.update(wish);
+    const float of_all_px = roam.error_px();
+    wish.planes = west;
+    roam.update(wish);
+    std::vector<std::uint32_t> seen;
+    EXPECT_LE(roam.append_indices(west, seen), wish.triangle_budget);
+    EXPECT_GT(roam.triangle_count(), wish.triangle_budget);
+    EXPECT_LT(roam.error_px(), of_all_px) << "finer where it counts";
+}
+
+// Whatever it was held to before: at once as fine as for an eye that was always there, but for one step of its error.
+TEST(Roam, ComesBackAtOnceWhereTheEyeJumpsAway) {
+    Roam roam(rugged(129), kCell_m);
+    const std::array<glm::vec4, 1> east{glm::vec4{1, 0, 0, 0}};
+    const std::array<glm::vec4, 1> nothing{glm::vec4{1, 0, 0, -1e6F}};
+    Roam::Wish wish{{30, 10, 0}, 500, 1, 500, east};
+    roam.update(wish);
+    EXPECT_GT(roam.error_px(), 4);
+    wish.planes = nothing;
+    roam.update(wish);
+    EXPECT_EQ(roam.error_px(), 1);
+}
+
+// On the map: along any way from the eye, whose every triangle may hide those after it.
+TEST(Roam, GivesWhatMayHideBeforeWhatItMayHide) {
+    constexpr int kSide = 65;
+    Roam roam(rugged(kSide), kCell_m);
+    for (const glm::vec2 eye : {glm::vec2{-21.3F, 7.7F}, {90.1F, -10.3F}, {3.3F, -88.9F}, {-70.7F, 80.3F}}) {
+        roam.update({{eye.x, 12, eye.y}, 500, 6});
+        const auto indices = indices_of(roam);
+        const auto corner = [&](std::size_t i) {
+            const glm::vec3 place_m = roam.place_m(indices[i]);
+            return glm::vec2{place_m.x, place_m.z};
+        };
+        const auto at = [&](glm::vec2 place) {
+            for (std::size_t i = 0; i < indices.size(); i += 3) {
+                bool is_in = true;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const glm::vec2 a = corner(i + k);
+                    const glm::vec2 edge = corner(i + (k + 1) % 3) - a;
+                    is_in = is_in && edge.y * (place.x - a.x) - edge.x * (place.y - a.y) > 0;
+                }
+                if (is_in) return static_cast<int>(i);
+            }
+            return -1;  // outside, or on an edge
+        };
+        for (int turn = 0; turn < 24; ++turn) {
+            const float azimuth = 0.262F * static_cast<float>(turn) + 0.1F;
+            int last = -1;
+            for (float gone_m = 0.1F; gone_m < 260; gone_m += 1.7F) {
+                const int found = at(eye + gone_m * glm::vec2{std::cos(azimuth), std::sin(azimuth)});
+                if (found < 0) continue;
+                EXPECT_GE(found, last) << turn << ", " << gone_m << " m";
+                last = found;
+            }
+        }
+    }
+}
+
 TEST(Roam, LeavesOutWhatLiesBehindAPlane) {
     Roam roam(rugged(65), kCell_m);
     roam.update({{0, 20, 0}, 500, 2});
