@@ -89,9 +89,10 @@ struct Horizon::Plan {
     static float nearer(float low, float high) { return low > 0 ? low : high; }
 };
 
-void Horizon::begin(glm::vec3 eye_m, float moved_m) {
+void Horizon::begin(glm::vec3 eye_m, float moved_m, float sunk) {
     eye_m_ = eye_m;
     moved_m_ = moved_m;
+    sunk_ = sunk;
     reach_m_ = 0;
     next_ring_m_ = 2 * kNearest_m;
     bins_.fill(kLowest);
@@ -122,7 +123,10 @@ void Horizon::cover(glm::vec3 low_m, glm::vec3 high_m) {
     const int first = static_cast<int>(std::ceil(from + kMargin_bins));
     const int last = static_cast<int>(std::floor(to - kMargin_bins));
     // What rises above the eye hides most where a line of sight meets it, the rest where the line leaves it.
-    const float rise_m = low_m.y - eye_m_.y - moved_m_;
+    // The plan's corners were moved by 1.4 times as much, and the eye may have gone away from them.
+    const float steep_m = std::max(std::abs(low_m.y - eye_m_.y), std::abs(high_m.y - eye_m_.y));
+    const float away_m = glm::length(glm::vec2{plan.farthest_m(), steep_m}) + 2.5F * moved_m_;
+    const float rise_m = low_m.y - eye_m_.y - moved_m_ - sunk_ * away_m;
     const auto line_m = [&](int border) {
         return rise_m > 0 ? plan.enters_m(length_a_metre(border)) : plan.leaves_m(length_a_metre(border));
     };

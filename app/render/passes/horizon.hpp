@@ -18,8 +18,9 @@ class Horizon {
 
     // Of no ground yet: it hides nothing.
     Horizon() { begin({0, 0, 0}, 0); }
-    // Again of no ground. What is said of this eye holds for any that is no farther than that from it.
-    void begin(glm::vec3 eye_m, float moved_m);
+    // Again of no ground. What is said of this eye holds for any that is no farther than that from it. sunk: what is
+    // drawn of the ground may lie so much lower than it does, for each metre from the eye.
+    void begin(glm::vec3 eye_m, float moved_m, float sunk = 0);
 
     // Of ground that is nowhere lower than low_m within this square. Squares of one grid in the order of their
     // distance on the map.
@@ -41,6 +42,7 @@ class Horizon {
 
     glm::vec3 eye_m_{0};
     float moved_m_ = 0;
+    float sunk_ = 0;
     float reach_m_ = 0;  // none of its ground is farther
     float next_ring_m_ = 0;
     Bins bins_{};

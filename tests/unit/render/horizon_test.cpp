@@ -12,6 +12,7 @@
 #include <set>
 
 #include "base/seed.hpp"
+#include "mesh/roam.hpp"
 #include "render/passes/blocks.hpp"
 #include "render/passes/crowd.hpp"
 #include "render/passes/hold.hpp"
@@ -135,6 +136,77 @@ TEST(Horizon, HidesNothingThatStandsInSight) {
         }
     }
     EXPECT_GT(hidden, 500);
+}
+
+// The ground as these triangles have it, at every sample.
+mesh::Field drawn_by(const mesh::Roam& roam, const mesh::Field& field) {
+    std::vector<std::uint32_t> indices;
+    roam.append_indices({}, indices);
+    mesh::Field drawn = field;
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        const glm::vec3 a = roam.place_m(indices[i]);
+        const glm::vec3 b = roam.place_m(indices[i + 1]);
+        const glm::vec3 c = roam.place_m(indices[i + 2]);
+        const glm::vec3 normal = glm::cross(b - a, c - a);
+        const auto is_left_of = [](glm::vec3 from, glm::vec3 to, glm::vec3 at) {
+            return (to.z - from.z) * (at.x - from.x) - (to.x - from.x) * (at.z - from.z) >= 0;
+        };
+        const glm::vec3 low = glm::min(a, glm::min(b, c));
+        const glm::vec3 high = glm::max(a, glm::max(b, c));
+        for (float z = low.z; z <= high.z; z += kCell_m) {
+            for (float x = low.x; x <= high.x; x += kCell_m) {
+                const glm::vec3 at{x, 0, z};
+                if (!is_left_of(a, b, at) || !is_left_of(b, c, at) || !is_left_of(c, a, at)) continue;
+                drawn.at(static_cast<int>(x / kCell_m) + 64, static_cast<int>(z / kCell_m) + 64) =
+                    a.y - (normal.x * (x - a.x) + normal.z * (z - a.z)) / normal.y;
+            }
+        }
+    }
+    return drawn;
+}
+
+// A plain with a wall across it, two blocks thick.
+mesh::Field walled_plain(float high_m) {
+    mesh::Field field(kSide, kSide);
+    for (int row = kBlock; row <= 3 * kBlock; ++row)
+        for (int column = 0; column < kSide; ++column) field.at(column, row) = high_m;
+    return field;
+}
+
+// Coarse triangles leave a wall out that fills whole blocks, where none of their corners lies on it: what stands behind
+// it is then in sight.
+TEST(Horizon, HidesNothingThatIsSeenOverGroundWhichIsDrawnLower) {
+    const mesh::Field field = walled_plain(6);
+    const Blocks blocks(field, kCell_m, kBlock);
+    base::RandomStream random{base::Seed{5}};
+    int hidden = 0;
+    int in_sight = 0;  // of what the wall as it is would hide
+    for (int i = 0; i < 400; ++i) {
+        const float sunk = i % 2 == 0 ? 0.005F : 0.6F;
+        const glm::vec3 eye_m{random.between(-60, 60), random.between(1, 5), random.between(90, 125)};
+        const scene::Camera camera{eye_m, {0, 2, -100}, 60};
+        const Frustum frustum(scene::clip_from_view(camera, 1.6F) * scene::view_from_world(camera));
+        mesh::Roam roam(field, kCell_m);
+        roam.update({eye_m, 1, sunk});
+        const mesh::Field drawn = drawn_by(roam, field);
+        Horizon of_drawn;
+        of_drawn.begin(eye_m, kMoved_m, sunk);
+        blocks.hidden(frustum, eye_m, of_drawn);
+        Horizon of_wall;
+        of_wall.begin(eye_m, kMoved_m);
+        blocks.hidden(frustum, eye_m, of_wall);
+        for (int k = 0; k < 20; ++k) {
+            const glm::vec3 top_m{random.between(-60, 60), random.between(0.5F, 6), random.between(-124, -100)};
+            const auto hides = [&](const Horizon& by) { return by.hides_standing({top_m.x, top_m.z}, 0.2F, top_m.y); };
+            const bool is_seen = is_free(drawn, eye_m, top_m);
+            in_sight += hides(of_wall) && is_seen ? 1 : 0;
+            if (!hides(of_drawn)) continue;
+            ++hidden;
+            EXPECT_FALSE(is_seen) << i << ", " << k;
+        }
+    }
+    EXPECT_GT(hidden, 50);
+    EXPECT_GT(in_sight, 50);
 }
 
 TEST(Horizon, OfNoGroundHidesNothing) {
