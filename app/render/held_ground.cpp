@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <map>
 
 namespace quadrat::render {
@@ -12,6 +14,29 @@ namespace {
 // Triangles of a whole frame at alpha 1.
 constexpr float kLandBudget = 24'000;
 constexpr float kSurroundBudget = 24'000;  // the ridge that closes a landscape is seen before much of what is nearer
+
+// The longer of its sides along the axes, in cells: with one of its own in every power of two, however it lies.
+std::uint32_t side_of(const std::uint32_t* triangle, std::uint32_t columns) {
+    const auto [west, east] = std::minmax({triangle[0] % columns, triangle[1] % columns, triangle[2] % columns});
+    const auto [north, south] = std::minmax({triangle[0] / columns, triangle[1] / columns, triangle[2] / columns});
+    return std::max(east - west, south - north);
+}
+
+// Where the land is drawn by ROAM: adapts it to the eye. How much lower than the land what is drawn may lie then, for
+// each metre from the eye; blocks lie within their own bounds.
+float adapted(const passes::GridOnGpu& land, const passes::Frustum& frustum, const passes::Blocks::Wish& wish) {
+    if (!land.roam) return 0;
+    land.roam->update({wish.eye_m, wish.pixels_per_radian, wish.error_px, wish.triangle_budget, {frustum.planes()}});
+    return land.roam->error_px() / wish.pixels_per_radian;
+}
+
+// Of the box about a triangle, within which its grain could be.
+float nearest_m(const mesh::Roam& roam, const std::uint32_t* triangle, glm::vec3 eye_m) {
+    const glm::vec3 a = roam.place_m(triangle[0]);
+    const glm::vec3 b = roam.place_m(triangle[1]);
+    const glm::vec3 c = roam.place_m(triangle[2]);
+    return glm::distance(eye_m, glm::clamp(eye_m, glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))));
+}
 
 }  // namespace
 
@@ -24,7 +49,6 @@ void HeldGround::update(const View& view, const glm::mat4& clip_from_world, cons
     hold_.choose(view.camera);
     chosen_.clear();
     const passes::Frustum frustum = passes::Hold::wider(clip_from_world);
-    look_around(*view.scene, view.camera, frustum);
     const CountryOnGpu& country = *view.scene->country;
     // The ground's outline against the sky is missed before leaves are, and it is cheap. Its triangles grow all the
     // same: a software rasteriser shades squares of 16 pixels, whole ones along every edge.
@@ -32,16 +56,21 @@ void HeldGround::update(const View& view, const glm::mat4& clip_from_world, cons
     const float alpha = is_coarse ? std::sqrt(wish.alpha) : wish.alpha;
     const float error_share = is_coarse ? std::pow(wish.alpha, -0.8F) : 1 / std::sqrt(wish.alpha);
     grain_m_ = passes::kGrainSeen_m * wish.pixels_per_radian * std::min(alpha, 1.0F);
-    const auto within = [&](float error_px, float budget, const std::vector<std::uint8_t>& hidden) {
+    const auto within = [&](float error_px, float budget) {
         return passes::Blocks::Wish{view.camera.eye_m,
                                     wish.pixels_per_radian,
                                     error_px * error_share,
                                     static_cast<std::size_t>(budget * alpha / wish.views),
                                     grain_m_,
-                                    hidden};
+                                    {}};
     };
-    land_ = choose(country.land.land, frustum, within(2.4F, kLandBudget, hidden_land_));
-    surround_ = choose(country.land.surround, frustum, within(1.3F, kSurroundBudget, hidden_surround_));
+    passes::Blocks::Wish land = within(2.4F, kLandBudget);
+    passes::Blocks::Wish surround = within(1.3F, kSurroundBudget);
+    look_around(*view.scene, view.camera, frustum, adapted(country.land.land, frustum, land));
+    land.hidden = hidden_land_;
+    surround.hidden = hidden_surround_;
+    land_ = choose(country.land.land, frustum, land);
+    surround_ = choose(country.land.surround, frustum, surround);
     const std::size_t first = chosen_.size();
     const float stone_px = 1.2F / std::sqrt(wish.alpha);
     country.stone.pieces.select(frustum, {view.camera.eye_m, wish.pixels_per_radian, stone_px, &horizon_}, chosen_);
@@ -51,10 +80,13 @@ void HeldGround::update(const View& view, const glm::mat4& clip_from_world, cons
 }
 
 // Anew only where the last look no longer serves: it costs as much as the choice does.
-void HeldGround::look_around(const GpuScene& scene, const scene::Camera& camera, const passes::Frustum& frustum) {
-    if (sight_.serves(camera)) return;
+void HeldGround::look_around(const GpuScene& scene, const scene::Camera& camera, const passes::Frustum& frustum,
+                             float sunk) {
+    constexpr float kRoom = 1.3F;  // for a step of what a budget makes of the wish
+    if (sight_.serves(camera) && sunk <= sunk_) return;
     sight_.choose(camera);
-    horizon_.begin(camera.eye_m, passes::Horizon::kMoved_m + passes::Hold::kMoved_m);
+    sunk_ = kRoom * sunk;
+    horizon_.begin(camera.eye_m, passes::Horizon::kMoved_m + passes::Hold::kMoved_m, sunk_);
     const auto hidden_of = [&](const passes::GridOnGpu& grid) {
         return grid.blocks ? grid.blocks->hidden(frustum, camera.eye_m, horizon_) : std::vector<std::uint8_t>{};
     };
@@ -75,9 +107,7 @@ void HeldGround::sort_by_level(const GpuScene& scene) {
     const auto columns = static_cast<std::uint32_t>(scene.country->land.land.columns);
     std::map<std::uint32_t, std::vector<std::uint32_t>> by_step;
     for (std::size_t i = land_.first; i < land_.first + land_.count; i += 3) {
-        const auto [low, high] =
-            std::minmax({chosen_[i] % columns, chosen_[i + 1] % columns, chosen_[i + 2] % columns});
-        auto& level = by_step[std::bit_ceil(high - low)];
+        auto& level = by_step[std::bit_ceil(side_of(&chosen_[i], columns))];
         level.insert(level.end(), &chosen_[i], &chosen_[i] + 3);
     }
     std::vector<std::uint32_t> sorted;
@@ -96,10 +126,33 @@ void HeldGround::sort_by_level(const GpuScene& scene) {
 
 passes::IndexRange HeldGround::choose(const passes::GridOnGpu& grid, const passes::Frustum& frustum,
                                       const passes::Blocks::Wish& wish) {
+    if (grid.roam) return choose_by_roam(*grid.roam, frustum, wish);
     if (!grid.blocks) return {};
     const std::size_t first = chosen_.size();
     const passes::Blocks::Selected selected = grid.blocks->select(frustum, wish, chosen_);
     return {first, chosen_.size() - first, selected.near_indices, passes::ease_of(wish, selected.error_px)};
+}
+
+// Nothing eases: each of its vertices lies where the land does. An ease of 0 puts the eye so near to all of them that
+// none has begun to leave.
+passes::IndexRange HeldGround::choose_by_roam(const mesh::Roam& roam, const passes::Frustum& frustum,
+                                              const passes::Blocks::Wish& wish) {
+    constexpr float kNoEase = 0;
+    const std::size_t first = chosen_.size();
+    roam.append_indices(frustum.planes(), chosen_);
+    farther_.clear();
+    std::size_t nearer = first;
+    for (std::size_t i = first; i < chosen_.size(); i += 3) {
+        const std::uint32_t* triangle = &chosen_[i];
+        if (nearest_m(roam, triangle, wish.eye_m) >= wish.near_m) {
+            farther_.insert(farther_.end(), triangle, triangle + 3);
+        } else {
+            std::copy_n(triangle, 3, &chosen_[nearer]);
+            nearer += 3;
+        }
+    }
+    std::ranges::copy(farther_, chosen_.begin() + static_cast<std::ptrdiff_t>(nearer));
+    return {first, chosen_.size() - first, nearer - first, kNoEase};
 }
 
 }  // namespace quadrat::render

@@ -41,16 +41,20 @@ class HeldGround {
   private:
     passes::IndexRange choose(const passes::GridOnGpu& grid, const passes::Frustum& frustum,
                               const passes::Blocks::Wish& wish);
+    passes::IndexRange choose_by_roam(const mesh::Roam& roam, const passes::Frustum& frustum,
+                                      const passes::Blocks::Wish& wish);
 
-    void look_around(const GpuScene& scene, const scene::Camera& camera, const passes::Frustum& frustum);
+    void look_around(const GpuScene& scene, const scene::Camera& camera, const passes::Frustum& frustum, float sunk);
 
     std::weak_ptr<const GpuScene> scene_;
     Wish wish_;
     passes::Hold hold_;
     passes::Hold sight_{passes::Horizon::kMoved_m, passes::Horizon::kTurned_rad};
     passes::Horizon horizon_;
+    float sunk_ = 0;  // of the horizon
     std::vector<std::uint8_t> hidden_land_, hidden_surround_;
     std::vector<std::uint32_t> chosen_;
+    std::vector<std::uint32_t> farther_;  // kept for its memory only
     gl::StreamBuffer indices_{GL_ELEMENT_ARRAY_BUFFER};
     gl::StreamBuffer level_indices_{GL_ELEMENT_ARRAY_BUFFER};
     std::vector<passes::IndexRange> land_by_level_;

@@ -28,14 +28,15 @@ mesh::Mesh tetrahedron(float size_m) {
     return mesh;
 }
 
-// From under the sea in the west to a shore.
+// From under the sea in the west to a shore, so ribbed that near and far ground are triangles of their own however they
+// are chosen.
 scene::Land shore() {
     scene::Land land;
     land.cell_m = kCell_m;
     land.height_m = mesh::Field(kSamples, kSamples);
     for (int row = 0; row < kSamples; ++row)
         for (int column = 0; column < kSamples; ++column)
-            land.height_m.at(column, row) = static_cast<float>(column) - 8;
+            land.height_m.at(column, row) = static_cast<float>(column + 2 * (column % 2)) - 8;
     land.surround_m = mesh::Field(9, 9, 5.0F);
     land.albedo = scene::GroundColours(picture(4));
     land.detail = picture(2);

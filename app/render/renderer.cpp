@@ -277,9 +277,10 @@ GLuint Renderer::Parts::smooth_target(const Frame& frame, glm::ivec2 size) {
     return 0;
 }
 
-Renderer::Renderer() {
+Renderer::Renderer(GroundBy ground) {
     require_gles_31();
     parts_ = std::make_unique<Parts>();
+    parts_->shelves->ground = ground;
     // Some megabytes; whatever is compiled later, wires, calls for it again.
     glReleaseShaderCompiler();
 }

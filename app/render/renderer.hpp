@@ -27,6 +27,12 @@ struct Detail {
     int samples = 1;  // a pixel, 1 or 4: edges are smooth. Not where views are drawn smaller, nor where a GPU has none
 };
 
+// Of which triangles a land's square is drawn; the country around it is of blocks.
+enum class GroundBy {
+    Blocks,  // squares at powers of two, whose vertices move from level to level (passes/blocks)
+    Roam     // triangles halved where the ground is rough for its distance, as it is (mesh/roam)
+};
+
 class GpuScene;  // a scene's buffers and textures; freed on the context's thread
 
 // An upload that is cut into slices, so that frames keep their deadline.
@@ -108,7 +114,7 @@ struct Drawn {
 class Renderer {
   public:
     // Compiles every shader. Throws InputError naming the GPU and what it lacks when it is not OpenGL ES 3.1.
-    Renderer();
+    explicit Renderer(GroundBy ground = GroundBy::Blocks);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;

@@ -32,6 +32,7 @@ struct GroundOnGpu {
                           [&](gl::Slices& to, CountryOnGpu& made, const std::shared_ptr<const scene::Land>& land) {
                               const std::shared_ptr<gl::BufferPool> pool{shelves, &shelves->buffers};
                               passes::add_land(to, made.land, pool, land);
+                              if (shelves->ground == GroundBy::Roam) passes::add_roam(to, made.land, land);
                               passes::add_fresh_water(to, made.fresh_water, pool, land);
                               passes::add_stone(to, made.stone, land);
                           })),

@@ -35,6 +35,7 @@ class Shelf {
 };
 
 struct Shelves {
+    GroundBy ground = GroundBy::Blocks;  // of which the countries are made ready to be drawn
     Shelf<scene::Flora, passes::FloraOnGpu> floras;
     Shelf<scene::Land, CountryOnGpu> countries;
     Shelf<scene::Sky, passes::SkyOnGpu> skies;

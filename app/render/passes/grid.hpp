@@ -8,6 +8,7 @@
 
 #include "mesh/field.hpp"
 #include "mesh/image.hpp"
+#include "mesh/roam.hpp"
 #include "render/gl/buffer_pool.hpp"
 #include "render/gl/slices.hpp"
 #include "render/gl/vertex_array.hpp"
@@ -30,6 +31,9 @@ inline constexpr float kErrorUnit_m = 1.0F / 128;
 struct GridOnGpu {
     std::shared_ptr<gl::Buffer> places;  // GridPlace a sample
     std::optional<Blocks> blocks;
+    // Its triangles, where they are drawn instead; where its blocks are, none. As it is for the eye that was last: who
+    // draws it for another one updates it first, and keeps no more of it than indices.
+    std::unique_ptr<mesh::Roam> roam;
     float cell_m = 1;
     int columns = 1;
     float lowest_m = 0;

@@ -57,6 +57,11 @@ void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<gl::Buf
                          [source](std::size_t i) { return facing_of(*source, i); });
 }
 
+void add_roam(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<const scene::Land>& source) {
+    slices.prepare(
+        [&land, source] { land.land.roam = std::make_unique<mesh::Roam>(source->height_m, source->cell_m); });
+}
+
 GroundPass::GroundPass()
     : near_("near_ground.vert", "near_ground.frag"),
       far_("ground.vert", "ground.frag"),

@@ -31,6 +31,8 @@ struct LandOnGpu {
 // Adds the slices that fill land, which must stay where it is until they are done.
 void add_land(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<gl::BufferPool>& pool,
               const std::shared_ptr<const scene::Land>& source);
+// The same for what the land's square is drawn of instead of its blocks.
+void add_roam(gl::Slices& slices, LandOnGpu& land, const std::shared_ptr<const scene::Land>& source);
 
 // The land's square.
 class GroundPass {
