@@ -16,6 +16,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "genome/speech.hpp"
+#include "kiosk/picture.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -244,6 +245,7 @@ Configuration configuration_from(std::string_view source_text, const std::string
     reader.read("picture", "alpha", configuration.picture.alpha, 0.05, 20);
     reader.read("picture", "samples", configuration.picture.samples, 1, 4);
     reader.read("picture", "land_samples", configuration.picture.land_samples, 65, 1025);
+    reader.read("picture", "ground", configuration.picture.ground, ground_names());
     reader.read("fleet", "broker", configuration.fleet.broker);
     reader.read("fleet", "name", configuration.fleet.name);
     reader.read("fleet", "user", configuration.fleet.user);

@@ -54,6 +54,7 @@ struct Configuration {
         double alpha = 1;        // detail
         int samples = 4;         // a pixel, at most, where there is time for them: 1, or 4 for smooth edges
         int land_samples = 513;  // a side of the land, 2^k + 1: 129 grows in a tenth of the time, and is smoother
+        std::string ground = "blocks";  // what draws the land: blocks, roam
     } picture;
 
     // Where health and visits are published; nowhere, unless a broker is named.

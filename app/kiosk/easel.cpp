@@ -35,9 +35,9 @@ std::shared_ptr<const render::GpuScene> upload_now(render::Renderer& renderer,
     return upload->take();
 }
 
-Easel::Easel(int width, int height) : display_(open_headless(width, height)) {
+Easel::Easel(int width, int height, render::GroundBy ground) : display_(open_headless(width, height)) {
     display_->begin_frame();
-    renderer_ = std::make_unique<render::Renderer>();
+    renderer_ = std::make_unique<render::Renderer>(ground);
 }
 
 mesh::Image Easel::draw(const Picture& picture) {

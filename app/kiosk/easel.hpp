@@ -15,9 +15,9 @@ namespace quadrat::kiosk {
 // Draws pictures where nobody watches: a headless display with a renderer on it.
 class Easel {
   public:
-    Easel(int width, int height);
+    Easel(int width, int height, render::GroundBy ground = render::GroundBy::Blocks);
 
-    // Grows the picture's scenes and draws it. The size must be the easel's.
+    // Grows the picture's scenes and draws it. Its size and what draws the ground must be the easel's.
     mesh::Image draw(const Picture& picture);
     // The same in less detail, where the budget asks for it, which the picture then tells.
     mesh::Image draw(Picture& picture, const Budget& budget);

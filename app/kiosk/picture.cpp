@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cassert>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
@@ -17,6 +20,7 @@ namespace {
 using nlohmann::ordered_json;
 constexpr int kVersion = 1;
 constexpr int kLargestSide = 4096;
+constexpr std::array<const char*, 2> kGrounds{"blocks", "roam"};  // by render::GroundBy
 
 [[noreturn]] void refuse(const std::string& source, const std::string& what) {
     throw base::InputError(fmt::format("{}: {}", source, what));
@@ -77,6 +81,11 @@ Picture picture_in(const ordered_json& object, const std::string& source) {
         if (!wires->is_boolean()) refuse(source, "wires is neither true nor false");
         picture.has_wires = wires->get<bool>();
     }
+    if (const auto ground = object.find("ground"); ground != object.end()) {
+        if (!ground->is_string() || std::ranges::find(kGrounds, ground->get<std::string>()) == kGrounds.end())
+            refuse(source, fmt::format("ground is {}; it must be blocks or roam", ground->dump()));
+        picture.ground = ground_named(ground->get<std::string>());
+    }
     picture.camera = camera_in(object, source);
     return picture;
 }
@@ -93,6 +102,14 @@ std::optional<std::uint64_t> seed_number(const std::string& scene) {
 }
 
 }  // namespace
+
+std::vector<std::string> ground_names() { return {kGrounds.begin(), kGrounds.end()}; }
+
+render::GroundBy ground_named(const std::string& name) {
+    const auto found = std::ranges::find(kGrounds, name);
+    assert(found != kGrounds.end());
+    return static_cast<render::GroundBy>(found - kGrounds.begin());
+}
 
 scene::Fineness fineness_of(int land_samples) {
     const int cells = land_samples - 1;
@@ -112,6 +129,7 @@ std::string to_json(const Picture& picture) {
                           {"fov_deg", picture.camera->vertical_fov_deg}};
     if (picture.scale < 1) json["scale"] = picture.scale;
     if (picture.has_wires) json["wires"] = true;
+    if (picture.ground != render::GroundBy::Blocks) json["ground"] = kGrounds[static_cast<std::size_t>(picture.ground)];
     json["scenes"] = ordered_json::array();
     for (const genome::Recipe& recipe : picture.scenes)
         json["scenes"].push_back(ordered_json::parse(genome::to_json(recipe)));

@@ -7,6 +7,7 @@
 
 #include "genome/recipe.hpp"
 #include "mesh/image.hpp"
+#include "render/renderer.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
 
@@ -24,8 +25,13 @@ struct Picture {
     int land_samples = 513;               // how finely its scenes are grown, see fineness_of
     std::optional<scene::Camera> camera;  // instead of the flight's
     bool has_wires = false;               // the edges of its triangles, coloured by level
+    render::GroundBy ground = render::GroundBy::Blocks;
     friend bool operator==(const Picture& a, const Picture& b);
 };
+
+// What the command line, the configuration and pictures call the ways to draw the ground.
+std::vector<std::string> ground_names();
+render::GroundBy ground_named(const std::string& name);  // one of these
 
 // How finely everything is grown beside a land of so many samples a side.
 scene::Fineness fineness_of(int land_samples);

@@ -20,7 +20,7 @@ void Theatre::enter(const display::Canvas& canvas) {
     is_rehearsed_ = false;
     context_ = canvas.context;
     if (context_ == 0) return;
-    renderer_ = std::make_unique<render::Renderer>();
+    renderer_ = std::make_unique<render::Renderer>(ground_named(configuration_.picture.ground));
     stage_ = std::make_unique<Stage>(*renderer_, configuration_);
 }
 
@@ -211,6 +211,7 @@ Picture picture_of(const Act& act, const display::Canvas& canvas, const Configur
     picture.height = canvas.size.height;
     picture.alpha = static_cast<float>(configuration.picture.alpha);
     picture.land_samples = configuration.picture.land_samples;
+    picture.ground = ground_named(configuration.picture.ground);
     return picture;
 }
 

@@ -24,6 +24,7 @@ void make_inputs(const TemporaryFolder& folder) {
     folder.write("bad.script", "at 2s press A\nat 3s prod B\n");
     folder.write("bad.toml", "[visit]\nrounds = \"six\"\n");
     folder.write("unknown.toml", "[visit]\nturns = 6\n");
+    folder.write("mole.toml", "[picture]\nground = \"mole\"\n");
     folder.write("broken.toml", "[visit\nrounds = 6\n");
     folder.write("broken.json", "{\"quadrat\":\"scene\",\n \"version\":1,,}");
     folder.write("unknown.json", R"({"quadrat":"scene","version":1,"parameters":{"tree.colour":1}})");
@@ -86,6 +87,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"ConfigurationSyntax", run_with({"--config", "broken.toml"}), {"broken.toml:1"}},
         BadInput{"MissingConfiguration", run_with({"--config", "none.toml"}), {"none.toml"}},
         BadInput{"Size", {"run", "--display", "headless", "--size", "12x"}, {"12x"}},
+        BadInput{"RunGround", run_with({"--ground", "mole"}), {"--ground", "mole", "blocks", "roam"}},
+        BadInput{"ConfigurationGround", run_with({"--config", "mole.toml"}), {"mole.toml:2", "picture.ground", "roam"}},
+        BadInput{"RenderGround",
+                 {"render", "seed:1", "-o", "out.png", "--ground", "mole"},
+                 {"--ground", "mole", "blocks", "roam"}},
         BadInput{"Rounds", run_with({"--rounds", "0"}), {"rounds"}},
         BadInput{"SceneSyntax", {"render", "broken.json", "-o", "out.png"}, {"broken.json:2"}},
         BadInput{"SceneParameter", {"render", "unknown.json", "-o", "out.png"}, {"unknown.json", "tree.colour"}},

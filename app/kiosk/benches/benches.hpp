@@ -33,6 +33,7 @@ struct Options {
     std::string profile;        // detail: "pi4", "pi5": what a frame would take there; or empty
     std::size_t triangles = 0;  // of a frame at most; 0: whatever alpha makes of it
     std::size_t pixels = 0;
+    std::string ground = "blocks";  // or "roam": what draws the land
 };
 
 // One function a group of `quadrat bench`; each appends its figures. A file a group.

@@ -30,7 +30,8 @@ Scenes awaited(const Ask& ask) {
 
 FourViews::FourViews(const Options& options, std::uint64_t seed)
     : growing_(begun(seed)),
-      easel(display::size_from(options.size, "--size").width, display::size_from(options.size, "--size").height) {
+      easel(display::size_from(options.size, "--size").width, display::size_from(options.size, "--size").height,
+            ground_named(options.ground)) {
     const display::Size size = display::size_from(options.size, "--size");
     picture.size = {size.width, size.height};
     picture.detail.alpha = options.alpha;

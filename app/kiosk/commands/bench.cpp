@@ -12,6 +12,7 @@
 #include "kiosk/benches/benches.hpp"
 #include "kiosk/benches/report.hpp"
 #include "kiosk/commands/commands.hpp"
+#include "kiosk/picture.hpp"
 
 namespace quadrat::kiosk::commands {
 namespace {
@@ -115,6 +116,9 @@ void add_bench(CLI::App& app, Action& chosen) {
         ->capture_default_str();
     command->add_option("--triangles", options->how.triangles,
                         "frame, fidelity, a profile: no more than so many a frame");
+    command->add_option("--ground", options->how.ground, "frame, fidelity: what draws the land, blocks or roam")
+        ->check(CLI::IsMember(ground_names()))
+        ->capture_default_str();
     command->add_option("--pixels", options->how.pixels, "The same for the pixels of the views");
     command->add_option("--profile", options->how.profile, "detail: what a frame would take on this machine, estimated")
         ->check(CLI::IsMember({"pi4", "pi5"}));

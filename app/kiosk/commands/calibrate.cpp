@@ -31,7 +31,7 @@ int calibrate(const Configuration& configuration, const std::filesystem::path& s
     const auto screen = display::open_display(display_options(configuration));
     const display::Canvas canvas = screen->begin_frame();
     if (canvas.context == 0) throw base::InputError("calibrate: there is no GPU to measure: " + screen->description());
-    render::Renderer renderer;
+    render::Renderer renderer(ground_named(configuration.picture.ground));
     std::printf("%s\n", screen->description().c_str());
 
     render::Frame frame;

@@ -19,6 +19,7 @@ struct Options {
     std::optional<float> seconds;
     std::optional<float> detail;
     bool has_wires = false;
+    std::string ground;
     std::optional<float> growth;
     Budget budget;
 };
@@ -49,8 +50,9 @@ int draw(const Options& options) {
     if (options.seconds) picture.seconds = *options.seconds;
     if (options.detail) picture.alpha = *options.detail;
     if (options.has_wires) picture.has_wires = true;
+    if (!options.ground.empty()) picture.ground = ground_named(options.ground);
     if (options.growth) picture.growth = *options.growth;
-    Easel easel(picture.width, picture.height);
+    Easel easel(picture.width, picture.height, picture.ground);
     const mesh::Image pixels = easel.draw(picture, options.budget);
     write_picture(options.output, pixels, to_json(picture));
     return 0;
@@ -73,6 +75,8 @@ void add_render(CLI::App& app, Action& chosen) {
     command->add_option("--pixels", options->budget.pixels, "No more of the landscape; spread over the picture");
     command->add_flag("--wires", options->has_wires,
                       "With the edges of all triangles, warm where fine, cold where coarse");
+    command->add_option("--ground", options->ground, "What draws the land: blocks (standard) or roam")
+        ->check(CLI::IsMember(ground_names()));
     command->add_option("--growth", options->growth, "0 seedlings to 1 grown")->check(CLI::Range(0.0F, 1.0F));
     command->callback([options, &chosen] { chosen = [options] { return draw(*options); }; });
 }

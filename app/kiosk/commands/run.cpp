@@ -18,6 +18,7 @@
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/detail/memory.hpp"
 #include "kiosk/heap.hpp"
+#include "kiosk/picture.hpp"
 #include "kiosk/run_loop.hpp"
 #include "kiosk/screen.hpp"
 #include "kiosk/service.hpp"
@@ -36,6 +37,7 @@ struct Options {
     std::string configuration;
     std::string state;
     std::optional<int> rounds;
+    std::string ground;
     std::string capture;
     std::optional<std::uint64_t> seed;
     std::string log_file;
@@ -70,6 +72,7 @@ Configuration configuration_for(const Options& options) {
     if (!options.size.empty()) configuration.screen.size = options.size;
     if (!options.inputs.empty()) configuration.inputs = options.inputs;
     if (options.rounds) configuration.visit.rounds = *options.rounds;
+    if (!options.ground.empty()) configuration.picture.ground = options.ground;
     return configuration;
 }
 
@@ -285,6 +288,8 @@ void add_run(CLI::App& app, Action& chosen) {
     command->add_option("--state", options->state, "Folder of what is kept between runs");
     command->add_option("--rounds", options->rounds, "Rounds of a visit; the program ends after one visit")
         ->check(CLI::Range(1, 50));
+    command->add_option("--ground", options->ground, "What draws the land: blocks (standard) or roam")
+        ->check(CLI::IsMember(ground_names()));
     command->add_option("--capture", options->capture,
                         "Folder for one PNG a generation, the finale and a contact sheet");
     command->add_option("--seed", options->seed, "Names all chance; without it, every start is another");

@@ -61,6 +61,7 @@ std::string apply(const Configuration& changed, Configuration& running) {
                          changed.breeding.locked == now.breeding.locked);
     note("words", changed.words == now.words);
     note("picture.land_samples", changed.picture.land_samples == now.picture.land_samples);
+    note("picture.ground", changed.picture.ground == now.picture.ground);
     note("fleet (systemctl restart quadrat-fleet)", changed.fleet == now.fleet);
     running.visit = changed.visit;
     running.picture.alpha = changed.picture.alpha;

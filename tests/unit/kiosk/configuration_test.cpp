@@ -43,6 +43,7 @@ TEST(Configuration, TheFileThatIsDeliveredSaysTheDefaults) {
     EXPECT_EQ(delivered.breeding.mutation, standard.breeding.mutation);
     EXPECT_EQ(delivered.picture.alpha, standard.picture.alpha);
     EXPECT_EQ(delivered.picture.land_samples, standard.picture.land_samples);
+    EXPECT_EQ(delivered.picture.ground, standard.picture.ground);
     EXPECT_EQ(delivered.visit.describe_words, standard.visit.describe_words);
     EXPECT_EQ(delivered.visit.describe_every, standard.visit.describe_every);
     EXPECT_EQ(delivered.visit.describe_s, standard.visit.describe_s);

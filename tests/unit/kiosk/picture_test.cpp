@@ -27,6 +27,8 @@ TEST(Picture, ItsJsonSaysAllThatDecidesIt) {
     for (const std::size_t scenes : {1U, 4U}) {
         Picture picture = sample_picture(scenes);
         EXPECT_EQ(picture_from_json(to_json(picture), "x"), picture);
+        picture.ground = render::GroundBy::Roam;
+        EXPECT_EQ(picture_from_json(to_json(picture), "x").ground, render::GroundBy::Roam);
         picture.camera = scene::Camera{{1, 2, 3}, {4.5F, 0.1F, -7}, 33};
         EXPECT_EQ(picture_from_json(to_json(picture), "x"), picture);
     }
@@ -67,6 +69,11 @@ TEST(Picture, RefusesWhatItCannotBe) {
     std::string json = to_json(sample_picture(1));
     json.replace(json.find("640"), 3, "-64");
     EXPECT_THAT(refusal(json), HasSubstr("width is -64"));
+    Picture other = sample_picture(1);
+    other.ground = render::GroundBy::Roam;
+    json = to_json(other);
+    json.replace(json.find("roam"), 4, "mole");
+    EXPECT_THAT(refusal(json), HasSubstr("ground is \"mole\"; it must be blocks or roam"));
 }
 
 TEST(ContactSheet, HoldsEveryPictureInRowsAndCaptions) {

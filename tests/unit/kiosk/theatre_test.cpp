@@ -51,6 +51,22 @@ TEST_F(TheatreTest, WhatIsLitMeanwhileHoldsNothingBackWhereverItComes) {
     EXPECT_EQ(theatre_.scenes_ahead(), scenes_.size());
 }
 
+TEST_F(TheatreTest, DrawsTheGroundByWhatTheSiteDecidesAndThePictureSaysSo) {
+    const Act act{{scenes_[0]}, {genome::random_recipe(base::Seed{40}.child(0))}, 1, {}};
+    const auto photograph = [&](const std::string& ground) {
+        Configuration configuration;
+        configuration.picture.ground = ground;
+        Theatre theatre(configuration);
+        theatre.enter(canvas_);
+        EXPECT_TRUE(theatre.prepare(act, Theatre::Haste::everything()));
+        const Picture picture = picture_of(act, canvas_, configuration);
+        EXPECT_EQ(picture.ground, ground_named(ground));
+        return theatre.photograph(act, picture, canvas_);
+    };
+    EXPECT_EQ(photograph("blocks"), photograph("blocks"));
+    EXPECT_NE(photograph("blocks"), photograph("roam"));
+}
+
 TEST_F(TheatreTest, WhatIsNoLongerAheadIsFreed) {
     prepare_until({{}, {scenes_[0], scenes_[1]}}, 2);
     theatre_.prepare_ahead({{}, {scenes_[1]}}, {1, [] { return false; }, 1});
