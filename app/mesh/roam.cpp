@@ -214,8 +214,9 @@ void Roam::update(const Wish& wish) {
         restart();
     };
     // In steps, and back only with room to spare: the mesh does not swing.
-    while (error_px_ > wish.error_px && !are_more_than(wish.triangle_budget / 2, wish.planes)) change(1 / kStep);
-    while (error_px_ < 1e6F && leaves_ > roots_ && are_more_than(wish.triangle_budget, wish.planes)) change(kStep);
+    std::size_t seen = seen_of(wish);
+    for (; error_px_ > wish.error_px && seen <= wish.triangle_budget / 2; seen = seen_of(wish)) change(1 / kStep);
+    for (; seen > wish.triangle_budget && leaves_ > roots_ && error_px_ < 1e6F; seen = seen_of(wish)) change(kStep);
 }
 
 void Roam::split(std::uint32_t t) {
@@ -372,11 +373,12 @@ void Roam::visit_seen(std::span<const glm::vec4> planes, const Visit& visit) con
     }
 }
 
-bool Roam::are_more_than(std::size_t triangles, std::span<const glm::vec4> planes) const {
-    if (leaves_ <= triangles) return false;
+// What counts against the budget; where all of them are few, all of them.
+std::size_t Roam::seen_of(const Wish& wish) const {
+    if (wish.planes.empty() || leaves_ <= wish.triangle_budget / 2) return leaves_;
     std::size_t seen = 0;
-    visit_seen(planes, [&](const Corners&) { ++seen; });
-    return seen > triangles;
+    visit_seen(wish.planes, [&](const Corners&) { ++seen; });
+    return seen;
 }
 
 std::size_t Roam::append_indices(std::span<const glm::vec4> planes, std::vector<std::uint32_t>& indices) const {

@@ -93,7 +93,7 @@ class Roam {
     void visit_seen(std::span<const glm::vec4> planes, const Visit& visit) const;
     template <typename Visit>
     void visit_seen(std::uint32_t t, const Sight& sight, std::uint32_t cutting, const Visit& visit) const;
-    bool are_more_than(std::size_t triangles, std::span<const glm::vec4> planes) const;
+    std::size_t seen_of(const Wish& wish) const;
     bool may_be_seen(const Triangle& triangle, std::span<const glm::vec4> planes, std::uint32_t& cutting) const;
     std::uint32_t index_of(glm::ivec2 p) const { return static_cast<std::uint32_t>(p.y * height_m_.columns + p.x); }
 
