@@ -290,6 +290,7 @@ Kept Archive::kept_in(const Connection& connection) {
     if (kept.interrupted && !is_open_in(connection, kept.interrupted->visit)) kept.interrupted.reset();
     kept.buttons = remembered_in(connection, "buttons");
     kept.detail = remembered_in(connection, "detail");
+    kept.gpu = remembered_in(connection, "gpu");
     return kept;
 }
 

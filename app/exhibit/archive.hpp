@@ -53,7 +53,7 @@ struct WordAnswers {
 // What an exhibit that was switched off goes on with.
 struct Kept {
     std::optional<Generation> interrupted;  // the last one, of a visit that has not ended
-    std::string buttons, detail;            // what was remembered under these names
+    std::string buttons, detail, gpu;       // what was remembered under these names
 };
 using TellKept = std::function<void(const Kept&)>;
 

@@ -166,7 +166,7 @@ class Loop {
         is_calibrated_ = true;
         base::log::info("GPU: {}; detail {:.2f}{}", to_text(profile), parts_.governor->settled(),
                         parts_.governor->samples() > 1 ? ", smooth edges" : "");
-        parts_.show.remember("gpu", to_text(profile));
+        parts_.show.remember("gpu", to_text(profile, parts_.display));
         parts_.show.remember("detail", to_text(*parts_.governor, parts_.display));
     }
 

@@ -98,10 +98,13 @@ TEST(Staff, AGpuThatIsNotKnownIsMeasuredAndNeverAgain) {
     exhibit.kill(SIGTERM);
     EXPECT_TRUE(succeeds(exhibit.wait()));
     Database state(service.folder / "state/quadrat.db");
-    EXPECT_EQ(state.number("SELECT COUNT(*) FROM memory WHERE name = 'gpu' AND value LIKE '%triangles%pixels%'"), 1);
+    EXPECT_EQ(
+        state.number("SELECT COUNT(*) FROM memory WHERE name = 'gpu' AND value LIKE 'llvmpipe%: %triangles%pixels%'"),
+        1);
     EXPECT_EQ(state.number("SELECT COUNT(*) FROM memory WHERE name = 'detail' AND value LIKE '% llvmpipe%'"), 1);
     Process again(service.command(), service.folder.path());
     service.wait_for_log(again, "what this GPU came to the last time");
+    service.wait_for_log(again, "GPU, as it was measured: llvmpipe");
     again.kill(SIGTERM);
     EXPECT_TRUE(succeeds(again.wait()));
 }

@@ -72,7 +72,7 @@ int calibrate(const Configuration& configuration, const std::filesystem::path& s
         exhibit::Archive::open(
             state, std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now()))
             .archive;
-    for (const auto& [name, text] : {std::pair{"detail", to_text(governor, *screen)}, {"gpu", to_text(profile)}}) {
+    for (const auto& [name, text] : {std::pair{"detail", to_text(governor, *screen)}, {"gpu", to_text(profile, *screen)}}) {
         const auto trouble = archive.remember(name, text);
         if (!trouble) continue;
         std::printf("this could not be kept: %s\n", trouble->c_str());

@@ -240,7 +240,9 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
     parts.keepsakes = keepsakes ? &*keepsakes : nullptr;
     parts.mode = ladder.rung().mode;
     parts.governor = governor ? &*governor : nullptr;
-    parts.calibrates = !is_safe && !remembered;
+    const bool is_known = is_profile_of(kept.gpu, *screen);
+    if (is_known) base::log::info("GPU, as it was measured: {}", kept.gpu);
+    parts.calibrates = !is_safe && !is_known;
     if (options.budget.is_bound()) parts.budget = options.budget;
     parts.album = album.get();
     parts.ends_after_visit = options.rounds.has_value() || is_demonstration;

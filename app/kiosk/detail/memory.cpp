@@ -19,6 +19,14 @@ std::string to_text(const DetailGovernor& governor, const display::Display& scre
                        screen.renderer());
 }
 
+std::string to_text(const GpuProfile& profile, const display::Display& screen) {
+    return screen.renderer() + ": " + to_text(profile);
+}
+
+bool is_profile_of(std::string_view remembered, const display::Display& screen) {
+    return remembered.starts_with(screen.renderer() + ": ");
+}
+
 std::optional<GovernorOptions> remembered_options(float most, std::string_view remembered,
                                                   const display::Display& screen) {
     GovernorOptions options;

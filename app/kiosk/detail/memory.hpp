@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "display/display.hpp"
+#include "kiosk/detail/calibration.hpp"
 #include "kiosk/detail/governor.hpp"
 
 // What a governor found out, kept in the state for the next start on the same GPU. Its card may have another number
@@ -12,6 +13,10 @@
 namespace quadrat::kiosk {
 
 std::string to_text(const DetailGovernor& governor, const display::Display& screen);
+
+// A profile as it is kept, and whether what is kept is of this screen's GPU.
+std::string to_text(const GpuProfile& profile, const display::Display& screen);
+bool is_profile_of(std::string_view remembered, const display::Display& screen);
 
 // Nothing where none is remembered, it is of another GPU, or cannot be read. most: alpha, what the site asks for.
 std::optional<GovernorOptions> remembered_options(float most, std::string_view remembered,

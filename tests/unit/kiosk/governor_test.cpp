@@ -302,6 +302,10 @@ TEST(Governor, StartsWhereItEndedOnTheSameGpuOnly) {
     const GovernorOptions again =
         options_for(1, to_text(DetailGovernor(smooth), tests::NamedScreen("V3D 4.2")), tests::NamedScreen("V3D 4.2"));
     EXPECT_EQ(again.samples, 4);
+    const std::string profile = to_text(GpuProfile{}, tests::NamedScreen("V3D 4.2"));
+    EXPECT_TRUE(is_profile_of(profile, tests::NamedScreen("V3D 4.2", "another mode")));
+    EXPECT_FALSE(is_profile_of(profile, tests::NamedScreen("V3D 4")));
+    EXPECT_FALSE(is_profile_of("", tests::NamedScreen("V3D 4.2")));
     EXPECT_NEAR(again.start, 0.8F, 1e-3F);
 }
 
