@@ -64,7 +64,7 @@ render::Frame frame_of(const Picture& picture, const Cast& cast, const display::
     frame.size = {canvas.size.width, canvas.size.height};
     frame.framebuffer = canvas.framebuffer;
     frame.seconds = picture.seconds;
-    frame.detail = {picture.alpha, picture.scale};
+    frame.detail = {picture.alpha, picture.scale, picture.samples};
     frame.is_wired = picture.has_wires;
     const auto places = quarters(frame.size.x, frame.size.y);
     const bool is_four = cast.scenes.size() > 1;

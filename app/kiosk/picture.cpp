@@ -75,6 +75,9 @@ Picture picture_in(const ordered_json& object, const std::string& source) {
     picture.alpha = number_in(object, "alpha", 0.01F, 100, 1, source);
     picture.scale = number_in(object, "scale", 0.25F, 1, 1, source);
     picture.land_samples = static_cast<int>(number_in(object, "land_samples", 65, 1025, 513, source));
+    picture.samples = static_cast<int>(number_in(object, "samples", 1, 4, 1, source));
+    if (picture.samples != 1 && picture.samples != 4)
+        refuse(source, fmt::format("samples is {}; it must be 1 or 4", picture.samples));
     if (!std::has_single_bit(static_cast<unsigned>(picture.land_samples - 1)))
         refuse(source, fmt::format("land_samples is {}; it must be 65, 129, 257, 513 or 1025", picture.land_samples));
     if (const auto wires = object.find("wires"); wires != object.end()) {
@@ -128,6 +131,7 @@ std::string to_json(const Picture& picture) {
                           {"target", vector_json(picture.camera->target_m)},
                           {"fov_deg", picture.camera->vertical_fov_deg}};
     if (picture.scale < 1) json["scale"] = picture.scale;
+    if (picture.samples > 1) json["samples"] = picture.samples;
     if (picture.has_wires) json["wires"] = true;
     if (picture.ground != render::GroundBy::Blocks) json["ground"] = kGrounds[static_cast<std::size_t>(picture.ground)];
     json["scenes"] = ordered_json::array();

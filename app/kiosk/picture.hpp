@@ -22,6 +22,7 @@ struct Picture {
     float growth = 1;                     // 0 seedlings, 1 grown
     float alpha = 1;                      // detail
     float scale = 1;                      // of each side, drawn smaller and spread: 0.25 to 1
+    int samples = 1;                      // a pixel: 1, or 4 for smooth edges
     int land_samples = 513;               // how finely its scenes are grown, see fineness_of
     std::optional<scene::Camera> camera;  // instead of the flight's
     bool has_wires = false;               // the edges of its triangles, coloured by level

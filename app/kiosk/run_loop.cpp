@@ -10,6 +10,7 @@
 #include "base/log.hpp"
 #include "display/shown_frames.hpp"
 #include "firmware-io/keyboard/keyboard_buttons.hpp"
+#include "kiosk/detail/cadence.hpp"
 #include "kiosk/detail/memory.hpp"
 #include "kiosk/detail/trial.hpp"
 #include "kiosk/heap.hpp"
@@ -96,6 +97,7 @@ class Loop {
             const float used = time_used(now);
             upload_time_.drew(parts_.clock.now() - drawing_since);
             wait_for_its_period();
+            handed_over_at_ = std::chrono::steady_clock::now().time_since_epoch();
             const display::Presented presented = parts_.display.present();
             report(presented, now);
             govern(presented, now, used);
@@ -395,9 +397,9 @@ class Loop {
     // second.
     void wait_for_its_period() {
         if (periods() == 1 || shown_at_.count() == 0) return;
-        const Instant before_at = shown_at_ + (is_one_in_flight_ ? period_ * periods() : Instant{0});
-        std::this_thread::sleep_until(
-            std::chrono::steady_clock::time_point{before_at + period_ / 4 + period_ * (periods() - 1)});
+        Cadence cadence{period_, periods(), shown_at_};
+        if (is_one_in_flight_) cadence.handed_over_at = handed_over_at_;
+        std::this_thread::sleep_until(std::chrono::steady_clock::time_point{hand_over_at(cadence)});
     }
 
     const RunLoopParts& parts_;
@@ -424,6 +426,7 @@ class Loop {
     Instant framed_at_{0};
     Instant shown_at_{0};            // the last frame, where the screen tells
     bool is_one_in_flight_ = false;  // handed over after that
+    Instant handed_over_at_{0};      // on the screen's clock
     display::ShownFrames shown_frames_;
     std::optional<Instant> remembered_at_;
     int photographed_ = 0;  // the last act that was

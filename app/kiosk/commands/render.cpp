@@ -18,6 +18,7 @@ struct Options {
     std::string camera;
     std::optional<float> seconds;
     std::optional<float> detail;
+    std::optional<int> samples;
     bool has_wires = false;
     std::string ground;
     std::optional<float> growth;
@@ -49,6 +50,7 @@ int draw(const Options& options) {
     if (!options.camera.empty()) picture.camera = camera_from(options.camera);
     if (options.seconds) picture.seconds = *options.seconds;
     if (options.detail) picture.alpha = *options.detail;
+    if (options.samples) picture.samples = *options.samples;
     if (options.has_wires) picture.has_wires = true;
     if (!options.ground.empty()) picture.ground = ground_named(options.ground);
     if (options.growth) picture.growth = *options.growth;
@@ -73,6 +75,8 @@ void add_render(CLI::App& app, Action& chosen) {
         ->check(CLI::Range(0.01F, 100.0F));
     command->add_option("--triangles", options->budget.triangles, "In so much detail that no more are drawn");
     command->add_option("--pixels", options->budget.pixels, "No more of the landscape; spread over the picture");
+    command->add_option("--samples", options->samples, "A pixel: 1, or 4 for smooth edges")
+        ->check(CLI::IsMember({1, 4}));
     command->add_flag("--wires", options->has_wires,
                       "With the edges of all triangles, warm where fine, cold where coarse");
     command->add_option("--ground", options->ground, "What draws the land: blocks (standard) or roam")

@@ -29,6 +29,8 @@ TEST(Picture, ItsJsonSaysAllThatDecidesIt) {
         EXPECT_EQ(picture_from_json(to_json(picture), "x"), picture);
         picture.ground = render::GroundBy::Roam;
         EXPECT_EQ(picture_from_json(to_json(picture), "x").ground, render::GroundBy::Roam);
+        picture.samples = 4;
+        EXPECT_EQ(picture_from_json(to_json(picture), "x").samples, 4);
         picture.camera = scene::Camera{{1, 2, 3}, {4.5F, 0.1F, -7}, 33};
         EXPECT_EQ(picture_from_json(to_json(picture), "x"), picture);
     }
@@ -74,6 +76,8 @@ TEST(Picture, RefusesWhatItCannotBe) {
     json = to_json(other);
     json.replace(json.find("roam"), 4, "mole");
     EXPECT_THAT(refusal(json), HasSubstr("ground is \"mole\"; it must be blocks or roam"));
+    other.samples = 3;
+    EXPECT_THAT(refusal(to_json(other)), HasSubstr("samples is 3; it must be 1 or 4"));
 }
 
 TEST(ContactSheet, HoldsEveryPictureInRowsAndCaptions) {
