@@ -33,6 +33,7 @@ std::shared_ptr<const scene::Scene> rugged_scene() {
     for (std::size_t i = 0; i < patches.bytes.size(); ++i)
         patches.bytes[i] = static_cast<std::uint8_t>(base::hash_of(base::Seed{3}, static_cast<int>(i), 0));
     land->albedo = scene::GroundColours(patches);
+    land->fresh_water = {};  // lies in the cells of the ground that was there
     scene->land = land;
     return scene;
 }
