@@ -40,7 +40,7 @@ struct Place {
         return count(key);
     }
     std::string stage(std::string_view key) const {
-        const std::string name_of_stage = text(key);
+        std::string name_of_stage = text(key);
         if (name_of_stage != "fragment" && name_of_stage != "vertex" && name_of_stage != "binning")
             refuse(key, name_of_stage, "fragment, vertex or binning");
         return name_of_stage;
