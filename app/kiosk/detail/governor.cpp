@@ -97,7 +97,9 @@ bool DetailGovernor::is_late(const FrameTold& told) const {
 
 void DetailGovernor::frame(const FrameTold& told) {
     if (!last_now_) begin_anew(told.now);
+    const bool is_another_screens = follows_screen(told);
     glide(told);
+    if (is_another_screens) return;  // it was begun with the time it had before
     late_ <<= 1U;
     late_[0] = is_late(told);
     if (late_[0]) {
@@ -116,6 +118,16 @@ void DetailGovernor::frame(const FrameTold& told) {
     else
         try_more(told);
     if (periods_ > 1) look_back(told);
+}
+
+// Two periods of one screen are one of another.
+bool DetailGovernor::follows_screen(const FrameTold& told) {
+    const Instant before = std::exchange(period_, told.period);
+    if (periods_ == 1 || before.count() == 0 || 2 * told.period < 3 * before) return false;
+    change_periods(1, told.now);
+    reason_ = fmt::format("detail {:.2f}: the screen asks for frames more seldom: one in each of its periods", target_);
+    begin_anew(told.now);
+    return true;
 }
 
 // Down within a tenth of a second, up over several.

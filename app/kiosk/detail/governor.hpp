@@ -70,6 +70,7 @@ class DetailGovernor {
     static constexpr std::size_t kWindow = 32;  // frames
 
     bool is_late(const FrameTold& told) const;
+    bool follows_screen(const FrameTold& told);
     void glide(const FrameTold& told);
     void yield_a_little(const FrameTold& told);
     void give_way(const FrameTold& told);
@@ -88,6 +89,7 @@ class DetailGovernor {
     float recovered_ = 1;  // comes back from growing_share_
     bool is_growing_ = false;
     int periods_ = 1;
+    Instant period_{0};  // the screen's
     int samples_ = 1;
     int most_samples_ = 1;
     bool has_room_for_smooth_edges_ = false;

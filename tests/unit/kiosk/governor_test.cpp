@@ -354,6 +354,28 @@ TEST(Governor, LeavesMoreToWhatGrowsWhereSomebodyHadToWaitForIt) {
     EXPECT_NEAR(level_after(3600 * 20, true), growing, 0.01F) << "in twenty minutes it has come back";
 }
 
+TEST(Governor, TakesOnePeriodOfAScreenThatAsksHalfAsOften) {
+    GovernorOptions slow;
+    slow.start = 0.2F;
+    slow.periods = 2;
+    DetailGovernor governor(slow);
+    Instant now = 1s;
+    const auto pass = [&](Instant period, int frames) {
+        for (int i = 0; i < frames; ++i) {
+            now += period * governor.periods();
+            governor.frame({now, period * governor.periods(), period, 0.9F, false});
+        }
+    };
+    pass(kPeriod, 60);
+    ASSERT_EQ(governor.periods(), 2);
+    pass(2 * kPeriod, 1);
+    EXPECT_EQ(governor.periods(), 1);
+    EXPECT_EQ(governor.settled(), 0.2F) << "a frame has as long as before";
+    EXPECT_THAT(governor.take_reason().value_or(""), HasSubstr("more seldom"));
+    pass(kPeriod, 1);
+    EXPECT_EQ(governor.periods(), 1) << "it finds out by itself whether that is hopeless again";
+}
+
 // At most, in a visit of landscapes that change every so often: what is drawn takes so much of a frame, and with smooth
 // edges so much more.
 struct Visits {
