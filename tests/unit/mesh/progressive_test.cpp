@@ -95,6 +95,52 @@ TEST(ProgressiveMesh, StaysClosedAndFacesOutwardAtEveryLevel) {
     }
 }
 
+// A trunk that bends, with ribs that run out into its foot: closed.
+Mesh trunk() {
+    constexpr int kSides = 40;
+    constexpr int kRings = 120;
+    Mesh mesh;
+    for (int ring = 0; ring <= kRings; ++ring) {
+        const float up = static_cast<float>(ring) / kRings;
+        const float foot = std::exp(-9 * up);
+        for (int side = 0; side < kSides; ++side) {
+            const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(side) / kSides;
+            const float radius = (0.4F - 0.28F * up) * (1 + foot * (0.5F + 0.4F * std::cos(5 * turn)));
+            mesh.positions_m.push_back(
+                {0.5F * up * up + radius * std::cos(turn), 9 * up, 0.3F * up - radius * std::sin(turn)});
+        }
+    }
+    const auto at = [](int ring, int side) { return static_cast<std::uint32_t>(ring * kSides + side % kSides); };
+    for (int ring = 0; ring < kRings; ++ring)
+        for (int side = 0; side < kSides; ++side)
+            mesh.indices.insert(mesh.indices.end(), {at(ring, side), at(ring, side + 1), at(ring + 1, side),
+                                                     at(ring + 1, side), at(ring, side + 1), at(ring + 1, side + 1)});
+    for (int side = 1; side + 1 < kSides; ++side)
+        mesh.indices.insert(mesh.indices.end(), {at(0, 0), at(0, side + 1), at(0, side), at(kRings, 0),
+                                                 at(kRings, side), at(kRings, side + 1)});
+    return mesh;
+}
+
+TEST(ProgressiveMesh, KeepsATrunksVolumeWithinOnePercentAtHalfTheVerticesAndFiveAtASixteenth) {
+    const Mesh whole = trunk();
+    const double volume_m3 = tests::volume_of(whole);
+    ASSERT_GT(volume_m3, 1);
+    for (const Placement placement : {Placement::Line, Placement::Fitted}) {
+        ProgressiveOptions options;
+        options.placement = placement;
+        const Progressive progressive = make_progressive(whole, options);
+        ASSERT_GT(progressive.levels.size(), 4U);
+        const auto volume_at = [&](std::size_t level) { return tests::volume_of(progressive.levels[level].mesh); };
+        const auto vertices_at = [&](std::size_t level) {
+            return static_cast<double>(progressive.levels[level].mesh.positions_m.size());
+        };
+        EXPECT_NEAR(vertices_at(1) / vertices_at(0), 1.0 / 2, 0.02);
+        EXPECT_NEAR(volume_at(1), volume_m3, 0.01 * volume_m3);
+        EXPECT_NEAR(vertices_at(4) / vertices_at(0), 1.0 / 16, 0.01);
+        EXPECT_NEAR(volume_at(4), volume_m3, 0.05 * volume_m3);
+    }
+}
+
 TEST(ProgressiveMesh, HasAParentNearEveryVertexAndNoParentWithoutOne) {
     const Progressive progressive = make_progressive(ball());
     for (std::size_t i = 0; i + 1 < progressive.levels.size(); ++i) {
