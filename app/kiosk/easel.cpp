@@ -57,8 +57,6 @@ mesh::Image Easel::draw(const Picture& picture, const Scenes& scenes) {
     return draw(drawn, scenes, {});
 }
 
-namespace {
-
 render::Frame frame_of(const Picture& picture, const Cast& cast, const display::Canvas& canvas) {
     render::Frame frame;
     frame.size = {canvas.size.width, canvas.size.height};
@@ -78,8 +76,6 @@ render::Frame frame_of(const Picture& picture, const Cast& cast, const display::
     }
     return frame;
 }
-
-}  // namespace
 
 mesh::Image Easel::draw(Picture& picture, const Scenes& scenes, const Budget& budget) {
     const display::Canvas canvas = display_->begin_frame();

@@ -34,6 +34,9 @@ class Easel {
     std::unique_ptr<render::Renderer> renderer_;
 };
 
+// The picture's views of a cast that is on the GPU, four of them in quarters. The canvas must have the picture's size.
+render::Frame frame_of(const Picture& picture, const Cast& cast, const display::Canvas& canvas);
+
 // A picture of scenes that are on the GPU; four of them lettered. The canvas must have the picture's size.
 mesh::Image draw_picture(render::Renderer& renderer, SignWriter& writer, const Picture& picture, const Cast& cast,
                          const display::Canvas& canvas);

@@ -154,26 +154,26 @@ class Loop {
 
     // On a GPU that is not known yet, while nobody is there and nothing grows: some frames come late for it, once.
     void calibrate(const display::Canvas& canvas, Instant now) {
+        const Act& act = parts_.show.on_stage();
         const bool is_calm = parts_.show.state().screen == Screen::Attract && !parts_.show.is_growing() &&
-                             now - parts_.show.on_stage().arrived > kUntilCalm;
+                             act.scenes.size() == genome::kCandidates && now - act.arrived > kUntilCalm;
         if (!is_calibrating() || !is_calm || !canvas.is_seen) return;
-        if (!trial_) trial_.emplace(*theatre_.renderer());
+        if (!trial_) trial_.emplace(theatre_.most_samples());
         frames_not_judged_ = 3;
-        if (!theatre_.try_out(*trial_, parts_.show.on_stage(), canvas) || !trial_->is_over()) return;
-        const double pixels = static_cast<double>(canvas.size.width) * canvas.size.height;
-        const GpuProfile profile = trial_->profile(*theatre_.renderer(), pixels);
+        const std::optional<GpuProfile> profile = theatre_.try_out(*trial_, act, canvas);
+        if (!profile) return;
         const double period_ms = std::chrono::duration<double, std::milli>(period_).count();
         const auto most = static_cast<float>(parts_.configuration.picture.alpha);
-        *parts_.governor = DetailGovernor(start_for(profile, most, period_ms));
-        is_calibrated_ = true;
-        base::log::info("GPU: {}; detail {:.2f}{}", to_text(profile), parts_.governor->settled(),
+        *parts_.governor = DetailGovernor(start_for(*profile, most, period_ms));
+        base::log::info("GPU: {}; detail {:.2f}{}", to_text(*profile), parts_.governor->settled(),
                         parts_.governor->samples() > 1 ? ", smooth edges" : "");
-        parts_.show.remember("gpu", to_text(profile, parts_.display));
+        parts_.show.remember("gpu", to_text(*profile, parts_.display));
         parts_.show.remember("detail", to_text(*parts_.governor, parts_.display));
     }
 
     bool is_calibrating() const {
-        return parts_.calibrates && !is_calibrated_ && parts_.governor != nullptr && !budget_ && theatre_.has_gpu();
+        const bool is_over = trial_ && trial_->is_over();
+        return parts_.calibrates && !is_over && parts_.governor != nullptr && !budget_ && theatre_.has_gpu();
     }
 
     // The governor's; where nobody governs, alpha.
@@ -237,7 +237,7 @@ class Loop {
         if (presented.period.count() == 0) shown = {now};
         DetailGovernor& governor = *parts_.governor;
         governor.follow(static_cast<float>(parts_.configuration.picture.alpha));
-        governor.allow_samples(theatre_.most_samples());
+        if (theatre_.has_gpu()) governor.allow_samples(theatre_.most_samples());
         for (const Instant at : shown) {
             const Instant took = at - std::exchange(framed_at_, at);
             const bool is_shown = presented.outcome == display::Outcome::Shown && !is_dark();
@@ -408,7 +408,6 @@ class Loop {
     display::Outcome last_outcome_ = display::Outcome::Shown;
     std::optional<BudgetKeeper> budget_;
     std::optional<Trial> trial_;
-    bool is_calibrated_ = false;
     int frames_not_judged_ = 0;  // what was tried out took their time
     render::Drawn drawn_;        // last
     StartReport start_;

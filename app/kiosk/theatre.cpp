@@ -176,23 +176,14 @@ int Theatre::most_samples() const {
     return has_gpu() ? std::min(configuration_.picture.samples, renderer_->most_samples()) : 1;
 }
 
-bool Theatre::try_out(Trial& trial, const Act& act, const display::Canvas& canvas) {
+std::optional<GpuProfile> Theatre::try_out(Trial& trial, const Act& act, const display::Canvas& canvas) {
     const Cast cast = cast_of(act);
-    const auto places = quarters(canvas.size.width, canvas.size.height);
-    if (cast.scenes.size() != places.size()) return false;
-    render::Frame frame;
-    frame.size = {canvas.size.width, canvas.size.height};
-    frame.framebuffer = canvas.framebuffer;
-    frame.is_one_of_many = true;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        render::View view;
-        view.scene = cast.scenes[i].gpu;
-        view.camera = scene::camera_at(cast.scenes[i].scene->track, 0);
-        view.viewport = places[i];
-        frame.views.push_back(std::move(view));
-    }
+    if (cast.scenes.empty()) return std::nullopt;
+    render::Frame frame = frame_of(picture_of(act, canvas, configuration_), cast, canvas);
+    frame.is_one_of_many = true;  // as the exhibit's are
     trial.step(*renderer_, std::move(frame));
-    return true;
+    if (!trial.is_over()) return std::nullopt;
+    return trial.profile(*renderer_, static_cast<double>(canvas.size.width) * canvas.size.height);
 }
 
 mesh::Image Theatre::read_back() {

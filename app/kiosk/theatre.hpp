@@ -65,10 +65,9 @@ class Theatre {
     }
     // Of a pixel: what the GPU and the site allow.
     int most_samples() const;
-    // Draws the act as four views, to be drawn over, in the trial's next way; true when all of it is there to be drawn.
-    bool try_out(Trial& trial, const Act& act, const display::Canvas& canvas);
-    // Nothing to try on: there is no GPU.
-    render::Renderer* renderer() { return renderer_.get(); }
+    // Draws the act, to be drawn over, in the next way of a trial that is not over; the profile when it is. Nothing is
+    // drawn until the whole act is on the GPU, which is there.
+    std::optional<GpuProfile> try_out(Trial& trial, const Act& act, const display::Canvas& canvas);
     // What the canvas's context has not drawn yet it draws once, to be drawn over. Not before there was a frame: the
     // first one is not to wait for it.
     void rehearse(const display::Canvas& canvas);

@@ -54,13 +54,14 @@ void HeldGround::update(const View& view, const glm::mat4& clip_from_world, cons
     // same: a software rasteriser shades squares of 16 pixels, whole ones along every edge.
     const bool is_coarse = wish.alpha < 1;
     const float alpha = is_coarse ? std::sqrt(wish.alpha) : wish.alpha;
+    const float budget_share = is_coarse ? std::pow(wish.alpha, 0.75F) : wish.alpha;
     const float error_share = is_coarse ? std::pow(wish.alpha, -0.8F) : 1 / std::sqrt(wish.alpha);
     grain_m_ = passes::kGrainSeen_m * wish.pixels_per_radian * std::min(alpha, 1.0F);
     const auto within = [&](float error_px, float budget) {
         return passes::Blocks::Wish{view.camera.eye_m,
                                     wish.pixels_per_radian,
                                     error_px * error_share,
-                                    static_cast<std::size_t>(budget * alpha / wish.views),
+                                    static_cast<std::size_t>(budget * budget_share / wish.views),
                                     grain_m_,
                                     {}};
     };

@@ -72,7 +72,9 @@ int affordable_step(const Frame& frame, const std::vector<Selection>& selections
         views.push_back({frame.views[i].scene->flora->kinds, &s.gathering, &s.plants});
         others += s.other_triangles;
     }
-    const auto budget = static_cast<std::size_t>(kTriangleBudget * alpha_of(frame));
+    // Where little is drawn, leaves need more than their part of it to be leaves.
+    const float alpha = alpha_of(frame);
+    const auto budget = static_cast<std::size_t>(kTriangleBudget * (alpha < 1 ? std::pow(alpha, 0.8F) : alpha));
     return passes::affordable_step(views, std::max(budget, others + kFewestPlantTriangles) - others, before);
 }
 

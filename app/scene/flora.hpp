@@ -24,7 +24,7 @@ struct Wood {
     std::vector<float> sways;  // a vertex: 0 rigid to 1 the freest twig
     std::vector<glm::vec3> coarser_m;  // a vertex: on the next level's surface; empty in the coarsest
     std::vector<float> coarser_sways;  // there
-    float left_out_m = 0;  // the diameter of the thickest limb that this level leaves out; 0: of the finest
+    float left_out_m = 0;              // the diameter of the thickest limb that this level leaves out; 0: of the finest
 };
 
 // Leaves are opaque folded blades, in shuffled order: any prefix, its blades enlarged by 1/sqrt(share), is a good

@@ -101,7 +101,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"BrokenPicture", {"render", "bare.png", "-o", "out.png"}, {"bare.png"}},
         BadInput{"MissingScene", {"render", "none.json", "-o", "out.png"}, {"none.json"}},
         BadInput{"Camera", {"render", "seed:1", "-o", "out.png", "--camera", "up"}, {"--camera up"}},
-        BadInput{"PictureFormat", {"render", "seed:1", "-o", "out.xyz", "--size", "64x64"}, {"out.xyz", ".png or .exr"}},
+        BadInput{
+            "PictureFormat", {"render", "seed:1", "-o", "out.xyz", "--size", "64x64"}, {"out.xyz", ".png or .exr"}},
         BadInput{"PictureFolder", {"render", "seed:1", "-o", "none/out.png"}, {"none/out.png", "no folder none"}},
         BadInput{"ExportFormat", {"export", "seed:1", "-o", "out.stl", "--what", "tree"}, {"out.stl", ".obj"}},
         BadInput{"ExportWhat", {"export", "seed:1", "-o", "out.obj", "--what", "cow"}, {"cow"}},

@@ -15,9 +15,14 @@ class Stage : public testing::Test {
   protected:
     void SetUp() override {
         render::gl::limits::forget_breaches();
+        open({640, 360});
+    }
+    // What was drawn with before is gone, and all that it made must be.
+    void open(display::Size size) {
+        renderer_.reset();
         display::DisplayOptions options;
         options.kind = display::Kind::Headless;
-        options.size = {640, 360};
+        options.size = size;
         display_ = display::open_display(options);
         canvas_ = display_->begin_frame();
         renderer_ = std::make_unique<render::Renderer>();

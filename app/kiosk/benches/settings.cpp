@@ -26,6 +26,7 @@ std::vector<Setting> all_settings(const Options& how) {
     all.insert(all.begin(), {size, alpha});
     if (how.triangles > 0) all.push_back(triangles);
     if (how.pixels > 0) all.push_back(pixels);
+    if (how.ground != Options{}.ground) all.push_back({"--ground " + how.ground, {"frame", "fidelity"}});
     if (how.then_hz > 0) all.push_back({fmt::format("--then-hz {}", how.then_hz), {"visit"}});
     if (how.is_busy) all.push_back({"--busy", {"visit"}});
     return all;

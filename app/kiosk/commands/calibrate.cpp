@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kiosk/commands/calibrate.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <utility>
@@ -55,7 +56,7 @@ int calibrate(const Configuration& configuration, const std::filesystem::path& s
         frame.views.push_back(view);
     }
     frame.framebuffer = canvas.framebuffer;
-    Trial trial(renderer);
+    Trial trial(std::min(configuration.picture.samples, renderer.most_samples()));
     while (!trial.is_over()) trial.step(renderer, frame);
     screen->present();
     const GpuProfile profile = trial.profile(renderer, static_cast<double>(frame.size.x) * frame.size.y);
@@ -72,7 +73,8 @@ int calibrate(const Configuration& configuration, const std::filesystem::path& s
         exhibit::Archive::open(
             state, std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now()))
             .archive;
-    for (const auto& [name, text] : {std::pair{"detail", to_text(governor, *screen)}, {"gpu", to_text(profile, *screen)}}) {
+    for (const auto& [name, text] :
+         {std::pair{"detail", to_text(governor, *screen)}, {"gpu", to_text(profile, *screen)}}) {
         const auto trouble = archive.remember(name, text);
         if (!trouble) continue;
         std::printf("this could not be kept: %s\n", trouble->c_str());

@@ -230,11 +230,8 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
                                                 state, ladder, *screen});
     }
     std::optional<DetailGovernor> governor;
-    const auto alpha = static_cast<float>(configuration.picture.alpha);
-    const std::optional<GovernorOptions> remembered = remembered_options(alpha, kept.detail, *screen);
-    if (remembered) base::log::info("detail {:.2f}: what this GPU came to the last time", remembered->start);
     if (!clock->is_simulated() && !options.budget.is_bound())
-        governor.emplace(options_for(alpha, kept.detail, *screen));
+        governor.emplace(options_for(static_cast<float>(configuration.picture.alpha), kept.detail, *screen));
     RunLoopParts parts{configuration, *clock, *screen, panel, *buttons.source, show};
     parts.caretaker = caretaker ? &*caretaker : nullptr;
     parts.keepsakes = keepsakes ? &*keepsakes : nullptr;

@@ -33,8 +33,8 @@ GpuProfile profile_of(const FrameCosts& costs, double pixels) {
     profile.pixels_per_s =
         rate(pixels * (little.scale * little.scale - small.scale * small.scale), little.ms - small.ms);
     profile.always_ms = std::max(0.0, little.ms - profile.frame_ms(little.alpha, little.scale));
-    if (smooth.samples > 1) profile.smooth_ms = std::max(smooth.ms - much.ms, 0.0);
-    profile.can_be_smooth = smooth.samples > 1;
+    profile.samples = smooth.samples;
+    if (profile.samples > 1) profile.smooth_ms = std::max(smooth.ms - much.ms, 0.0);
     return profile;
 }
 
@@ -46,7 +46,7 @@ std::string to_text(const GpuProfile& profile) {
     std::string text =
         fmt::format("{}, {}, {:.1f} ms whatever is drawn", per_second(profile.triangles_per_s, "triangles"),
                     per_second(profile.pixels_per_s, "pixels"), profile.always_ms);
-    if (profile.can_be_smooth) text += fmt::format(", {:.1f} ms for smooth edges", profile.smooth_ms);
+    if (profile.samples > 1) text += fmt::format(", {:.1f} ms for smooth edges", profile.smooth_ms);
     if (profile.upload_bytes_per_s > 0)
         text += fmt::format(", {:.0f} MB a second to it", profile.upload_bytes_per_s / 1e6);
     return text;
@@ -61,9 +61,7 @@ GovernorOptions start_for(const GpuProfile& profile, float most, double period_m
             options.start = level;
             const double left_ms = kShare * period_ms * periods - profile.frame_ms(alpha_for(level), scale_for(level));
             if (left_ms < 0) continue;
-            const bool is_smooth =
-                profile.can_be_smooth && level >= most && periods == 1 && left_ms >= profile.smooth_ms;
-            options.samples = is_smooth ? 4 : 1;
+            if (level >= most && periods == 1 && left_ms >= profile.smooth_ms) options.samples = profile.samples;
             return options;
         }
     }

@@ -21,7 +21,7 @@ struct GpuProfile {
     double always_ms = 0;
     double triangles_per_s = 0;
     double pixels_per_s = 0;
-    bool can_be_smooth = false;     // with four samples a pixel,
+    int samples = 1;                // a pixel, for smooth edges; 1: there are none
     double smooth_ms = 0;           // which take so much more
     double upload_bytes_per_s = 0;  // 0: not measured
     // Triangles are taken to follow alpha between these two.

@@ -27,30 +27,24 @@ bool is_profile_of(std::string_view remembered, const display::Display& screen) 
     return remembered.starts_with(screen.renderer() + ": ");
 }
 
-std::optional<GovernorOptions> remembered_options(float most, std::string_view remembered,
-                                                  const display::Display& screen) {
-    GovernorOptions options;
-    options.most = most;
+GovernorOptions options_for(float most, std::string_view remembered, const display::Display& screen) {
+    GovernorOptions all;
+    all.most = all.start = most;
+    GovernorOptions options = all;
     const char* const end = remembered.data() + remembered.size();
     const auto first = std::from_chars(remembered.data(), end, options.periods);
-    if (first.ec != std::errc{} || first.ptr == end || options.periods < 1 || options.periods > 2) return {};
+    if (first.ec != std::errc{} || options.periods < 1 || options.periods > 2) return all;
     std::string_view rest(first.ptr, static_cast<std::size_t>(end - first.ptr));
     if (rest.starts_with(kSmooth)) {
         options.samples = 4;
         rest.remove_prefix(kSmooth.size());
     }
-    if (!rest.starts_with(' ')) return {};
+    if (!rest.starts_with(' ')) return all;
     const auto second = std::from_chars(rest.data() + 1, end, options.start);
-    if (second.ec != std::errc{} || second.ptr == end || !std::isfinite(options.start) || options.start <= 0) return {};
-    if (std::string_view(second.ptr + 1, static_cast<std::size_t>(end - second.ptr - 1)) != screen.renderer())
-        return {};
-    return options;
-}
-
-GovernorOptions options_for(float most, std::string_view remembered, const display::Display& screen) {
-    GovernorOptions all;
-    all.most = all.start = most;
-    return remembered_options(most, remembered, screen).value_or(all);
+    if (second.ec != std::errc{} || second.ptr == end || !std::isfinite(options.start) || options.start <= 0)
+        return all;
+    const std::string_view renderer(second.ptr + 1, static_cast<std::size_t>(end - second.ptr - 1));
+    return renderer == screen.renderer() ? options : all;
 }
 
 }  // namespace quadrat::kiosk

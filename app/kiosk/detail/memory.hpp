@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,10 +17,7 @@ std::string to_text(const DetailGovernor& governor, const display::Display& scre
 std::string to_text(const GpuProfile& profile, const display::Display& screen);
 bool is_profile_of(std::string_view remembered, const display::Display& screen);
 
-// Nothing where none is remembered, it is of another GPU, or cannot be read. most: alpha, what the site asks for.
-std::optional<GovernorOptions> remembered_options(float most, std::string_view remembered,
-                                                  const display::Display& screen);
-// The same; where there is none, all that the site asks for.
+// most: alpha, what the site asks for. What was remembered of another GPU, or cannot be read, counts for nothing.
 GovernorOptions options_for(float most, std::string_view remembered, const display::Display& screen);
 
 }  // namespace quadrat::kiosk

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kiosk/detail/trial.hpp"
 
-#include <algorithm>
 #include <chrono>
 
 #include "kiosk/measurement.hpp"
@@ -20,11 +19,12 @@ double ms_since(Clock::time_point began) {
 
 }  // namespace
 
-Trial::Trial(const render::Renderer& renderer)
-    : ways_{{1, 1}, {0.1F, 1}, {0.1F, 0.5F}, {1, 1, renderer.most_samples()}} {}
+Trial::Trial(int most_samples) : ways_{{1, 1}, {0.1F, 1}, {0.1F, 0.5F}} {
+    if (most_samples > 1) ways_.push_back({1, 1, most_samples});
+}
 
 void Trial::step(render::Renderer& renderer, render::Frame frame) {
-    frame.detail = ways_[next_++];
+    frame.detail = ways_[costs_.size()];
     FrameCost cost{frame.detail.alpha, frame.detail.scale};
     std::vector<double> took;
     const auto began = Clock::now();
@@ -43,7 +43,8 @@ void Trial::step(render::Renderer& renderer, render::Frame frame) {
 }
 
 GpuProfile Trial::profile(render::Renderer& renderer, double pixels) const {
-    GpuProfile profile = profile_of({costs_[0], costs_[1], costs_[2], costs_[3]}, pixels);
+    GpuProfile profile =
+        profile_of({costs_[0], costs_[1], costs_[2], costs_.size() > 3 ? costs_[3] : costs_[0]}, pixels);
     profile.upload_bytes_per_s = renderer.upload_bytes_per_s();
     return profile;
 }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <array>
-#include <cstddef>
 #include <vector>
 
 #include "kiosk/detail/calibration.hpp"
@@ -13,9 +11,10 @@ namespace quadrat::kiosk {
 // from.
 class Trial {
   public:
-    explicit Trial(const render::Renderer& renderer);
+    // most_samples: a pixel, that may be asked for; more than 1: what they take is measured too.
+    explicit Trial(int most_samples);
 
-    bool is_over() const { return next_ == ways_.size(); }
+    bool is_over() const { return costs_.size() == ways_.size(); }
     // Draws the frame again and again in the next way, for a second and a half at most, and leaves nothing of it but
     // what it drew. The frame has four views.
     void step(render::Renderer& renderer, render::Frame frame);
@@ -26,7 +25,6 @@ class Trial {
   private:
     std::vector<render::Detail> ways_;
     std::vector<FrameCost> costs_;
-    std::size_t next_ = 0;
 };
 
 }  // namespace quadrat::kiosk

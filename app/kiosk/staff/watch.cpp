@@ -65,6 +65,7 @@ std::string apply(const Configuration& changed, Configuration& running) {
     note("fleet (systemctl restart quadrat-fleet)", changed.fleet == now.fleet);
     running.visit = changed.visit;
     running.picture.alpha = changed.picture.alpha;
+    running.picture.samples = changed.picture.samples;
     running.hours = changed.hours;
     running.closing = changed.closing;
     running.texts = changed.texts;

@@ -22,9 +22,7 @@ RenderbufferName storage(GLenum format, glm::ivec2 size, int samples) {
     glGenRenderbuffers(1, &name);
     glBindRenderbuffer(GL_RENDERBUFFER, name);
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size.x, size.y);
-    RenderbufferName owned;
-    owned.reset(name);
-    return owned;
+    return RenderbufferName(name);
 }
 
 void blit(GLuint from, GLuint to, glm::ivec2 size) {

@@ -15,7 +15,7 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr float kSeedling = 0.07F;
-constexpr float kLowPlant_m = 2.2F;  // below this it is undergrowth, which fades out long before a tree does
+constexpr float kLowPlant_m = 2.2F;    // below this it is undergrowth, which fades out long before a tree does
 constexpr float kBladesA_px2 = 0.22F;  // of a plant as high as wide, where all that is asked for is drawn
 constexpr std::size_t kFewestBlades = 4;
 constexpr float kFewestBladesA_px = 0.15F;  // of its height: large blades that are few are flags
@@ -290,8 +290,8 @@ Sight look(std::span<const scene::Plant> plants, std::span<const Kind> kinds, co
     return sight;
 }
 
-// Counting is monotone in the steps: from a guess, twice as far each time until the answer lies between two of them, then
-// half as far.
+// Counting is monotone in the steps: from a guess, twice as far each time until the answer lies between two of them,
+// then half as far.
 int affordable_step(std::span<const Crowding> views, std::size_t triangle_budget, std::optional<int> guess) {
     const auto fits = [&](int step) {
         std::size_t left = triangle_budget;

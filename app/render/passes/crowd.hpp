@@ -73,7 +73,7 @@ struct Gathering {
     float pixels_per_radian = 500;        // as shown
     float scale = 1;  // of the sides of the picture it is drawn in, if that is smaller: it needs less
     float growth = 1;
-    float fineness = 1;                   // asked for: 1 is the standard
+    float fineness = 1;                // asked for: 1 is the standard
     const Horizon* horizon = nullptr;  // of the ground before them; null: none
 };
 

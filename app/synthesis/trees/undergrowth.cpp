@@ -183,9 +183,9 @@ scene::Species fern(const glm::vec3& colour, float height_m, base::Seed seed) {
         blade.bow_m = -0.5F * height_m;
         const float shade = random.between(0.75F, 1.0F);
         const float age = 0.5F + 0.4F * random.unit_f();
-        add_blade(species.leaves, LeafKind::Feather, blade,
-                  vertex_of(scene::shifted_colour(colour, random.between(0.9F, 1.1F)), blade.face + 0.4F * out, age,
-                            shade));
+        add_blade(
+            species.leaves, LeafKind::Feather, blade,
+            vertex_of(scene::shifted_colour(colour, random.between(0.9F, 1.1F)), blade.face + 0.4F * out, age, shade));
     }
     species.shade_liking = 0.9F;
     species.moisture = 0.75F;
@@ -263,7 +263,7 @@ scene::Species shrub(const ShrubOptions& o, base::Seed seed) {
     far.most_nodes = 18;
     far.flattest = 2;
     species.wood = {sweep_tubes(skeleton, near), sweep_tubes(skeleton, far)};
-    species.wood.back().left_out_m = 0.02F * o.height_m;
+    species.wood.back().left_out_m = thickest_left_out_m(skeleton, far.most_nodes);
     set_coarser(species.wood);
     FoliageOptions foliage;
     foliage.kind = LeafKind::Ovate;

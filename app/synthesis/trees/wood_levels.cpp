@@ -31,6 +31,8 @@ float between(const mesh::Mesh& mesh, const std::vector<float>& values, const me
     return (values[corner[0]] * of_a + values[corner[1]] * of_b + values[corner[2]] * of_c) / all;
 }
 
+}  // namespace
+
 float thickest_left_out_m(const TreeSkeleton& skeleton, std::size_t most_nodes) {
     const std::vector<std::uint32_t> kept = strongest_limbs(skeleton, most_nodes);
     float thickest_m = 0;
@@ -39,8 +41,6 @@ float thickest_left_out_m(const TreeSkeleton& skeleton, std::size_t most_nodes) 
             thickest_m = std::max(thickest_m, 2 * skeleton.limbs[i].nodes.front().radius_m);
     return thickest_m;
 }
-
-}  // namespace
 
 std::vector<scene::Wood> wood_levels(const TreeSkeleton& skeleton) {
     MetaTubeDetail smooth;
@@ -55,8 +55,8 @@ std::vector<scene::Wood> wood_levels(const TreeSkeleton& skeleton) {
         std::size_t nodes;  // beside the trunk's
         float flattest;
     };
-    constexpr Level kLevels[] = {{8, 260, 0.15F}, {7, 150, 0.25F}, {6, 90, 0.4F},  {5, 54, 0.55F},
-                                 {4, 32, 0.75F},  {4, 16, 0.95F},  {3, 7, 1.4F}, {3, 0, 2.0F}};
+    constexpr Level kLevels[] = {{8, 260, 0.15F}, {7, 150, 0.25F}, {6, 90, 0.4F}, {5, 54, 0.55F},
+                                 {4, 32, 0.75F},  {4, 16, 0.95F},  {3, 7, 1.4F},  {3, 0, 2.0F}};
     for (const Level& level : kLevels) {
         TubeDetail detail;
         detail.trunk_sides = level.sides;

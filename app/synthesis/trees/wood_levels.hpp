@@ -11,6 +11,8 @@ namespace quadrat::synthesis::trees {
 // follow one another. Of a tree with leaves the last is a spindle of four triangles, which is what is seen of a stem
 // behind far leaves.
 std::vector<scene::Wood> wood_levels(const TreeSkeleton& skeleton);
+// The diameter of the thickest limb that is not among the strongest, of so many nodes; 0: all of them are.
+float thickest_left_out_m(const TreeSkeleton& skeleton, std::size_t most_nodes);
 void add_spindle(std::vector<scene::Wood>& levels, float height_m, float radius_m);
 
 // Where each vertex of a level goes as the next takes its place: the nearest point of that, so that limbs which are

@@ -11,6 +11,7 @@
 #include "pictures/golden.hpp"
 #include "pictures/handmade_scene.hpp"
 #include "pictures/stage.hpp"
+#include "render/gl/texture.hpp"
 #include "render/lettering.hpp"
 
 namespace quadrat::tests {
@@ -147,19 +148,6 @@ double mean_difference(const mesh::Image& a, const mesh::Image& b) {
     return sum / static_cast<double>(a.bytes.size());
 }
 
-// Each pixel the mean of four.
-mesh::Image halved(const mesh::Image& picture) {
-    mesh::Image half(picture.width / 2, picture.height / 2, picture.channels);
-    for (int y = 0; y < half.height; ++y)
-        for (int x = 0; x < half.width; ++x)
-            for (int c = 0; c < half.channels; ++c) {
-                const int sum = picture.pixel(2 * x, 2 * y)[c] + picture.pixel(2 * x + 1, 2 * y)[c] +
-                                picture.pixel(2 * x, 2 * y + 1)[c] + picture.pixel(2 * x + 1, 2 * y + 1)[c];
-                half.pixel(x, y)[c] = static_cast<std::uint8_t>((sum + 2) / 4);
-            }
-    return half;
-}
-
 TEST_F(Pictures, ViewsThatAreDrawnSmallerLookAlikeAndSignsStaySharp) {
     render::Frame f = frame();
     f.views = {view_of(Hour::Noon, Ground::Meadow, {0, 0, 318, 360}),
@@ -202,15 +190,9 @@ TEST_F(Pictures, SeveralSamplesAPixelAreNearerToAPictureOfTwiceTheSize) {
     EXPECT_EQ(renderer_->draw(f).samples, 1);
     EXPECT_EQ(renderer_->read_pixels(f).bytes, rough.bytes) << "nothing of it is left behind";
     f.views.clear();
-    renderer_.reset();
-    display::DisplayOptions options;
-    options.kind = display::Kind::Headless;
-    options.size = {1280, 720};
-    display_ = display::open_display(options);
-    canvas_ = display_->begin_frame();
-    renderer_ = std::make_unique<render::Renderer>();
+    open({1280, 720});
     two_views(2);
-    const mesh::Image reference = halved(drawn(f));
+    const mesh::Image reference = render::gl::halved(drawn(f));
     EXPECT_LT(mean_difference(smooth, reference), 0.7 * mean_difference(rough, reference));
 }
 

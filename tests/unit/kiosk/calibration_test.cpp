@@ -81,7 +81,7 @@ TEST(Calibration, IsToldInALineWhateverWasMeasured) {
     EXPECT_EQ(to_text(profile),
               "30 million triangles a second, 400 million pixels a second, 2.0 ms whatever is drawn, 3.0 ms for smooth "
               "edges");
-    profile.can_be_smooth = false;
+    profile.samples = 1;
     profile.upload_bytes_per_s = 2.5e9;
     profile.triangles_per_s = std::numeric_limits<double>::infinity();
     EXPECT_EQ(to_text(profile),

@@ -179,10 +179,12 @@ TEST(Watch, AppliesAtOnceWhatARunningExhibitMayChangeAndNamesTheRest) {
     Configuration running, changed;
     changed.visit.patience_s = 60;
     changed.texts["attract"] = "Los!";
+    changed.picture.samples = 1;
     changed.hours.is_always_open = false;
     EXPECT_EQ(apply(changed, running), "");
     EXPECT_EQ(running.visit.patience_s, 60);
     EXPECT_EQ(text(running, "attract"), "Los!");
+    EXPECT_EQ(running.picture.samples, 1);
     EXPECT_FALSE(running.hours.is_always_open);
     changed.screen.mode = "1280x720";
     changed.inputs = {"hid:"};
