@@ -16,7 +16,7 @@ constexpr int kBarkSide = 128;
 
 FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
     const HabitTraits& t = traits(f.habit);
-    const LeafShape& shape = leaf_shape(f.leaf);
+    const LeafShape& shape = spray_shape(f.leaf);
     FoliageOptions o;
     o.kind = f.leaf;
     // Leaves of a large tree are seen from farther away: sprays of them.
