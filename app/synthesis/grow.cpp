@@ -6,6 +6,7 @@
 #include "synthesis/compose/low_ground.hpp"
 #include "synthesis/compose/openness.hpp"
 #include "synthesis/compose/planting.hpp"
+#include "synthesis/compose/sward.hpp"
 #include "synthesis/compose/track.hpp"
 #include "synthesis/land/country.hpp"
 #include "synthesis/sky/firmament.hpp"
@@ -25,7 +26,8 @@ scene::Sky grow_sky(const scene::SkyParameters& parameters, base::Seed seed) { r
 
 Layout lay_out(const scene::Flora& flora, const scene::Land& land, base::Seed planting, base::Seed flight) {
     const FlightPlan plan = plan_flight(flight);
-    return {fly(plan, land, flight), plant_land(land, flora, plan, planting), sky_openness(land)};
+    return {fly(plan, land, flight), plant_land(land, flora, plan, planting),
+            lay_sward(land, flora, plan, planting.child("sward")), sky_openness(land)};
 }
 
 scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_ptr<const scene::Land> land,
@@ -36,6 +38,8 @@ scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_p
     const LandShadow shadow(*land, sky->sun_direction, sky->shadow_softness);
     light_plants(scene.plants, *flora, *sky, shadow);
     scene.light = bake_light(*land, layout.openness, *sky, *flora, scene.plants, shadow, fineness.light_px);
+    scene.sward = std::move(layout.sward);
+    light_sward(scene.sward, *land, scene.light);
     scene.floor_m = low_ground_m(*land, scene.track);
     scene.exposure = stopped_down(*land, *sky, scene.light, scene.track);
     scene.flora = std::move(flora);
