@@ -27,7 +27,7 @@ void main() {
     float ending = clamp(3.2 - 3.2 * distance_m * fade.y, 0.0, 1.0);
     vec2 turn = 2.0 * turn_size.xy - 1.0;
     float height_m = 2.0 * turn_size.w * ending * fade.z * (0.35 + 0.65 * leaving);
-    float wide = leaving * min(inversesqrt(share), 3.2);
+    float wide = leaving * min(inversesqrt(share), 3.2 - 1.9 * tone_accent.y);
     vec3 in_tuft_m = vec3(at.x * turn_size.z, at.y * height_m, at.z * turn_size.z) + aside * (wide * height_m);
     vec3 at_m = root_m + vec3(turn.x * in_tuft_m.x + turn.y * in_tuft_m.z, in_tuft_m.y,
                               turn.x * in_tuft_m.z - turn.y * in_tuft_m.x);

@@ -41,7 +41,7 @@ scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_p
     scene.sward = std::move(layout.sward);
     light_sward(scene.sward, *land, scene.light);
     scene.floor_m = low_ground_m(*land, scene.track);
-    scene.exposure = stopped_down(*land, *sky, scene.light, scene.track);
+    scene.exposure = exposure_for(*land, *sky, scene.light, scene.track);
     scene.flora = std::move(flora);
     scene.land = std::move(land);
     scene.sky = std::move(sky);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kTurn_rad = 6.2831853F;
 constexpr float kGoldenAngle_rad = 2.3999632F;
-constexpr float kWhole_m = 7.5F;  // to this distance, in a quarter of a screen of 1080 lines, all blades are drawn
+constexpr float kWhole_m = 9;  // to this distance, in a quarter of a screen of 1080 lines, all blades are drawn
 constexpr float kUsual_px = 703;  // pixels per radian there
 constexpr float kMostRadius_m = 2;
 constexpr std::size_t kVerticesPerBlade = 3;
@@ -70,10 +70,10 @@ void add_grass(std::vector<CoverVertex>& to) {
         const glm::vec2 tip = 0.82F * foot + random.between(0.25F, 0.75F) * any_way(random);
         const float high = random.between(0.55F, 1.1F);
         const glm::vec3 aside = random.between(0.022F, 0.040F) * glm::vec3{way.x, 0, way.y};
-        const float tone = random.between(0.90F, 1.12F);
-        tufts.vertex(i, {foot.x, 0, foot.y}, -aside, 0.70F * tone);
-        tufts.vertex(i, {foot.x, 0, foot.y}, aside, 0.76F * tone);
-        tufts.vertex(i, {tip.x, high, tip.y}, glm::vec3{0}, 1.42F * tone);
+        const float tone = random.between(0.84F, 1.16F);
+        tufts.vertex(i, {foot.x, 0, foot.y}, -aside, 0.50F * tone);
+        tufts.vertex(i, {foot.x, 0, foot.y}, aside, 0.56F * tone);
+        tufts.vertex(i, {tip.x, high, tip.y}, glm::vec3{0}, 1.38F * tone);
     }
 }
 

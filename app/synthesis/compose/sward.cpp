@@ -18,7 +18,7 @@
 namespace quadrat::synthesis {
 namespace {
 
-constexpr float kReach_m = 56;
+constexpr float kReach_m = 64;
 constexpr float kWidestAside = 0.95F;  // of the view; a flight turns its eyes a little
 constexpr float kSpacing_m = 0.58F;    // between tufts where cover is closed
 constexpr float kCell_m = 8;
@@ -132,10 +132,10 @@ class Sower {
             return true;
         }
         // Between what grows, and where nothing does, lie stones.
-        const float stony = 0.04F + 0.30F * material.y + 0.16F * (1 - bears);
+        const float stony = 0.06F + 0.40F * material.y + 0.24F * (1 - bears);
         if (stay > closed + stony * (1 - closed)) return false;
         tuft.kind = scene::CoverKind::Stone;
-        tuft.height_m = 0.05F + 0.26F * size * size * size * size;
+        tuft.height_m = 0.04F + 0.34F * std::pow(size, 5.0F);
         tuft.radius_m = 1.1F * tuft.height_m + 0.05F;
         tuft.tint = glm::vec3{0.86F + 0.4F * hue};
         return true;
@@ -146,7 +146,7 @@ class Sower {
     };
 
     void grow(scene::Tuft& tuft, const Patches& patches, const Draw& draw) const {
-        const float flowers = cover_.flowers * std::clamp(0.4F + 5.0F * patches.blossoms, 0.0F, 2.0F);
+        const float flowers = cover_.flowers * std::clamp(0.15F + 4.0F * patches.blossoms, 0.0F, 1.6F);
         const float cushions = std::clamp(cover_.cushions + 2.2F * patches.kinds, 0.0F, 1.0F);
         // Lower where it is thin: patches end in short grass, not in a wall of it.
         const float tall = (0.55F + 0.75F * draw.size) * std::clamp(0.85F + 1.6F * patches.thin, 0.45F, 1.35F);
@@ -163,7 +163,7 @@ class Sower {
             tuft.radius_m += 0.25F * cover_.spread;
         }
         const glm::vec3 own = albedo_at(land_, {tuft.root_m.x, tuft.root_m.z});
-        const float light = 0.86F + 0.28F * draw.hue;
+        const float light = 0.78F + 0.40F * draw.hue;
         const float yellow = 0.10F * (draw.hue - 0.5F) + 0.35F * patches.kinds;
         const glm::vec3 leaned = scene::mix_colours(own, cover_.grass, kLean);
         tuft.tint = light * glm::vec3{1 + 0.5F * yellow, 1 + 0.15F * yellow, 1 - yellow} * leaned /

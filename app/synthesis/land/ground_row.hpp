@@ -82,7 +82,7 @@ struct GroundKernel {
         // What grows: dry ground, greener where it is moist or hollow, heath in patches.
         Lain m{F(k.dry.l), F(k.dry.a), F(k.dry.b), F(k.dry.soft), F(k.dry.hard)};
         lay(m, k.lush,
-            smooth(-0.9F, 0.9F, F(1.2F) * hollow + F(0.9F) * p + F(0.2F) * g + F(k.thirst) * moist + F(k.lushness)));
+            smooth(-0.9F, 0.9F, F(1.2F) * hollow + F(0.9F) * p + F(0.55F) * g + F(k.thirst) * moist + F(k.lushness)));
         lay(m, k.heath,
             F(k.heath_share) * smooth(0.25F, 0.7F, F(0.3F) * g - p) *
                 (F(1.0F) - F(0.8F) * unit(F(1.6F) * moist - F(0.4F))));

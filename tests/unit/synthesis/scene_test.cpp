@@ -63,7 +63,8 @@ bool are_same(const scene::Land& a, const scene::Land& b) {
 }
 
 bool are_same(const scene::Flora& a, const scene::Flora& b) {
-    bool same = a.species.size() == b.species.size() && a.spacing_m == b.spacing_m && a.stand == b.stand;
+    bool same = a.species.size() == b.species.size() && a.spacing_m == b.spacing_m && a.stand == b.stand &&
+                a.cover == b.cover;
     for (std::size_t i = 0; same && i < a.species.size(); ++i) same = are_same(a.species[i], b.species[i]);
     return same;
 }
