@@ -44,7 +44,7 @@ TEST(Exposure, OpensForALandInWhichNothingIsLit) {
 }
 
 TEST(Exposure, OpensLessByNight) {
-    Plain dark(90, 60);
+    Plain dark(140, 70);
     const float by_day = dark.exposure();
     dark.sky.is_night = true;
     EXPECT_LT(dark.exposure(), by_day);
