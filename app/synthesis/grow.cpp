@@ -4,6 +4,7 @@
 #include "synthesis/compose/exposure.hpp"
 #include "synthesis/compose/light.hpp"
 #include "synthesis/compose/low_ground.hpp"
+#include "synthesis/compose/near_shade.hpp"
 #include "synthesis/compose/openness.hpp"
 #include "synthesis/compose/planting.hpp"
 #include "synthesis/compose/sward.hpp"
@@ -25,7 +26,7 @@ scene::Land grow_land(const scene::LandParameters& parameters, base::Seed seed, 
 scene::Sky grow_sky(const scene::SkyParameters& parameters, base::Seed seed) { return sky::make_sky(parameters, seed); }
 
 Layout lay_out(const scene::Flora& flora, const scene::Land& land, base::Seed planting, base::Seed flight) {
-    const FlightPlan plan = plan_flight(flight);
+    const FlightPlan plan = fitted_to(land, plan_flight(flight));
     return {fly(plan, land, flight), plant_land(land, flora, plan, planting),
             lay_sward(land, flora, plan, planting.child("sward")), sky_openness(land)};
 }
@@ -38,6 +39,7 @@ scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_p
     const LandShadow shadow(*land, sky->sun_direction, sky->shadow_softness);
     light_plants(scene.plants, *flora, *sky, shadow);
     scene.light = bake_light(*land, layout.openness, *sky, *flora, scene.plants, shadow, fineness.light_px);
+    shade_what_is_near(scene.light, scene.plants, scene.track, land->side_m(), sky->is_night);
     scene.sward = std::move(layout.sward);
     light_sward(scene.sward, *land, scene.light);
     scene.floor_m = low_ground_m(*land, scene.track);

@@ -21,7 +21,8 @@ namespace {
 constexpr float kReach_m = 64;
 constexpr float kWidestAside = 0.95F;  // of the view; a flight turns its eyes a little
 constexpr float kSpacing_m = 0.58F;    // between tufts where cover is closed
-constexpr float kCell_m = 8;
+constexpr int kSide = 8;  // places of a cell
+constexpr float kCell_m = kSide * kSpacing_m;
 constexpr float kLean = 0.34F;  // of the ground's colour toward the grass's
 
 glm::vec3 linear(const glm::u8vec3& encoded) { return glm::pow(glm::vec3(encoded) / 255.0F, glm::vec3{2.2F}); }
@@ -89,11 +90,9 @@ class Sower {
                                   const NoiseMap& blossoms) const {
         std::vector<scene::Tuft> tufts;
         if (!region_.may_hold(corner + 0.5F * kCell_m)) return tufts;
-        constexpr int kSide = static_cast<int>(kCell_m / kSpacing_m);
-        constexpr float kStep_m = kCell_m / kSide;
         // The places of a cell by turns, so that a prefix of its tufts is even over it.
         constexpr int kPlaces = kSide * kSide;
-        constexpr int kStride = 73;  // has no divisor in common with the places
+        constexpr int kStride = 37;  // has no divisor in common with the places
         static_assert(kPlaces % kStride != 0);
         for (int n = 0; n < kPlaces; ++n) {
             const int place = n * kStride % kPlaces;
@@ -102,7 +101,7 @@ class Sower {
                 seed_, std::lround(corner.x * 8) + at.x, std::lround(corner.y * 8) + static_cast<long>(at.y))}};
             const float right = random.unit_f();
             const float down = random.unit_f();
-            const glm::vec2 at_m = corner + kStep_m * (glm::vec2{at} + glm::vec2{right, down});
+            const glm::vec2 at_m = corner + kSpacing_m * (glm::vec2{at} + glm::vec2{right, down});
             scene::Tuft tuft;
             if (draw(tuft, at_m, {thin.at(at_m), kinds.at(at_m), blossoms.at(at_m)}, random)) tufts.push_back(tuft);
         }

@@ -45,7 +45,7 @@ glm::vec3 yellower(const glm::vec3& colour, float by) {
 
 void add_shrubs(scene::Flora& flora, const scene::TreeParameters& p, const Wear& wear, base::Seed seed) {
     ShrubOptions o;
-    o.leaf = yellower(scene::mix_colours(wear.leaf, wear.grass, 0.3F), p.shrub_yellowness);
+    o.leaf = yellower(scene::mix_colours(wear.leaf, wear.grass, 0.5F), p.shrub_yellowness);
     o.second = yellower(wear.second, p.shrub_yellowness);
     o.bark = wear.bark;
     o.blossom = blossom_colour(p.shrub_blossom_hue);
@@ -60,7 +60,7 @@ void add_shrubs(scene::Flora& flora, const scene::TreeParameters& p, const Wear&
 
 void add_herbs(scene::Flora& flora, const scene::TreeParameters& p, const Wear& wear, base::Seed seed) {
     const glm::vec3 grass = scene::shifted_colour(wear.grass, 0.86F, 0.78F);
-    scene::Species ferns = fern(scene::mix_colours(wear.leaf, wear.grass, 0.4F), p.fern_height_m, seed.child("fern"));
+    scene::Species ferns = fern(scene::shifted_colour(scene::mix_colours(wear.leaf, wear.grass, 0.6F), 0.86F), p.fern_height_m, seed.child("fern"));
     ferns.share = p.fern_share;
     FlowerOptions o;
     o.leaf = wear.grass;

@@ -92,7 +92,7 @@ glm::vec3 yellower(const glm::vec3& colour, float by) {
 glm::vec3 warmer(const glm::vec3& colour, float by) {
     glm::vec3 lab = scene::oklab_from_linear(colour);
     lab.z += 0.022F * by;
-    lab.y += 0.016F * by;
+    lab.y += 0.016F * std::max(by, -0.4F);  // no bark is violet
     return glm::max(scene::linear_from_oklab(lab), glm::vec3{0});
 }
 
@@ -162,7 +162,7 @@ void set_shared(Form& f, const scene::TreeParameters& p) {
     f.wind_from_deg = p.tree_wind_from_deg;
     f.crowding = p.tree_crowding;
     f.root_flare = p.tree_root_flare;
-    f.bareness = p.tree_bareness * p.tree_bareness;
+    f.bareness = std::pow(p.tree_bareness, 3.0F);
     f.leaf_width = p.tree_leaf_width;
     f.leaf_fold = p.tree_leaf_fold;
     f.leaf_droop = p.tree_leaf_droop;
