@@ -373,6 +373,7 @@ Drawn Renderer::rehearse(const Frame& like) {
     parts_->skies.clear();    // of this size they are not needed again
     parts_->sky_drawn_for.reset();
     parts_->instances.clear();
+    parts_->covers.clear();
     frame.views.clear();
     parts_->shelves->grain_textures.trim(0);
     parts_->shelves->cloud_textures.trim(0);
