@@ -134,9 +134,9 @@ class Sower {
         const float stony = 0.06F + 0.40F * material.y + 0.24F * (1 - bears);
         if (stay > closed + stony * (1 - closed)) return false;
         tuft.kind = scene::CoverKind::Stone;
-        tuft.height_m = 0.04F + 0.34F * std::pow(size, 5.0F);
+        tuft.height_m = 0.05F + 0.40F * std::pow(size, 5.0F);
         tuft.radius_m = 1.1F * tuft.height_m + 0.05F;
-        tuft.tint = glm::vec3{0.86F + 0.4F * hue};
+        tuft.tint = glm::vec3{0.55F + 0.75F * hue};
         return true;
     }
 

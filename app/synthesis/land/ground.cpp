@@ -50,9 +50,9 @@ GroundLook look_of(const scene::LandParameters& p, const Palette& palette) {
     look.rock_dark = material(palette.rock_dark, 0, 1);
     look.rock_light = material(palette.rock_light, 0, 1);
     look.mud = material(scene::shifted_colour(palette.soil, 0.72F, 0.8F), 0.25F, 0);
-    look.sand = material(palette.sand, 0.25F, 0);
+    look.sand = material(palette.sand, 0.25F, 0.35F);
     look.gravel = material(scene::mix_colours(palette.sand, palette.scree, 0.5F), 0.3F, 0.35F);
-    look.snow = material(palette.snow, 0.12F, 0);
+    look.snow = material(palette.snow, 0.2F, 0.1F);
     look.lushness = 1.1F * p.ground_lushness - 0.35F * p.ground_moisture;
     look.thirst = 2.0F * p.ground_moisture;
     look.heath_share = p.ground_heath;
