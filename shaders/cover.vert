@@ -3,8 +3,6 @@
 // Grass, cushions, flowers and small stones. A tuft shows what the ground under it shows, darker at the root and lighter
 // at the tips, so that it melts into it: no light is worked out here.
 #include "common/view.glsl"
-#include "common/haze.glsl"
-#include "common/cloud_shadow.glsl"
 
 layout(location = 0) in vec3 at;          // in a tuft of radius and height 1
 layout(location = 1) in vec3 aside;       // to the blade's rim, in heights
@@ -12,7 +10,8 @@ layout(location = 2) in vec2 tone_accent; // 1/2: the ground's own; how far it h
 layout(location = 3) in float rank;       // its place in the shuffled order, 0 to 1
 layout(location = 8) in vec3 root_m;
 layout(location = 9) in vec4 turn_size;   // xy: cosine and sine of the yaw, 1/2 is 0; z: radius, m; w: height, m, halved
-layout(location = 10) in vec4 ground_lit; // rgb: shown, of the ground; a: shown, of white
+layout(location = 10) in vec4 ground_lit; // rgb: shown, of the ground; a: shown, of white; less what the air hides
+layout(location = 11) in vec3 veil;       // shown, of the air before it
 layout(location = 0) uniform vec4 fade;   // x: whole to this distance, m; y: 1 / where it ends, 1/m; z: grown; w: gusts
 layout(location = 1) uniform vec4 blossom; // rgb: shown
 
@@ -36,7 +35,6 @@ void main() {
     float gust = sin(phase) + 0.6 * sin(2.3 * phase + 9.0 * rank);
     at_m.xz += vec2(0.8, 0.5) * (gust * fade.w * at.y * at.y * height_m);
     gl_Position = view.clip_from_world * vec4(at_m, 1.0);
-    vec4 haze = haze_at(root_m);
     vec3 own = mix(ground_lit.rgb * (2.0 * tone_accent.x), blossom.rgb * ground_lit.a, tone_accent.y);
-    shown = own * (view.sunlight.w * (1.0 - haze.a) * cloud_light(root_m)) + haze.rgb * haze.a;
+    shown = own + veil;
 }

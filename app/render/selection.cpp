@@ -51,7 +51,7 @@ void look(const Frame& frame, std::size_t slot, HeldGround& held, Selection& s) 
     else
         held.drop();
     if (frame.measured.ground) {
-        s.cover_wish = {view.camera.eye_m, scale, alpha, view.growth};
+        s.cover_wish = {&s.block, &scene.sky->shadow_map, scale, alpha, view.growth};
         s.cover = passes::look_at_cover(scene.cover, s.frustum, s.cover_wish);
     }
     if (!draws_plants(frame)) return;

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "base/seed.hpp"
+#include "render/passes/air.hpp"
+#include "render/passes/cloud_shadow.hpp"
 #include "render/passes/encode.hpp"
 #include "render/passes/packing.hpp"
 
@@ -154,7 +156,19 @@ CoverInstance instance_of(const scene::Tuft& tuft) {
     return {tuft.root_m,
             {unsigned_byte(0.5F + 0.5F * std::cos(tuft.yaw_rad)), unsigned_byte(0.5F + 0.5F * std::sin(tuft.yaw_rad)),
              unsigned_byte(tuft.radius_m / kMostRadius_m), unsigned_byte(0.5F * tuft.height_m)},
-            {unsigned_byte(shown.r), unsigned_byte(shown.g), unsigned_byte(shown.b), unsigned_byte(encode(tuft.lit))}};
+            {unsigned_byte(shown.r), unsigned_byte(shown.g), unsigned_byte(shown.b), unsigned_byte(encode(tuft.lit))},
+            {}};
+}
+
+// In this view, through its air and under its clouds.
+CoverInstance seen_through_air(CoverInstance tuft, const CoverWish& wish) {
+    const glm::vec4 haze = haze_at(*wish.view, tuft.root_m);
+    const float clouds = wish.clouds ? cloud_light_at(*wish.view, *wish.clouds, tuft.root_m) : 1;
+    const float clear = wish.view->sunlight.w * (1 - haze.a) * clouds;
+    for (std::uint8_t& byte : tuft.ground_lit)
+        byte = static_cast<std::uint8_t>(std::min(static_cast<float>(byte) * clear + 0.5F, 255.0F));
+    for (int c = 0; c < 3; ++c) tuft.veil[static_cast<std::size_t>(c)] = unsigned_byte(haze[c] * haze.a);
+    return tuft;
 }
 
 float nearest_m(const scene::Sward::Cell& cell, const glm::vec3& eye_m) {
@@ -207,7 +221,8 @@ CoverPass::CoverPass()
                gl::Advance::PerInstance,
                {{8, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(CoverInstance, root_m)},
                 {9, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(CoverInstance, turn_size)},
-                {10, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(CoverInstance, ground_lit)}}}} {
+                {10, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(CoverInstance, ground_lit)},
+                {11, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(CoverInstance, veil)}}}} {
     std::vector<CoverVertex> vertices;
     std::size_t kind = 0;
     for (const auto make : {add_grass, add_cushion, add_flowers, add_stones}) {  // as scene::CoverKind names them
@@ -228,7 +243,7 @@ CoverSeen look_at_cover(const CoverOfScene& cover, const Frustum& frustum, const
     const float reach = reach_m(cover, wish);
     for (std::size_t i = 0; i < cover.cells.size(); ++i) {
         const scene::Sward::Cell& cell = cover.cells[i];
-        const float distance = nearest_m(cell, wish.eye_m);
+        const float distance = nearest_m(cell, wish.eye_m());
         if (distance < reach && frustum.may_see_box(cell.low_m, cell.high_m))
             cells.push_back({i, bucket_of(share_at(distance, whole))});
     }
@@ -244,8 +259,8 @@ CoverSeen look_at_cover(const CoverOfScene& cover, const Frustum& frustum, const
                 const scene::Sward::Cell& cell = cover.cells[s.cell];
                 std::size_t first = cell.first;
                 for (std::size_t k = 0; k < kind; ++k) first += cell.counts[k];
-                const auto from = cover.tufts.begin() + static_cast<std::ptrdiff_t>(first);
-                seen.instances.insert(seen.instances.end(), from, from + cell.counts[kind]);
+                for (std::size_t i = first; i < first + cell.counts[kind]; ++i)
+                    seen.instances.push_back(seen_through_air(cover.tufts[i], wish));
             }
             batch.count = seen.instances.size() - batch.first;
             if (batch.count == 0) continue;

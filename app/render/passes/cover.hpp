@@ -13,15 +13,17 @@
 #include "render/gl/vertex_array.hpp"
 #include "render/gl/work.hpp"
 #include "render/passes/frustum.hpp"
+#include "render/passes/view_block.hpp"
 #include "scene/scene.hpp"
 
 namespace quadrat::render::passes {
 
-// A tuft as the GPU reads it.
+// A tuft as the GPU reads it. What is the same for all of it (air, the clouds' shadow) is worked out once, on the CPU.
 struct CoverInstance {
     glm::vec3 root_m;
     std::array<std::uint8_t, 4> turn_size;   // cosine and sine of the yaw; radius, height
-    std::array<std::uint8_t, 4> ground_lit;  // shown
+    std::array<std::uint8_t, 4> ground_lit;  // shown, and in a view what the air and the clouds leave of it
+    std::array<std::uint8_t, 4> veil;        // shown, of the air before it in a view
 };
 
 // A scene's cover, kept on the processor's side: what is near is sent anew each frame, a few dozen kilobytes.
@@ -48,10 +50,12 @@ struct CoverSeen {
 };
 
 struct CoverWish {
-    glm::vec3 eye_m{0};
+    const ViewBlock* view = nullptr;      // never null
+    const mesh::Image* clouds = nullptr;  // a shadow map; null: none
     float pixels_per_radian = 700;
     float alpha = 1;   // detail
     float growth = 1;  // of the landscape
+    glm::vec3 eye_m() const { return glm::vec3{view->eye_seconds}; }
 };
 
 // Fewer blades per tuft the farther it is, and with less detail.
@@ -61,7 +65,7 @@ class CoverPass {
   public:
     CoverPass();
 
-    // The instances lie in the buffer. The clouds' shadow must be bound.
+    // The instances lie in the buffer.
     gl::Work draw(const CoverOfScene& cover, const CoverSeen& seen, const gl::StreamBuffer& instances,
                   const CoverWish& wish) const;
 

@@ -23,7 +23,7 @@ CoverOfScene meadow() {
         cell.high_m = {2, 0.5F, -near_m};
         cell.counts = {70, 20, 5, 5};
         for (int tuft = 0; tuft < 100; ++tuft)
-            cover.tufts.push_back({{0, 0, -near_m - 0.04F * static_cast<float>(tuft)}, {}, {}});
+            cover.tufts.push_back({{0, 0, -near_m - 0.04F * static_cast<float>(tuft)}, {}, {200, 200, 200, 200}, {}});
         cover.cells.push_back(cell);
     }
     return cover;
@@ -34,8 +34,30 @@ Frustum northward() {
     return Frustum(scene::clip_from_view(camera, 16.0F / 9) * scene::view_from_world(camera));
 }
 
+ViewBlock seen_from(glm::vec3 eye_m) {
+    ViewBlock view{};
+    view.eye_seconds = {eye_m, 0};
+    view.sunlight.w = 1;
+    view.haze_colour = {0.8F, 0.8F, 0.8F, 1.0F / 60};
+    view.haze_sunward = {0.8F, 0.8F, 0.8F, 0};
+    view.mist = {0, 0, 1, 0};
+    return view;
+}
+
 CoverSeen seen_at(float alpha, glm::vec3 eye_m = {0, 2, 2}) {
-    return look_at_cover(meadow(), northward(), {eye_m, 700, alpha, 1});
+    const ViewBlock view = seen_from(eye_m);
+    return look_at_cover(meadow(), northward(), {&view, nullptr, 700, alpha, 1});
+}
+
+TEST(Cover, PalesIntoTheAirWithDistance) {
+    const CoverSeen seen = seen_at(1);
+    ASSERT_FALSE(seen.instances.empty());
+    for (const CoverInstance& a : seen.instances)
+        for (const CoverInstance& b : seen.instances) {
+            if (a.root_m.z <= b.root_m.z) continue;  // b is farther
+            ASSERT_LE(a.veil[0], b.veil[0]);
+            ASSERT_GE(a.ground_lit[0], b.ground_lit[0]);
+        }
 }
 
 TEST(Cover, NamesEachInstanceOfEachBatchOnce) {
@@ -78,7 +100,8 @@ TEST(Cover, EndsAtItsReachAndOutsideTheView) {
     EXPECT_TRUE(seen_at(1, {0, 2, 200}).instances.empty());
     const Frustum away(glm::perspective(0.7F, 1.8F, 0.5F, 1000.0F) *
                        glm::lookAt(glm::vec3{0, 2, 2}, glm::vec3{0, 2, 20}, glm::vec3{0, 1, 0}));
-    EXPECT_TRUE(look_at_cover(meadow(), away, {{0, 2, 2}, 700, 1, 1}).instances.empty());
+    const ViewBlock view = seen_from({0, 2, 2});
+    EXPECT_TRUE(look_at_cover(meadow(), away, {&view, nullptr, 700, 1, 1}).instances.empty());
 }
 
 }  // namespace
