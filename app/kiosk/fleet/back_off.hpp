@@ -5,8 +5,8 @@
 
 namespace quadrat::kiosk::fleet {
 
-// How long to wait before a connection is tried again: twice as long each time, until one has lasted. A broker that lets
-// somebody in and throws them out at once is as busy as one that refuses.
+// How long to wait before a connection is tried again: twice as long each time, until one has lasted. A broker that
+// lets somebody in and throws them out at once is as busy as one that refuses.
 class BackOff {
   public:
     using Moment = std::chrono::steady_clock::time_point;

@@ -48,8 +48,7 @@ int parse_port(std::string_view text) {
     constexpr int kHighest = 65535;
     const bool is_number = !text.empty() && std::all_of(text.begin(), text.end(), is_digit) && error == std::errc{} &&
                            end == text.data() + text.size();
-    if (!is_number || port < 1 || port > kHighest)
-        refuse("has a port that is no number from 1 to 65535");
+    if (!is_number || port < 1 || port > kHighest) refuse("has a port that is no number from 1 to 65535");
     return port;
 }
 

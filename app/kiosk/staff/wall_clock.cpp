@@ -59,14 +59,15 @@ std::string zone_named_by(const std::string& path) {
 }
 
 std::string zone_name() {
+    fs::path file = "/etc/localtime";
     if (const char* tz = std::getenv("TZ"); tz != nullptr && *tz != '\0') {
-        const std::string text = *tz == ':' ? tz + 1 : tz;
-        const std::string named = zone_named_by(text);
-        if (!named.empty()) return named;
-        if (!text.starts_with('/')) return text;
+        file = *tz == ':' ? tz + 1 : tz;
+        if (!file.is_absolute()) return file.string();
+        file = file.lexically_normal();
     }
+    const std::string named = zone_named_by(file.string());
     std::error_code error;
-    return zone_named_by(fs::read_symlink("/etc/localtime", error).string());
+    return named.empty() ? zone_named_by(fs::read_symlink(file, error).string()) : named;
 }
 
 std::string zone_text(const std::tm& local) {
