@@ -99,8 +99,12 @@ TEST_F(ItsCertificate, IsFineButTheAddressSaysNoEncryption) {
 }
 
 TEST_F(ItsCertificate, IsVouchedForByAFileThatIsLookedAtBeforeAnythingIsConnected) {
+    ASSERT_TRUE(succeeds(run({"openssl", "x509", "-outform", "der", "-in", "ca.pem", "-out", "ca.der"}, folder)));
+    folder.write("notepad.pem", "\xef\xbb\xbf" + contents_of(folder / "ca.pem"));
     for (const auto& [file, what] : {std::pair{"missing.pem", "cannot read"},
                                      {"ca.key", "holds a private key"},
+                                     {"ca.der", "in DER form"},
+                                     {"notepad.pem", "begins with a byte order mark"},
                                      {"quadrat.toml", "holds no certificate"}}) {
         configure("mqtts", "ca_file = \"" + path(file) + "\"\n");
         const Ended ended = publisher()->wait();

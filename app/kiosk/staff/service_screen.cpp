@@ -41,9 +41,12 @@ std::string machine_line(const Vitals& vitals) {
 }
 
 std::string clock_line(const Vitals& vitals) {
-    const WallClock& wall = vitals.wall;
-    const std::string trust = wall.is_trusted ? wall.source : "clock NOT TRUSTED: " + wall.doubt;
-    return fmt::format("{} · {} · {}", time_text(wall), vitals.opening, trust);
+    return fmt::format("{} · {}", time_text(vitals.wall),
+                       vitals.wall.is_trusted ? vitals.wall.source : "clock NOT TRUSTED");
+}
+
+std::string opening_line(const Vitals& vitals) {
+    return vitals.wall.is_trusted ? vitals.opening : fmt::format("{} · {}", vitals.opening, vitals.wall.doubt);
 }
 
 std::string disk_line(const Vitals& vitals) {
@@ -139,6 +142,7 @@ Board ServiceScreen::board(const Vitals& vitals, Instant now) const {
         vitals.machine.addresses.empty() ? "none" : fmt::format("{}", fmt::join(vitals.machine.addresses, " ")),
         span(vitals.running)));
     lines.push_back(clock_line(vitals));
+    lines.push_back(opening_line(vitals));
     lines.push_back(vitals.display);
     lines.push_back(frames_line(vitals));
     lines.push_back(machine_line(vitals));
