@@ -129,8 +129,10 @@ Broker parse_broker(std::string_view address) {
 }
 
 std::string to_text(const Broker& broker) {
-    const bool is_ipv6 = broker.host.find(':') != std::string::npos;
-    return is_ipv6 ? fmt::format("[{}]:{}", broker.host, broker.port) : fmt::format("{}:{}", broker.host, broker.port);
+    if (broker.host.find(':') == std::string::npos) return fmt::format("{}:{}", broker.host, broker.port);
+    std::string host = broker.host;
+    if (const std::size_t percent = host.find('%'); percent != std::string::npos) host.insert(percent + 1, "25");
+    return fmt::format("[{}]:{}", host, broker.port);
 }
 
 }  // namespace quadrat::kiosk::fleet

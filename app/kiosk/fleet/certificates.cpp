@@ -217,7 +217,6 @@ void require_certificates(const fs::path& ca_file) {
     const Certificate binary(d2i_X509(nullptr, &at, static_cast<long>(bytes.size())));
     ERR_clear_error();
     if (binary) refuse("is a certificate in DER form; write it as PEM: openssl x509 -inform der -in THIS -out ca.pem");
-    if (bytes.starts_with("\xef\xbb\xbf")) refuse("begins with a byte order mark; save it without one");
     if (bytes.find("PRIVATE KEY-----") != std::string::npos)
         refuse("holds a private key and no certificate; name the file that begins with -----BEGIN CERTIFICATE-----");
     refuse("holds no certificate; name a file that begins with -----BEGIN CERTIFICATE-----");

@@ -37,6 +37,7 @@ TEST(BrokerAddress, IsASchemeAHostAndAPort) {
     EXPECT_EQ(parse_broker("mqtt://[fe80::1%25eth0]:1883"), (Broker{"fe80::1%eth0", 1883, false}));
     EXPECT_EQ(parse_broker("mqtt://[fe80::1%eth0]"), (Broker{"fe80::1%eth0", 1883, false}));
     EXPECT_EQ(to_text(Broker{"::1", 1883, false}), "[::1]:1883");
+    EXPECT_EQ(to_text(Broker{"fe80::1%eth0", 1883, false}), "[fe80::1%25eth0]:1883");
 }
 
 TEST(BrokerAddress, IsRefusedWithWhatIsWrongAndWhatWouldBeRight) {
