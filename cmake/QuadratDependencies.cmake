@@ -21,6 +21,7 @@ quadrat_pkg(dep_gpiod libgpiod)
 quadrat_pkg(dep_hidapi hidapi-hidraw)
 quadrat_pkg(dep_systemd libsystemd)
 quadrat_pkg(dep_mosquitto libmosquitto)
+quadrat_pkg(dep_openssl openssl)
 quadrat_pkg(dep_toml tomlplusplus)
 # Not its CMake package, which on Debian insists on programs of another package.
 quadrat_pkg(dep_openimageio OpenImageIO)

@@ -38,8 +38,7 @@ std::vector<Finding> examine_state(const std::filesystem::path& directory, const
 // The same on a disk with so much room.
 std::vector<Finding> examine_state(const std::filesystem::path& directory, std::optional<double> free_mb,
                                    const std::optional<Account>& exhibit = {});
-std::vector<Finding> examine_clock();
-std::vector<Finding> examine_clock(const staff::WallClock& wall, bool closes_by_the_clock);
+std::vector<Finding> examine_clock(const staff::WallClock& wall, const staff::Hours& hours);
 // What systemd says of the exhibit's unit; nothing to say where it knows none.
 std::vector<Finding> examine_unit(const std::optional<UnitState>& unit);
 // What a running exhibit last said of itself in its runtime folder.

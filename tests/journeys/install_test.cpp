@@ -190,4 +190,13 @@ TEST(Install, TheServiceIsShutIn) {
         EXPECT_THAT(unit, HasSubstr(line));
 }
 
+// ProtectClock= and @system-service forbid the call by which the kernel is asked; setting the clock takes a capability.
+TEST(Install, TheServiceMayReadWhetherTheClockIsSynchronisedAndSetNone) {
+    const std::string unit = contents_of(QUADRAT_SOURCE_DIR "/deploy/system/quadrat.service");
+    EXPECT_THAT(unit, Not(HasSubstr("\nProtectClock=yes\n")));
+    EXPECT_THAT(unit, HasSubstr("\nSystemCallFilter=adjtimex clock_adjtime clock_adjtime64\n"));
+    EXPECT_THAT(unit, HasSubstr("\nCapabilityBoundingSet=\n"));
+    EXPECT_THAT(unit, Not(HasSubstr("DeviceAllow=char-rtc")));
+}
+
 }  // namespace

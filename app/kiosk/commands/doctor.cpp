@@ -8,7 +8,7 @@
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/commands/learn_buttons.hpp"
 #include "kiosk/diagnosis.hpp"
-#include "kiosk/staff/machine.hpp"
+#include "kiosk/staff/wall_clock.hpp"
 #include "kiosk/state_folder.hpp"
 
 namespace quadrat::kiosk::commands {
@@ -46,7 +46,11 @@ std::vector<Finding> examine_parts(const Options& options) {
         {"screen", [&] { return examine_screen(user); }},
         {"buttons", [&] { return examine_buttons(configuration, user); }},
         {"state", [&] { return examine_state(tended_state_folder(options.state), user); }},
-        {"clock", [&] { return examine_clock(staff::read_wall_clock(), !configuration.hours.is_always_open); }},
+        {"clock",
+         [&] {
+             const staff::LastTimeSeen seen(tended_state_folder(options.state));
+             return examine_clock(staff::read_wall_clock(seen), configuration.hours);
+         }},
         {"service", [&] { return service_findings(options.state); }},
     };
     std::vector<Finding> all;

@@ -32,6 +32,8 @@ int publish(const Options& options) {
     action.sa_handler = [](int) { stop_flag() = true; };
     ::sigaction(SIGTERM, &action, nullptr);
     ::sigaction(SIGINT, &action, nullptr);
+    // A broker that hangs up while we write is no reason to end.
+    ::signal(SIGPIPE, SIG_IGN);
     const auto state = state_folder(options.state);
     fleet::Publisher publisher(
         configuration.fleet, state,

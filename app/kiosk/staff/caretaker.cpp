@@ -93,9 +93,10 @@ void Caretaker::look_outside(Instant now) {
 }
 
 void Caretaker::take_over(Seen seen, Show& show) {
+    tell_clock(seen.wall);
     seen_ = std::move(seen);
     has_looked_ = true;
-    if (seen_.is_picture_asked && picture_wishes_.empty()) picture_wishes_.emplace_back(kPicture);
+    if (seen_.is_picture_asked) answer_picture_wish();
     if (!seen_.configuration_trouble.empty())
         base::log::error("configuration: {}; the exhibit goes on as it was", seen_.configuration_trouble);
     if (!seen_.configuration) return;
@@ -106,10 +107,36 @@ void Caretaker::take_over(Seen seen, Show& show) {
     base::log::info("configuration: read anew{}", later.empty() ? "" : "; after a restart also: " + later);
 }
 
+// Staff ask for the log when an exhibit was dark, or was not: what it took for the time is there.
+void Caretaker::tell_clock(const WallClock& wall) {
+    const bool is_news = !has_looked_ || wall.source != seen_.wall.source || wall.zone != seen_.wall.zone ||
+                         wall.is_trusted != seen_.wall.is_trusted;
+    if (!is_news) return;
+    reported_at_.reset();
+    if (wall.is_trusted)
+        base::log::info("clock: {}, {}", time_text(wall), wall.source);
+    else
+        base::log::info("clock: {}, not trusted: {}; {}", time_text(wall), wall.doubt, wall.remedy);
+}
+
+// A dark screen draws nothing that a picture could be taken of.
+void Caretaker::answer_picture_wish() {
+    if (curtain_ != Curtain::Dark || board_) {
+        if (picture_wishes_.empty()) picture_wishes_.emplace_back(kPicture);
+        return;
+    }
+    errands_.send([runtime = parts_.runtime, why = opening_text(parts_.configuration.hours, seen_.wall)] {
+        write_quietly(runtime / kNoPicture, why + "\n");
+        std::error_code ignored;
+        std::filesystem::remove(runtime / kPictureAsked, ignored);
+    });
+}
+
 void Caretaker::raise_curtain(const Show& show, Instant now) {
     const bool has_visitor = show.state().screen != exhibit::Screen::Attract;
     const Curtain before = std::exchange(curtain_, doorkeeper_.look(now, seen_.wall, has_visitor));
     if (before == curtain_) return;
+    reported_at_.reset();
     constexpr const char* kWords[] = {"open", "closing: the card is shown", "closed: the screen is switched off"};
     base::log::info("hours: {}", kWords[static_cast<std::size_t>(curtain_)]);
 }
@@ -203,6 +230,12 @@ Vitals Caretaker::vitals(const Panel& panel, const Show& show, Instant now) cons
     vitals.machine = seen_.machine;
     vitals.display = parts_.screen.description();
     vitals.screen_trouble = screen_trouble_;
+    vitals.curtain = curtain_;
+    vitals.wall = seen_.wall;
+    const Hours& hours = parts_.configuration.hours;
+    vitals.has_hours = !hours.is_always_open;
+    vitals.is_open = !seen_.wall.is_trusted || staff::is_open(hours, seen_.wall);
+    vitals.opening = opening_text(hours, seen_.wall);
     vitals.frames = frames_;
     vitals.level = drawn_.level;
     vitals.alpha = drawn_.alpha;

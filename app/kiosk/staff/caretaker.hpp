@@ -65,6 +65,8 @@ class Caretaker {
   private:
     void look_outside(Instant now);
     void take_over(Seen seen, Show& show);
+    void tell_clock(const WallClock& wall);
+    void answer_picture_wish();
     void raise_curtain(const Show& show, Instant now);
     void watch_faults(Instant now);
     void report(Instant now);

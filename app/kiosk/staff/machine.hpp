@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "kiosk/staff/hours.hpp"
-
 // What the machine tells about itself. Nothing here waits, throws or writes; what cannot be read is left out.
 namespace quadrat::kiosk::staff {
-
-// The wall clock in the site's time. Trusted if it was set by the network or kept by a clock with a battery, and shows
-// a year that can be.
-WallClock read_wall_clock(const std::filesystem::path& sys = "/sys");
 
 struct MachineFacts {
     std::string name;                     // of the host

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "firmware-io/button_health.hpp"
+#include "kiosk/staff/hours.hpp"
 #include "kiosk/staff/ladder.hpp"
 #include "kiosk/staff/machine.hpp"
 
@@ -43,6 +44,11 @@ struct Vitals {
     MachineFacts machine;
     std::string display;         // GPU, driver and mode
     std::string screen_trouble;  // "" while it shows
+    Curtain curtain = Curtain::Open;
+    WallClock wall;
+    bool has_hours = false;  // it closes by the clock
+    bool is_open = true;     // by its hours
+    std::string opening;     // "open until 18:00"
     FrameCount frames;
     double level = 1;  // of detail, the governor's
     double alpha = 1;  // that is drawn with at this level
@@ -61,6 +67,10 @@ struct Vitals {
     std::optional<double> free_mb;
     std::vector<std::string> faults;  // the last warnings, oldest first
 };
+
+// A screen that is dark because the house is closed has not failed.
+enum class ScreenState { Shows, Card, Dark, Failed };
+ScreenState screen_state(const Vitals& vitals);
 
 enum class Verdict { Good, Doubtful, Bad };
 Verdict verdict_of(const Vitals& vitals);

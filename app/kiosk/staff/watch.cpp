@@ -19,14 +19,19 @@ fs::file_time_type written_at(const fs::path& file) {
 }  // namespace
 
 Watch::Watch(fs::path configuration_file, fs::path runtime, fs::path state)
-    : configuration_file_(std::move(configuration_file)), runtime_(std::move(runtime)), state_(std::move(state)) {
+    : configuration_file_(std::move(configuration_file)),
+      runtime_(std::move(runtime)),
+      state_(std::move(state)),
+      last_time_(state_) {
     if (!configuration_file_.empty()) configured_at_ = written_at(configuration_file_);
 }
 
 Seen Watch::look() {
     Seen seen;
     seen.machine = read_machine();
-    seen.wall = read_wall_clock();
+    zone_.look();
+    seen.wall = read_wall_clock(last_time_);
+    if (seen.wall.is_trusted) last_time_.note(std::time(nullptr));
     seen.free_mb = free_mb(state_);
     std::error_code ignored;
     seen.is_picture_asked = fs::exists(runtime_ / kPictureAsked, ignored);

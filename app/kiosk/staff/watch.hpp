@@ -6,6 +6,7 @@
 
 #include "kiosk/configuration.hpp"
 #include "kiosk/staff/machine.hpp"
+#include "kiosk/staff/wall_clock.hpp"
 
 namespace quadrat::kiosk::staff {
 
@@ -29,11 +30,15 @@ class Watch {
   private:
     std::filesystem::path configuration_file_, runtime_, state_;
     std::filesystem::file_time_type configured_at_{};
+    LastTimeSeen last_time_;
+    ZoneWatch zone_;
 };
 
 // Who asks for a picture makes this file in the runtime folder, and finds it gone when the picture lies beside it.
 inline constexpr const char* kPictureAsked = "picture.asked";
 inline constexpr const char* kPicture = "picture.png";
+// Or this lies beside it, and says why there is none.
+inline constexpr const char* kNoPicture = "picture.refused";
 // What the machine should do, in one word: reboot or poweroff. A unit with the right to it watches this file.
 inline constexpr const char* kPowerAsked = "power.asked";
 

@@ -7,6 +7,7 @@
 #include "firmware-io/merged_buttons.hpp"
 #include "kiosk/diagnosis.hpp"
 #include "kiosk/staff/vitals.hpp"
+#include "kiosk/staff/wall_clock.hpp"
 #include "support/process.hpp"
 #include "unit/firmware-io/fake_gpio.hpp"
 
@@ -212,7 +213,9 @@ const std::vector<Broken>& broken_machines() {
          Health::Bad, "cannot be written", "--state"},
         {"UntrustedClock",
          [](const tests::TemporaryFolder&) {
-             return examine_clock({staff::parse_date("1970-01-01"), 0, false}, true);
+             staff::Hours hours;
+             hours.is_always_open = false;
+             return examine_clock(staff::judge_clock(41, false, {}, "/nowhere"), hours);
          },
          Health::Doubtful, "shows the year 1970", "timedatectl set-ntp true"},
         {"BrokenSettings", [](const tests::TemporaryFolder& m) { return configured(m, "[visit]\nrounds = 900\n"); },

@@ -58,12 +58,46 @@ TEST(Vitals, AreMetricsThatPrometheusReads) {
     int samples = 0;
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("# HELP quadrat_") || line.starts_with("# TYPE quadrat_")) continue;
-        EXPECT_THAT(line, testing::MatchesRegex("quadrat_[a-z_]+(\\{[a-zA-Z_=\", ]+\\})? -?[0-9.e+]+"));
+        EXPECT_THAT(line, testing::MatchesRegex("quadrat_[a-z_]+(\\{[a-zA-Z0-9_=\", ]+\\})? -?[0-9.e+]+"));
         ++samples;
     }
     EXPECT_GT(samples, 40);
     EXPECT_THAT(to_prometheus(ailing()),
                 HasSubstr("quadrat_button_ailments_total{button=\"B\",ailment=\"chattering\"} 4"));
+}
+
+TEST(Vitals, TellAScreenThatIsDarkByPlanFromOneThatFailed) {
+    Vitals vitals;
+    EXPECT_THAT(to_prometheus(vitals), HasSubstr("\nquadrat_screen_up 1\n"));
+    vitals.has_hours = true;
+    vitals.curtain = Curtain::Dark;
+    vitals.is_open = false;
+    vitals.opening = "closed until 09:00";
+    vitals.wall.is_trusted = true;
+    vitals.wall.source = "rtc0";
+    auto json = nlohmann::json::parse(to_json(vitals));
+    EXPECT_EQ(json["verdict"], "good");
+    EXPECT_EQ(json["screen"], "dark");
+    EXPECT_EQ(json["open"], false);
+    EXPECT_EQ(json["opening"], "closed until 09:00");
+    EXPECT_EQ(json["clock"]["trusted"], true);
+    EXPECT_EQ(json["clock"]["source"], "rtc0");
+    for (const char* line : {"quadrat_screen_up 0", "quadrat_screen_failed 0", "quadrat_screen_state{state=\"dark\"} 1",
+                             "quadrat_open 0", "quadrat_clock_trusted 1", "quadrat_clock_source{source=\"rtc0\"} 1"})
+        EXPECT_THAT(to_prometheus(vitals), HasSubstr(std::string("\n") + line + "\n"));
+    vitals.screen_trouble = "nothing is plugged in";
+    json = nlohmann::json::parse(to_json(vitals));
+    EXPECT_EQ(json["screen"], "failed");
+    EXPECT_EQ(json["verdict"], "bad");
+    EXPECT_THAT(to_prometheus(vitals), HasSubstr("\nquadrat_screen_failed 1\n"));
+}
+
+TEST(Vitals, AreDoubtfulWhereHoursWaitForAClock) {
+    Vitals vitals;
+    vitals.has_hours = true;
+    EXPECT_EQ(verdict_of(vitals), Verdict::Doubtful);
+    vitals.wall.is_trusted = true;
+    EXPECT_EQ(verdict_of(vitals), Verdict::Good);
 }
 
 TEST(Vitals, CountLateFrames) {
@@ -104,6 +138,26 @@ TEST(ServiceScreen, ShowsWhatStaffAskOnTheTelephone) {
     for (const char* what : {"address 192.0.2.7", "71 °C", "disk 512 MB", "BUTTONS MISSING", "button B is chattering",
                              "buttons: gone", "A: lamp test", "late"})
         EXPECT_THAT(all, HasSubstr(what));
+}
+
+TEST(ServiceScreen, ShowsTheTimeItsZoneWhoVouchesForItAndUntilWhenItIsOpen) {
+    Vitals vitals = ailing();
+    vitals.wall = {std::chrono::year_month_day{std::chrono::year{2026}, std::chrono::month{11}, std::chrono::day{26}},
+                   755,
+                   true,
+                   "Europe/Berlin (CET, UTC+01:00)",
+                   "rtc0",
+                   {},
+                   {}};
+    vitals.opening = "open until 18:00";
+    ServiceScreen service;
+    EXPECT_THAT(service.board(vitals, 1s).lines,
+                testing::IsSupersetOf({"2026-11-26 12:35 Europe/Berlin (CET, UTC+01:00) · rtc0", "open until 18:00"}));
+    vitals.wall.is_trusted = false;
+    vitals.wall.doubt = "rtc0 shows 1970";
+    EXPECT_THAT(service.board(vitals, 1s).lines,
+                testing::IsSupersetOf({"2026-11-26 12:35 Europe/Berlin (CET, UTC+01:00) · clock NOT TRUSTED",
+                                       "open until 18:00 · rtc0 shows 1970"}));
 }
 
 TEST(ServiceScreen, ItsFiguresLieInACornerOfThePicture) {
@@ -199,7 +253,6 @@ TEST(Machine, TellsAPiThatIsThrottledAndTheWarmestSensor) {
     std::filesystem::create_directories(sys / "devices/platform/soc/soc:firmware");
     std::filesystem::create_directories(sys / "class/thermal/thermal_zone0");
     std::filesystem::create_directories(sys / "class/thermal/thermal_zone1");
-    std::filesystem::create_directories(sys / "class/rtc/rtc0");
     sys.write("devices/platform/soc/soc:firmware/get_throttled", "50005\n");
     sys.write("class/thermal/thermal_zone0/temp", "48000\n");
     sys.write("class/thermal/thermal_zone1/temp", "61500\n");
@@ -209,8 +262,6 @@ TEST(Machine, TellsAPiThatIsThrottledAndTheWarmestSensor) {
     sys.write("devices/platform/soc/soc:firmware/get_throttled", "50000\n");
     EXPECT_EQ(read_machine(sys.path()).is_throttled, false) << "it was once, and is not now";
     EXPECT_FALSE(read_machine("/nowhere", "/nowhere").temperature_c.has_value());
-    sys.write("class/rtc/rtc0/hctosys", "1\n");
-    EXPECT_TRUE(read_wall_clock(sys.path()).is_trusted);
 }
 
 TEST(Machine, FindsTheFirmwareOfAPi5AndElseItsVoltage) {
