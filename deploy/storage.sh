@@ -6,20 +6,22 @@
 data_label=quadrat-data
 smallest_room_MB=256
 
-# column NAME DEVICE: nothing where there is no such device.
-column() { { lsblk --nodeps --noheadings --output "$1" "$2" 2>/dev/null || true; } | sed -n '1s/^ *//; 1s/ *$//; 1p'; }
-# What lies on a device: udev's word for it, and where there is none and we may look, what its first bytes say.
-file_system_on() {
-    local found
-    found=$(column FSTYPE "$1")
-    [ -n "$found" ] || found=$(blkid -p -o value -s TYPE "$1" 2>/dev/null || true)
+# fact NAME DEVICE: TYPE, FSTYPE, LABEL or PTTYPE; nothing where there is none. Where udev has not looked at the device,
+# what its first bytes say, if we may read them.
+fact() {
+    local found name=$1
+    found=$({ lsblk --nodeps --noheadings --output "$name" "$2" 2>/dev/null || true; } | sed -n '1s/^ *//; 1s/ *$//; 1p')
+    case $name in TYPE) ;; FSTYPE) name=TYPE ;& *)
+        [ -n "$found" ] || found=$(blkid --probe --output value --match-tag "$name" "$2" 2>/dev/null || true) ;;
+    esac
     echo "$found"
 }
+is_whole_disk() { case $(fact TYPE "$1") in disk | loop) ;; *) return 1 ;; esac; }
 mounts_of() { lsblk --noheadings --output MOUNTPOINTS "$1" 2>/dev/null | sed 's/^ *//; /^$/d' || true; }
 # device_named LABEL=x|UUID=x|PARTUUID=x|/dev/x: the device; nothing: there is none here.
 device_named() {
     case $1 in
-        /dev/*) [ -z "$(column TYPE "$1")" ] || echo "$1" ;;
+        /dev/*) [ -z "$(fact TYPE "$1")" ] || echo "$1" ;;
         *) { blkid -t "$1" -o device 2>/dev/null || true; } | sed -n 1p ;;
     esac
 }
@@ -40,8 +42,8 @@ complaints_about_data() {
 }
 complaints_about_using() {
     local device=$1 holds label where
-    holds=$(file_system_on "$device") label=$(column LABEL "$device") where=$(mounts_of "$device" | grep -vx '/var/lib/quadrat' || true)
-    if [ "$(column TYPE "$device")" = disk ] && [ -z "$holds" ]; then
+    holds=$(fact FSTYPE "$device") label=$(fact LABEL "$device") where=$(mounts_of "$device" | grep -vx '/var/lib/quadrat' || true)
+    if is_whole_disk "$device" && [ -z "$holds" ]; then
         echo "--data $data: this is a whole disk; name one of its partitions, or add --format to make one in its free room"
     elif [ -z "$holds" ]; then echo "--data $data: holds no file system; add --format to make one"
     elif [ "$holds" != ext4 ]; then
@@ -54,12 +56,16 @@ complaints_about_using() {
 has_mount_elsewhere() { printf '%s\n' "$1" | grep -qv -e '^$' -e '^/var/log/journal$' -e '^/var/lib/systemd/coredump$'; }
 complaints_about_formatting() {
     local device=$1 holds where other
-    holds=$(file_system_on "$device") where=$(mounts_of "$device")
+    holds=$(fact FSTYPE "$device") where=$(mounts_of "$device")
     other=$(device_named LABEL=$data_label)
+    local tool
+    for tool in mkfs.ext4:e2fsprogs sfdisk:fdisk partx:util-linux; do
+        command -v "${tool%:*}" >/dev/null || echo "--format needs ${tool%:*}: apt-get install ${tool#*:}"
+    done
     case $data in /dev/*) ;; *) echo "--format needs a device, as lsblk names it (/dev/sda3), and not $data"; return ;; esac
     if [ -n "$other" ] && [ "$other" != "$device" ]; then
         echo "--format: $other has the label $data_label already; use it with --data LABEL=$data_label, or: e2label $other \"\""
-    elif [ "$(column TYPE "$device")" = disk ] && [ -n "$(column PTTYPE "$device")" ]; then complaints_about_room "$device"
+    elif is_whole_disk "$device" && [ -n "$(fact PTTYPE "$device")" ]; then complaints_about_room "$device"
     elif [ -n "$where" ]; then
         echo "--format: $device is in use as ${where%%$'\n'*}; name another partition"
     elif [ -n "$holds" ] && [ "$force" = no ]; then
@@ -78,26 +84,26 @@ complaints_about_room() {
         echo "--format: $1 has ${room:-0} MB without a partition, and $smallest_room_MB are needed; name one of its partitions, make another smaller, or use a USB stick"
 }
 
+partitions_of() { lsblk --list --noheadings --paths --output NAME,TYPE "$1" | awk '$2 == "part" {print $1}' | sort; }
 make_partition() { # DISK
     local disk=$1
-    if [ -z "$(column PTTYPE "$disk")" ]; then
+    if [ -z "$(fact PTTYPE "$disk")" ]; then
         quietly wipefs --all "$disk" || die "--format: wipefs cannot clear $disk; is it write-protected?"
         printf 'label: gpt\n,,L\n' | quietly sfdisk --quiet "$disk" || die "--format: sfdisk cannot write $disk; is it write-protected?"
     else
-        # The disk may be the one that runs: its other partitions stay as they are, and the kernel is told of the new one.
-        printf ',,L\n' | quietly sfdisk --quiet --append --no-reread "$disk" ||
-            die "--format: sfdisk cannot add a partition to $disk"
-        quietly partx --update "$disk" || quietly partprobe "$disk" || die "--format: the kernel does not see $disk's new partition; reboot, and name it with --data"
+        # The disk may be the one that runs: its other partitions stay as they are.
+        printf ',,L\n' | quietly sfdisk --quiet --append --no-reread "$disk" || die "--format: sfdisk cannot add a partition to $disk"
     fi
+    quietly partx --update "$disk" || true # the kernel may have seen it by itself
     ! command -v udevadm >/dev/null || quietly udevadm settle || true
 }
-newest_partition() { lsblk --list --noheadings --paths --output NAME,TYPE "$1" | awk '$2 == "part" {print $1}' | sort -V | tail -n 1; }
 make_file_system() { # DEVICE
-    local device=$1
-    if [ "$(column TYPE "$device")" = disk ]; then
+    local device=$1 before
+    if is_whole_disk "$device"; then
+        before=$(if [ -n "$(fact PTTYPE "$device")" ]; then partitions_of "$device"; fi)
         make_partition "$device"
-        device=$(newest_partition "$device")
-        [ -n "$device" ] || die "--format: $1 shows no partition, though one was made; reboot, and name it with --data"
+        device=$(comm -13 <(printf '%s\n' "$before") <(partitions_of "$device"))
+        [ -n "$device" ] || die "--format: $1 shows no new partition, though one was made; reboot, and name it with --data"
     fi
     mkfs.ext4 -q -F -L $data_label -m 1 "$device" >/dev/null || die "--format: mkfs.ext4 cannot make a file system on $device"
 }
