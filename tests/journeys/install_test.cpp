@@ -96,6 +96,10 @@ TEST(Install, DoesNothingTheSecondTimeAndIsTakenBackWhole) {
     EXPECT_THAT(machine.file("etc/systemd/system.conf.d/quadrat.conf"), HasSubstr("\nCtrlAltDelBurstAction=none\n"));
     EXPECT_THAT(installed.at("etc/systemd/system/default.target"), HasSubstr("multi-user"));
     EXPECT_THAT(machine.file("etc/fstab"), HasSubstr("LABEL=quadrat-data /var/lib/quadrat ext4"));
+    EXPECT_THAT(machine.file("etc/fstab"),
+                HasSubstr("LABEL=bootfs  /boot/firmware  vfat  defaults,noatime,ro  0  2\n"));
+    EXPECT_THAT(machine.file("etc/overlayroot.local.conf"), HasSubstr("\noverlayroot=\"tmpfs:swap=0,recurse=0\"\n"));
+    EXPECT_THAT(machine.file("etc/systemd/journald.conf.d/quadrat.conf"), HasSubstr("\nStorage=persistent\n"));
     EXPECT_THAT(machine.file("etc/passwd"), HasSubstr("quadrat:"));
     EXPECT_EQ(count_of(machine.file("boot/firmware/cmdline.txt"), "quiet"), 1U);
     EXPECT_THAT(machine.file("boot/firmware/cmdline.txt"), HasSubstr("vt.global_cursor_default=0"));
