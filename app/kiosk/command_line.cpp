@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "kiosk/commands/commands.hpp"
+#include "kiosk/version.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -35,7 +36,7 @@ int refuse(const char* what) {
 int run_command_line(int argc, const char* const* argv) {
     CLI::App app{"Quadrat: an unattended exhibit that breeds landscapes from button presses", "quadrat"};
     app.require_subcommand(1);
-    app.set_version_flag("--version", "quadrat " QUADRAT_VERSION);
+    app.set_version_flag("--version", "quadrat " + std::string(version()));
     bool is_quiet = false;
     bool is_verbose = false;
     app.add_flag("-q,--quiet", is_quiet, "Log warnings and errors only");

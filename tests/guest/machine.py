@@ -96,8 +96,9 @@ class Cable:
 
 
 class Machine:
-    def __init__(self, image, folder, disk=None):
-        """Switches it on. With `disk` it keeps what it writes there, as a power cut leaves it."""
+    def __init__(self, image, folder, disk=None, second_disk=None, words=''):
+        """Switches it on. With `disk` it keeps what it writes there, as a power cut leaves it. `words` are added to the
+        kernel's."""
         os.makedirs(folder, exist_ok=True)
         self.folder = folder
         if disk and not os.path.exists(disk):
@@ -116,8 +117,10 @@ class Machine:
              f'{image}/initrd', '-append',
              'console=ttyS0 quiet loglevel=4 mitigations=off nokaslr random.trust_cpu=on panic=-1 tsc=reliable '
              'systemd.show_status=0 vt.global_cursor_default=0 systemd.journald.forward_to_console=1 '
-             'systemd.journald.max_level_console=info',
+             'systemd.journald.max_level_console=info ' + words,
              '-drive', drive + ('' if disk else ',snapshot=on'), '-device', 'virtio-blk-pci,drive=d0',
+             *(['-drive', f'file={second_disk},if=none,id=d1,format=raw,cache=writeback', '-device',
+                'virtio-blk-pci,drive=d1'] if second_disk else []),
              '-device', 'virtio-rng-pci', '-device', 'virtio-serial-pci',
              '-chardev', f'socket,id=agent,path={at["agent"]},server=on,wait=off',
              '-device', 'virtserialport,chardev=agent,name=guest.0',

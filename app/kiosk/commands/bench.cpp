@@ -13,6 +13,7 @@
 #include "kiosk/benches/report.hpp"
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/picture.hpp"
+#include "kiosk/version.hpp"
 
 namespace quadrat::kiosk::commands {
 namespace {
@@ -79,7 +80,7 @@ void print(const Results& results, bool is_json) {
 
 int bench(const Options& options) {
     const auto shaders = checked(options);
-    benches::Report report{machine_description(), QUADRAT_VERSION, now_as_text(), {}, {}, {}, shaders};
+    benches::Report report{machine_description(), std::string(version()), now_as_text(), {}, {}, {}, shaders};
     Results& results = report.results;
     for (const Group& group : kGroups) {
         if (!is_asked(group, options.groups)) continue;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -9,6 +10,8 @@
 #include "kiosk/commands/learn_buttons.hpp"
 #include "kiosk/diagnosis.hpp"
 #include "kiosk/staff/wall_clock.hpp"
+#include "kiosk/diagnosis_crash.hpp"
+#include "kiosk/staff/machine.hpp"
 #include "kiosk/state_folder.hpp"
 
 namespace quadrat::kiosk::commands {
@@ -32,6 +35,9 @@ std::vector<Finding> service_findings(const std::string& state) {
     if (!is_the_services(state)) return findings;
     const std::vector<Finding> unit = examine_unit(read_unit_state("quadrat.service"));
     findings.insert(findings.begin(), unit.begin(), unit.end());
+    const auto now = std::chrono::system_clock::now();
+    const std::vector<Finding> crash = examine_crashes(kCrashFolder, account_named("quadrat"), now);
+    findings.insert(findings.end(), crash.begin(), crash.end());
     return findings;
 }
 

@@ -10,6 +10,7 @@
 #include "base/log.hpp"
 #include "kiosk/heap.hpp"
 #include "kiosk/png_picture.hpp"
+#include "kiosk/version.hpp"
 
 namespace quadrat::kiosk::staff {
 namespace {
@@ -223,7 +224,7 @@ void Caretaker::keep_picture(mesh::Image picture, const std::filesystem::path& f
 
 Vitals Caretaker::vitals(const Panel& panel, const Show& show, Instant now) const {
     Vitals vitals;
-    vitals.version = QUADRAT_VERSION;
+    vitals.version = version();
     vitals.mode = parts_.ladder.rung().mode;
     vitals.failures = parts_.ladder.rung().failures;
     vitals.running = std::chrono::duration_cast<std::chrono::seconds>(now);
