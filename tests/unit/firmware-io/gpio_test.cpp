@@ -55,7 +55,7 @@ TEST(FindLine, TakesWhatWeHoldForFreeWhereItIsOnlyLookedAt) {
 }
 
 TEST(KernelClock, IsNeverLaterThanNowAndKeepsTheDistancesOfTheKernel) {
-    gpio::KernelClock clock;
+    KernelClock clock;
     clock.saw(100s, 7s);  // waited 3 ms, which nobody knows yet
     EXPECT_EQ(clock.moment_of(100s), 7s);
     clock.saw(100s + 10ms, 7s + 7ms);  // was read at once: now we do
