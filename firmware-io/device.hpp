@@ -18,10 +18,10 @@ struct DeviceIdentity {
 // Which device is meant. What is not given is any.
 struct DeviceSelector {
     std::optional<std::uint16_t> vendor, product;
-    std::string path;    // "/dev/hidraw3", or a link to it
-    std::string port;    // the beginning of DeviceIdentity::port, up to a '/' or its end
-    std::string serial;  // all of it
-    std::string name;    // a part of it
+    std::string path = {};    // "/dev/hidraw3", or a link to it
+    std::string port = {};    // the beginning of DeviceIdentity::port, up to a '/' or its end
+    std::string serial = {};  // all of it
+    std::string name = {};    // a part of it
     friend bool operator==(const DeviceSelector&, const DeviceSelector&) = default;
 };
 

@@ -34,9 +34,9 @@ void HeardDevices::remove(std::size_t i, Instant now) {
     devices_.erase(devices_.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
-void HeardDevices::keep(const std::function<bool(const HeardDevice&)>& is_wanted, Instant now) {
+void HeardDevices::leave(const std::vector<std::string>& paths, Instant now) {
     for (std::size_t i = devices_.size(); i-- > 0;)
-        if (!is_wanted(*devices_[i])) remove(i, now);
+        if (std::find(paths.begin(), paths.end(), devices_[i]->path()) != paths.end()) remove(i, now);
 }
 
 std::vector<ButtonEdge> HeardDevices::poll(Instant now) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "firmware-io/debounce.hpp"
 #include "firmware-io/device.hpp"
@@ -43,8 +44,10 @@ class HeardDevices {
     std::size_t count() const { return devices_.size(); }
     bool is_empty() const { return devices_.empty(); }
 
-    // Leaves those for which this is false alone from now on.
-    void keep(const std::function<bool(const HeardDevice&)>& is_wanted, Instant now);
+    const std::vector<std::unique_ptr<HeardDevice>>& devices() const { return devices_; }
+
+    // These are heard no longer.
+    void leave(const std::vector<std::string>& paths, Instant now);
 
     std::vector<ButtonEdge> poll(Instant now);
 

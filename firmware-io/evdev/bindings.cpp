@@ -55,12 +55,6 @@ bool is_numbered(Code code) {
            is_within(BTN_TRIGGER_HAPPY1, BTN_TRIGGER_HAPPY40);
 }
 
-// What wheels, tablets and touchpads have, which buttons for visitors have not.
-bool is_pointing(const EvdevDeviceFacts& device) {
-    return has(device.keys, BTN_TOUCH) || has(device.keys, BTN_TOOL_PEN) || has(device.keys, BTN_STYLUS) ||
-           has(device.keys, BTN_LEFT);
-}
-
 std::vector<Code> numbered_buttons(const EvdevDeviceFacts& device) {
     std::vector<Code> buttons;
     std::copy_if(device.keys.begin(), device.keys.end(), std::back_inserter(buttons), is_numbered);
@@ -86,6 +80,11 @@ Bindings default_bindings(const EvdevDeviceFacts& device) {
     if (has(device.keys, BTN_SOUTH)) add(kStickConventions);
     add(kKeyConventions);
     return bindings;
+}
+
+bool is_pointing(const EvdevDeviceFacts& device) {
+    return has(device.keys, BTN_TOUCH) || has(device.keys, BTN_TOOL_PEN) || has(device.keys, BTN_STYLUS) ||
+           has(device.keys, BTN_LEFT);
 }
 
 int likelihood(const EvdevDeviceFacts& device) {

@@ -28,6 +28,9 @@ bool can_send(const EvdevDeviceFacts& device, const Signal& signal);
 // these.
 Bindings default_bindings(const EvdevDeviceFacts& device);
 
+// A mouse, a touchpad, a tablet: not heard beside a board's other interfaces.
+bool is_pointing(const EvdevDeviceFacts& device);
+
 // How likely it is that a visitor's buttons are on this device: pads and button boards before keyboards before the
 // rest. Higher is likelier; 0 if nothing on it can be pressed.
 int likelihood(const EvdevDeviceFacts& device);

@@ -13,10 +13,6 @@ using namespace std::chrono_literals;
 
 constexpr Instant kLookEvery = 1s;
 
-bool is_equal_kind(const DeviceIdentity& a, const DeviceIdentity& b) {
-    return a.vendor == b.vendor && a.product == b.product;
-}
-
 }  // namespace
 
 EvdevButtons::EvdevButtons(std::unique_ptr<EvdevHost> host, EvdevOptions options,
@@ -41,7 +37,6 @@ std::vector<EvdevDeviceFacts> EvdevButtons::meant() const {
 }
 
 std::vector<EvdevButtons::Candidate> EvdevButtons::candidates() {
-    const int least = options_.selector == DeviceSelector{} ? 2 : 1;
     std::vector<Candidate> found;
     left_alone_.clear();
     for (EvdevDeviceFacts& device : meant()) {
@@ -49,7 +44,7 @@ std::vector<EvdevButtons::Candidate> EvdevButtons::candidates() {
         std::erase_if(bindings, [&](const Binding& binding) { return !can_send(device, binding.signal); });
         const int is_likely = options_.bindings.empty() ? likelihood(device) : bindings.empty() ? 0 : 3;
         if (options_.bindings.empty()) bindings = default_bindings(device);
-        if (is_likely < least) continue;
+        if (is_likely == 0) continue;
         if (is_left_alone(device.identity)) {
             left_alone_ = describe(device.path, device.identity);
             continue;
@@ -59,6 +54,16 @@ std::vector<EvdevButtons::Candidate> EvdevButtons::candidates() {
     std::stable_sort(found.begin(), found.end(),
                      [](const Candidate& a, const Candidate& b) { return a.likelihood > b.likelihood; });
     return found;
+}
+
+bool EvdevButtons::may_be_first(const Candidate& one) const {
+    return one.likelihood > 1 || options_.selector != DeviceSelector{};
+}
+
+bool EvdevButtons::goes_with(const Candidate& other, const Candidate& first) {
+    const DeviceIdentity &a = other.device.identity, &b = first.device.identity;
+    if (is_pointing(other.device) && !is_pointing(first.device)) return false;
+    return a.vendor == b.vendor && a.product == b.product;
 }
 
 bool EvdevButtons::open(Candidate& candidate, Instant now) {
@@ -88,10 +93,10 @@ SourceStatus EvdevButtons::nothing_plugged_in() const {
 
 SourceStatus EvdevButtons::look() {
     const std::vector<Candidate> found = candidates();
-    if (found.empty()) return nothing_plugged_in();
+    if (found.empty() || !may_be_first(found.front())) return nothing_plugged_in();
     std::string who;
     for (const Candidate& one : found)
-        if (is_equal_kind(one.device.identity, found.front().device.identity))
+        if (goes_with(one, found.front()))
             who += (who.empty() ? "" : ", ") + describe(one.device.path, one.device.identity);
     return {Presence::Present, who};
 }
@@ -101,15 +106,13 @@ void EvdevButtons::look_for(Instant now) {
     look_at_ = now + kLookEvery;
     refused_.clear();
     std::vector<Candidate> found = candidates();
-    const auto first = std::find_if(found.begin(), found.end(), [&](Candidate& one) { return open(one, now); });
+    const auto first =
+        std::find_if(found.begin(), found.end(), [&](Candidate& one) { return may_be_first(one) && open(one, now); });
     if (first == found.end()) return;
-    std::vector<std::string> paths;
+    std::vector<std::string> unwanted;  // what is not there any more says so itself, and then counts as unplugged
     for (Candidate& one : found)
-        if (is_equal_kind(one.device.identity, first->device.identity) && open(one, now))
-            paths.push_back(one.device.path);
-    heard_.keep(
-        [&](const HeardDevice& device) { return std::find(paths.begin(), paths.end(), device.path()) != paths.end(); },
-        now);
+        if (!goes_with(one, *first) || !open(one, now)) unwanted.push_back(one.device.path);
+    heard_.leave(unwanted, now);
     unplugged_at_.reset();
 }
 
@@ -126,9 +129,16 @@ void EvdevButtons::tell(Instant now) {
         status_ = nothing_plugged_in();
 }
 
+void EvdevButtons::leave_alone(Instant now) {
+    std::vector<std::string> paths;
+    for (const auto& device : heard_.devices())
+        if (is_left_alone(device->identity())) paths.push_back(device->path());
+    heard_.leave(paths, now);
+}
+
 std::vector<ButtonEdge> EvdevButtons::poll(Instant now) {
     const std::size_t at_first = heard_.count();
-    heard_.keep([&](const HeardDevice& device) { return !is_left_alone(device.identity()); }, now);
+    leave_alone(now);
     if (host_->take_news() || heard_.count() != at_first || !look_at_ || now >= *look_at_) {
         look_for(now);
         tell(now);

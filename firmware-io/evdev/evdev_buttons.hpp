@@ -36,9 +36,12 @@ class EvdevButtons final : public ButtonSource {
         Bindings bindings;
         int likelihood;
     };
+    bool may_be_first(const Candidate& one) const;
+    static bool goes_with(const Candidate& other, const Candidate& first);
     std::vector<EvdevDeviceFacts> meant() const;
     std::vector<Candidate> candidates();
     bool is_left_alone(const DeviceIdentity& device) const { return boards_ && boards_->is_heard(board_of(device)); }
+    void leave_alone(Instant now);
     void look_for(Instant now);
     bool open(Candidate& candidate, Instant now);
     SourceStatus nothing_plugged_in() const;

@@ -52,7 +52,9 @@ std::optional<HidButtons::Candidate> HidButtons::candidate(HidDeviceFacts device
     const int is_likely = bindings.empty() ? likelihood(layout) : is_here ? kTaughtHere : kTaught;
     if (bindings.empty()) bindings = default_bindings(layout);
     if (bindings.empty()) return std::nullopt;
-    return Candidate{std::move(device), std::move(layout), std::move(bindings), is_likely};
+    const auto& roles = layout.applications;
+    const bool is_mouse = is_likely == 1 && std::find(roles.begin(), roles.end(), kMouse) != roles.end();
+    return Candidate{std::move(device), std::move(layout), std::move(bindings), is_likely, is_mouse};
 }
 
 std::vector<HidButtons::Candidate> HidButtons::candidates() const {
@@ -66,6 +68,7 @@ std::vector<HidButtons::Candidate> HidButtons::candidates() const {
 
 bool HidButtons::goes_with(const Candidate& other, const Candidate& first) {
     const HidIdentity &a = other.device.identity, &b = first.device.identity;
+    if (other.is_mouse && !first.is_mouse) return false;
     return (a.vendor == b.vendor && a.product == b.product) ||
            (other.likelihood >= kTaught && first.likelihood >= kTaught);
 }
@@ -108,12 +111,10 @@ void HidButtons::look_for(Instant now) {
     std::vector<Candidate> found = candidates();
     const auto first = std::find_if(found.begin(), found.end(), [&](Candidate& one) { return open(one, now); });
     if (first == found.end()) return;
-    std::vector<std::string> paths;
+    std::vector<std::string> unwanted;  // what is not there any more says so itself, and then counts as unplugged
     for (Candidate& one : found)
-        if (goes_with(one, *first) && open(one, now)) paths.push_back(one.device.path);
-    heard_.keep(
-        [&](const HeardDevice& device) { return std::find(paths.begin(), paths.end(), device.path()) != paths.end(); },
-        now);
+        if (!goes_with(one, *first) || !open(one, now)) unwanted.push_back(one.device.path);
+    heard_.leave(unwanted, now);
     unplugged_at_.reset();
 }
 

@@ -41,6 +41,7 @@ class HidButtons final : public ButtonSource {
         HidLayout layout;
         Bindings bindings;
         int likelihood;
+        bool is_mouse;
     };
     std::vector<HidDeviceFacts> meant() const;
     std::optional<Candidate> candidate(HidDeviceFacts device) const;
