@@ -30,8 +30,10 @@ Placement placed_in(Size mode, Size picture) {
     Size size = mode;
     if (as_wide > as_high) size.width = static_cast<int>(as_high / picture.height);
     if (as_high > as_wide) size.height = static_cast<int>(as_wide / picture.width);
-    // A bar of a pixel or two is the rounding of the picture's own size.
-    if (mode.width - size.width <= 2 && mode.height - size.height <= 2) size = mode;
+    // Bars so thin are the rounding of the picture's own size.
+    const auto is_rounding = [](int bar, int side) { return bar <= std::max(2, side / 400); };
+    if (is_rounding(mode.width - size.width, mode.width) && is_rounding(mode.height - size.height, mode.height))
+        size = mode;
     return {(mode.width - size.width) / 2, (mode.height - size.height) / 2, size};
 }
 
