@@ -71,11 +71,16 @@ std::vector<Finding> examine_buttons(const Configuration& configuration, const s
     if (configuration.inputs.empty())
         findings.push_back({"buttons", Health::Doubtful, "none are named in the configuration",
                             "without them the first HID controller is used; name yours under buttons.inputs"});
-    for (const char* spec : {"hid:", "evdev:"})
-        if (auto beside = beside_finding(spec, configuration.inputs, open)) findings.push_back(std::move(*beside));
     findings.push_back(access_finding({"buttons", "GPIO chips", "gpiochip", "gpio"}, dev, exhibit));
     findings.push_back(access_finding({"buttons", "HID devices", "hidraw", "input"}, dev, exhibit));
     findings.push_back(access_finding({"buttons", "input devices", "event", "input"}, dev / "input", exhibit));
+    return findings;
+}
+
+std::vector<Finding> examine_boards(const Configuration& configuration, const OpenButtons& open) {
+    std::vector<Finding> findings;
+    for (const char* spec : {"hid:", "evdev:"})
+        if (auto beside = beside_finding(spec, configuration.inputs, open)) findings.push_back(std::move(*beside));
     return findings;
 }
 

@@ -35,6 +35,13 @@ std::vector<Finding> service_findings(const std::string& state) {
     return findings;
 }
 
+std::vector<Finding> button_findings(const Configuration& configuration, const std::optional<Account>& user) {
+    std::vector<Finding> findings = examine_buttons(configuration, user);
+    const std::vector<Finding> boards = examine_boards(configuration);
+    findings.insert(findings.end(), boards.begin(), boards.end());
+    return findings;
+}
+
 std::vector<Finding> examine_parts(const Options& options) {
     const Examined examined = examine_configuration(options.configuration);
     const Configuration& configuration = examined.configuration;
@@ -44,7 +51,7 @@ std::vector<Finding> examine_parts(const Options& options) {
         {"settings", [&] { return examined.findings; }},
         {"gpu", [] { return examine_gpu(); }},
         {"screen", [&] { return examine_screen(user); }},
-        {"buttons", [&] { return examine_buttons(configuration, user); }},
+        {"buttons", [&] { return button_findings(configuration, user); }},
         {"state", [&] { return examine_state(tended_state_folder(options.state), user); }},
         {"clock", [&] { return examine_clock(staff::read_wall_clock(), !configuration.hours.is_always_open); }},
         {"service", [&] { return service_findings(options.state); }},
