@@ -19,7 +19,7 @@ struct Configuration {
         std::string display = "auto";  // auto, kms, window, headless
         std::string size;              // drawn size, "1280x720"; empty: the screen's
         std::string connector;         // kms: "HDMI-A-1"; empty: the first with a screen
-        std::string mode;              // kms: "1920x1080@60"; empty: the screen's preferred up to 1080p60
+        std::string mode;              // kms: "1920x1080@60"; empty: the screen's own size
         int rotation_deg = 0;          // 0, 90, 180, 270 clockwise
         bool is_mirrored = false;      // rear projection
     } screen;

@@ -34,6 +34,9 @@ using OpenButtons = std::function<firmware_io::Opened(std::string_view spec)>;
 std::vector<Finding> examine_buttons(const Configuration& configuration, const std::optional<Account>& exhibit = {},
                                      const OpenButtons& open = firmware_io::open_buttons,
                                      const std::filesystem::path& dev = "/dev");
+// What is plugged in that no input names, so that nobody has to guess what to write.
+std::vector<Finding> examine_boards(const Configuration& configuration,
+                                    const OpenButtons& open = firmware_io::open_buttons);
 std::vector<Finding> examine_state(const std::filesystem::path& directory, const std::optional<Account>& exhibit = {});
 // The same on a disk with so much room.
 std::vector<Finding> examine_state(const std::filesystem::path& directory, std::optional<double> free_mb,

@@ -49,6 +49,16 @@ std::optional<Finding> map_finding(const std::string& spec, const std::optional<
     }
 }
 
+// What else could be named, so that nobody has to guess.
+std::optional<Finding> beside_finding(const std::string& spec, const std::vector<std::string>& inputs,
+                                      const OpenButtons& open) {
+    for (const std::string& input : inputs)
+        if (input.starts_with(spec)) return std::nullopt;
+    const auto status = open(spec).source->look();
+    if (status.presence == firmware_io::Presence::Absent || status.reason.empty()) return std::nullopt;
+    return Finding{"buttons", Health::Good, fmt::format("{} would hear {}", spec, status.reason), ""};
+}
+
 }  // namespace
 
 std::vector<Finding> examine_buttons(const Configuration& configuration, const std::optional<Account>& exhibit,
@@ -63,6 +73,14 @@ std::vector<Finding> examine_buttons(const Configuration& configuration, const s
                             "without them the first HID controller is used; name yours under buttons.inputs"});
     findings.push_back(access_finding({"buttons", "GPIO chips", "gpiochip", "gpio"}, dev, exhibit));
     findings.push_back(access_finding({"buttons", "HID devices", "hidraw", "input"}, dev, exhibit));
+    findings.push_back(access_finding({"buttons", "input devices", "event", "input"}, dev / "input", exhibit));
+    return findings;
+}
+
+std::vector<Finding> examine_boards(const Configuration& configuration, const OpenButtons& open) {
+    std::vector<Finding> findings;
+    for (const char* spec : {"hid:", "evdev:"})
+        if (auto beside = beside_finding(spec, configuration.inputs, open)) findings.push_back(std::move(*beside));
     return findings;
 }
 

@@ -20,14 +20,34 @@ struct LinesOfChip {
     std::vector<Wire> wires;
 };
 
+std::string to_string(const Wire& wire) {
+    std::string text{name_of(wire.button)};
+    return text.append("=").append(to_string(wire.line));
+}
+
+// One line under two names, "0:17" and "GPIO17", is found out only here.
+struct Taken {
+    LinePlace place;
+    const Wire* wire;
+};
+void require_free(std::vector<Taken>& taken, const LinePlace& place, const Wire& wire) {
+    for (const Taken& other : taken)
+        if (other.place == place)
+            throw GpioError{to_string(*other.wire) + " and " + to_string(wire) +
+                            " are the same line; give each button and lamp its own"};
+    taken.push_back({place, &wire});
+}
+
 // Where the wires go, by chip. Those that go nowhere stay in `wires`, and `trouble` says why.
 std::map<std::string, LinesOfChip> take_found(const std::vector<ChipFacts>& chips, std::vector<Wire>& wires,
                                               std::string& trouble) {
     std::map<std::string, LinesOfChip> found;
     std::vector<Wire> missing;
+    std::vector<Taken> taken;
     for (const Wire& wire : wires) {
         try {
             const LinePlace place = find_line(chips, wire.line);
+            require_free(taken, place, wire);
             found[place.chip_path].offsets.push_back(place.offset);
             found[place.chip_path].wires.push_back(wire);
         } catch (const GpioError& error) {
@@ -41,11 +61,6 @@ std::map<std::string, LinesOfChip> take_found(const std::vector<ChipFacts>& chip
 
 void append(std::vector<Wire>& wires, const std::vector<Wire>& more) {
     wires.insert(wires.end(), more.begin(), more.end());
-}
-
-std::string to_string(const Wire& wire) {
-    std::string text{name_of(wire.button)};
-    return text.append("=").append(to_string(wire.line));
 }
 
 }  // namespace
@@ -156,9 +171,10 @@ bool GpioButtons::drive_lamps(Instant now) {
 SourceStatus GpioButtons::look() {
     const std::vector<ChipFacts> chips = host_->chips();
     std::string found, trouble;
+    std::vector<Taken> taken;
     const auto look_for = [&](const Wire& wire, const char* what) {
         try {
-            find_line(chips, wire.line, kConsumer);
+            require_free(taken, find_line(chips, wire.line, kConsumer), wire);
             found.append(found.empty() ? "GPIO lines " : ", ").append(what).append(to_string(wire));
         } catch (const GpioError& error) {
             trouble.append(trouble.empty() ? "" : "; ").append(error.what());

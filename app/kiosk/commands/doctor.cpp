@@ -9,9 +9,9 @@
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/commands/learn_buttons.hpp"
 #include "kiosk/diagnosis.hpp"
-#include "kiosk/staff/wall_clock.hpp"
 #include "kiosk/diagnosis_crash.hpp"
 #include "kiosk/staff/machine.hpp"
+#include "kiosk/staff/wall_clock.hpp"
 #include "kiosk/state_folder.hpp"
 
 namespace quadrat::kiosk::commands {
@@ -41,6 +41,13 @@ std::vector<Finding> service_findings(const std::string& state) {
     return findings;
 }
 
+std::vector<Finding> button_findings(const Configuration& configuration, const std::optional<Account>& user) {
+    std::vector<Finding> findings = examine_buttons(configuration, user);
+    const std::vector<Finding> boards = examine_boards(configuration);
+    findings.insert(findings.end(), boards.begin(), boards.end());
+    return findings;
+}
+
 std::vector<Finding> examine_parts(const Options& options) {
     const Examined examined = examine_configuration(options.configuration);
     const Configuration& configuration = examined.configuration;
@@ -50,7 +57,7 @@ std::vector<Finding> examine_parts(const Options& options) {
         {"settings", [&] { return examined.findings; }},
         {"gpu", [] { return examine_gpu(); }},
         {"screen", [&] { return examine_screen(user); }},
-        {"buttons", [&] { return examine_buttons(configuration, user); }},
+        {"buttons", [&] { return button_findings(configuration, user); }},
         {"state", [&] { return examine_state(tended_state_folder(options.state), user); }},
         {"clock",
          [&] {

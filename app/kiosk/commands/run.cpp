@@ -84,9 +84,10 @@ struct Buttons {
 Buttons open_buttons(const std::vector<std::string>& specs) {
     Buttons buttons;
     std::vector<std::unique_ptr<firmware_io::ButtonSource>> sources;
+    const auto boards = std::make_shared<firmware_io::HeardBoards>();
     for (const std::string& spec : specs) {
         try {
-            auto opened = firmware_io::open_buttons(spec);
+            auto opened = firmware_io::open_buttons_beside(spec, boards);
             sources.push_back(std::move(opened.source));
             if (!opened.map_trouble.empty())
                 base::log::warn("buttons: {}; until then the usual order of buttons is used", opened.map_trouble);
@@ -282,7 +283,7 @@ void add_run(CLI::App& app, Action& chosen) {
         ->check(CLI::IsMember({"auto", "kms", "window", "headless"}));
     command->add_option("--size", options->size, "Pixels to draw, as 1280x720; without it, the screen's");
     command->add_option("--input", options->inputs,
-                        "Where presses come from, repeatable: gpio:A=GPIO17,…  hid:  keyboard  script:FILE");
+                        "Where presses come from, repeatable: gpio:A=GPIO17,…  hid:  evdev:  keyboard  script:FILE");
     command->add_option("--config", options->configuration, "The site's settings (deploy/quadrat.toml shows all)");
     command->add_option("--state", options->state, "Folder of what is kept between runs");
     command->add_option("--rounds", options->rounds, "Rounds of a visit; the program ends after one visit")

@@ -89,7 +89,7 @@ Account stranger(const tests::TemporaryFolder& machine) {
 }
 
 void add_closed_node(const tests::TemporaryFolder& machine, const std::string& name) {
-    fs::create_directories(machine / "dev");
+    fs::create_directories((machine / "dev" / name).parent_path());
     fs::permissions(machine.write("dev/" + name, ""), fs::perms{0600});
 }
 
@@ -144,6 +144,12 @@ const std::vector<Broken>& broken_machines() {
              return examine_buttons({}, stranger(m), firmware_io::open_buttons, m / "dev");
          },
          Health::Bad, "hidraw3", "usermod -aG input quadrat"},
+        {"InputDeviceOfAnotherGroup",
+         [](const tests::TemporaryFolder& m) {
+             add_closed_node(m, "input/event3");
+             return examine_buttons({}, stranger(m), firmware_io::open_buttons, m / "dev");
+         },
+         Health::Bad, "event3", "usermod -aG input quadrat"},
         {"MapInSomebodysHome",
          [](const tests::TemporaryFolder& m) {
              Configuration configuration;
