@@ -15,6 +15,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
+#include "base/text_file.hpp"
 
 namespace quadrat::kiosk::fleet {
 namespace {
@@ -37,7 +38,7 @@ std::string own_name(const std::string& named) {
 }
 
 std::string first_line(const std::string& file) {
-    const std::string text = base::read_file(file, 1U << 12U);
+    const std::string text = base::read_text(file, {1U << 12U, 1U << 12U});
     return text.substr(0, text.find('\n'));
 }
 
