@@ -10,6 +10,7 @@ endfunction()
 
 quadrat_pkg(dep_spdlog spdlog)
 quadrat_pkg(dep_fmt fmt)
+quadrat_pkg(dep_zlib zlib)
 quadrat_pkg(dep_tbb tbb)
 quadrat_pkg(dep_sqlite sqlite3)
 quadrat_pkg(dep_epoxy epoxy)

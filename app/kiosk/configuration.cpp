@@ -14,7 +14,7 @@
 #include <stdexcept>
 
 #include "base/error.hpp"
-#include "base/file.hpp"
+#include "base/text_file.hpp"
 #include "genome/speech.hpp"
 #include "kiosk/picture.hpp"
 
@@ -270,7 +270,7 @@ Configuration configuration_from(std::string_view source_text, const std::string
 
 Configuration read_configuration(const std::filesystem::path& path) {
     constexpr std::size_t kLargest = 1U << 20U;
-    return configuration_from(base::read_file(path, kLargest), path.string());
+    return configuration_from(base::read_text(path, {kLargest, kLargest}), path.string());
 }
 
 std::string text(const Configuration& configuration, const std::string& key) {

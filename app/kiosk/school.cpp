@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
+#include "base/text_file.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -18,7 +19,7 @@ fs::path words_file(const fs::path& folder) { return folder / "words.json"; }
 fs::path previous_file(const fs::path& folder) { return folder / "words.previous.json"; }
 
 SiteWords words_in(const fs::path& file) {
-    breeding::Lessons lessons = breeding::word_lessons_from(base::read_file(file, kLargest), file.string());
+    breeding::Lessons lessons = breeding::word_lessons_from(base::read_text(file, base::kJsonLimits), file.string());
     breeding::WordMap map = breeding::map_of(lessons);
     return {std::move(lessons), std::move(map)};
 }

@@ -5,8 +5,14 @@
 
 namespace quadrat::kiosk {
 
-// Where visits are kept: the named folder, else the service's ($STATE_DIRECTORY), else the user's.
+// Where visits are kept: the named folder, else the service's ($STATE_DIRECTORY, the first of several), else the
+// user's: $XDG_STATE_HOME/quadrat, $HOME/.local/state/quadrat, the same in the home that the system knows of them, and
+// last quadrat-state where the program was started. A variable that is empty or names no absolute path is passed over,
+// as the XDG Base Directory Specification says.
 std::filesystem::path state_folder(const std::string& named);
+
+// For those who only read there. Throws InputError where a folder is named and there is none.
+void require_state_folder(const std::string& named);
 
 // The folders of the installed service.
 struct ServiceFolders {

@@ -165,7 +165,7 @@ TEST(Staff, AMapOfButtonsThatCannotBeUsedIsAWarningAndTheShowGoesOn) {
     Process exhibit(command, service.folder.path());
     service.wait_for_log(exhibit, "press A at");
     EXPECT_THAT(service.log(), HasSubstr("damaged.map:2: "));
-    EXPECT_THAT(service.log(), HasSubstr("/nowhere/buttons.map: cannot be read"));
+    EXPECT_THAT(service.log(), HasSubstr("/nowhere/buttons.map: cannot read"));
     EXPECT_THAT(service.log(), HasSubstr("the usual order of buttons is used"));
     EXPECT_TRUE(exhibit.is_running());
     exhibit.kill(SIGTERM);

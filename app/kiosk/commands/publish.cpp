@@ -50,8 +50,10 @@ void add_publish(CLI::App& app, Action& chosen) {
         "publish", "Tell a broker by MQTT how the exhibit beside us is and what visitors did, until told to stop");
     command->add_option("--config", options->configuration, "The site's settings; [fleet] names the broker")
         ->required();
-    command->add_option("--state", options->state, "The exhibit's state folder");
-    command->add_option("--runtime", options->runtime, "Where the exhibit writes its health, as /run/quadrat");
+    command->add_option("--state", options->state, "The exhibit's state folder")
+        ->default_str("the service's, else ~/.local/state/quadrat");
+    command->add_option("--runtime", options->runtime, "Where the exhibit writes its health, as /run/quadrat")
+        ->default_str("the service's, else the state folder");
     command->callback([options, &chosen] { chosen = [options] { return publish(*options); }; });
 }
 

@@ -141,10 +141,7 @@ void wait_unless_stopped(std::chrono::seconds span) {
 }
 
 // Where the service keeps what a reboot forgets; "" when we are not its.
-fs::path service_folder() {
-    const char* folder = std::getenv("RUNTIME_DIRECTORY");
-    return folder != nullptr ? folder : "";
-}
+fs::path service_folder() { return staff::folder_in("RUNTIME_DIRECTORY"); }
 
 // What the failures so far call for, before anything is opened.
 void climb(staff::Ladder& ladder, Configuration& configuration) {
@@ -260,7 +257,7 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
 
 int run(const Options& options) {
     hold_memory();  // until the first landscapes are on the screen
-    if (!options.log_file.empty()) base::open_log(base::LogDetail::Normal, options.log_file);
+    if (!options.log_file.empty()) base::log_to_file_too(options.log_file);
     stop_on_signals();
     const fs::path state = state_folder(options.state);
     staff::Ladder ladder(service_folder(), state, staff::uptime());
@@ -280,26 +277,43 @@ void add_run(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("run", "The exhibit");
     command->add_option("--display", options->display, "auto, kms, window or headless")
-        ->check(CLI::IsMember({"auto", "kms", "window", "headless"}));
-    command->add_option("--size", options->size, "Pixels to draw, as 1280x720; without it, the screen's");
-    command->add_option("--input", options->inputs,
-                        "Where presses come from, repeatable: gpio:A=GPIO17,…  hid:  evdev:  keyboard  script:FILE");
-    command->add_option("--config", options->configuration, "The site's settings (deploy/quadrat.toml shows all)");
-    command->add_option("--state", options->state, "Folder of what is kept between runs");
+        ->check(CLI::IsMember({"auto", "kms", "window", "headless"}))
+        ->default_str("the settings', else auto");
+    command->add_option("--size", options->size, "Pixels to draw, as 1280x720; without it, the screen's")
+        ->default_str("the settings', else the screen's");
+    command
+        ->add_option("--input", options->inputs,
+                     "Where presses come from, repeatable: gpio:A=GPIO17,…  hid:  evdev:  keyboard  script:FILE")
+        ->default_str("the settings', else hid:, and the keyboard in a window");
+    command->add_option("--config", options->configuration, "The site's settings (deploy/quadrat.toml shows all)")
+        ->default_str("none");
+    command->add_option("--state", options->state, "Folder of what is kept between runs")
+        ->default_str("the service's, else ~/.local/state/quadrat");
     command->add_option("--rounds", options->rounds, "Rounds of a visit; the program ends after one visit")
-        ->check(CLI::Range(1, 50));
+        ->check(CLI::Range(1, 50))
+        ->default_str("the settings', without an end");
     command->add_option("--ground", options->ground, "What draws the land: blocks (standard) or roam")
-        ->check(CLI::IsMember(ground_names()));
-    command->add_option("--capture", options->capture,
-                        "Folder for one PNG a generation, the finale and a contact sheet");
-    command->add_option("--seed", options->seed, "Names all chance; without it, every start is another");
-    command->add_option("--triangles", options->budget.triangles,
-                        "No more a frame, whatever this machine could draw: for tests");
-    command->add_option("--pixels", options->budget.pixels, "The same for the pixels of the landscapes");
-    command->add_option("--log-file", options->log_file, "Write the log there too");
+        ->check(CLI::IsMember(ground_names()))
+        ->default_str("the settings', else blocks");
+    command
+        ->add_option("--capture", options->capture, "Folder for one PNG a generation, the finale and a contact sheet")
+        ->default_str("none");
+    command->add_option("--seed", options->seed, "Names all chance; without it, every start is another")
+        ->default_str("another every start");
+    command
+        ->add_option("--triangles", options->budget.triangles,
+                     "No more a frame, whatever this machine could draw: for tests")
+        ->default_str("no limit");
+    command->add_option("--pixels", options->budget.pixels, "The same for the pixels of the landscapes")
+        ->default_str("no limit");
+    command
+        ->add_option("--log-file", options->log_file,
+                     "Write the log there too: appended; three files of before, 4 MB each, are kept")
+        ->default_str("none");
     command
         ->add_option("--speed", options->speed, "How many times as fast the clock runs, 1 to 100: for endurance tests")
-        ->check(CLI::Range(1.0, 100.0));
+        ->check(CLI::Range(1.0, 100.0))
+        ->capture_default_str();
     command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

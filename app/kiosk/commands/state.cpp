@@ -27,7 +27,8 @@ void add_state(CLI::App& app, Action& chosen) {
         "state",
         "Move the state file to another schema version, so that an older program can go on with it. A newer program "
         "moves an older file by itself. Stop the exhibit first: systemctl stop quadrat");
-    command->add_option("--state", options->state, "Folder of what is kept between runs");
+    command->add_option("--state", options->state, "Folder of what is kept between runs")
+        ->default_str("the service's, else ~/.local/state/quadrat");
     command->add_option("--move-to", options->version, "The version, 1 to " + std::to_string(exhibit::state_version()))
         ->required();
     command->callback([options, &chosen] { chosen = [options] { return move(*options); }; });

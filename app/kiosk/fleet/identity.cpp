@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/text_file.hpp"
 
 namespace quadrat::kiosk::fleet {
 namespace {
@@ -58,18 +59,11 @@ std::string client_id(const fs::path& state, const fs::path& etc, const fs::path
 }
 
 std::string password_in(const fs::path& file) {
-    constexpr std::size_t kLargest = 1U << 12U;
-    const std::string bytes = base::read_file(file, kLargest);
-    std::string_view text = bytes;
-    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-        throw base::InputError(fmt::format("fleet.password_file: {} is UTF-16; save it as UTF-8", file.string()));
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-    const std::string password(text.substr(0, text.find_first_of("\r\n")));
+    const std::string text = base::read_text(file, {1U << 12U, 1U << 12U});
+    std::string password = text.substr(0, text.find('\n'));
     if (password.empty())
         throw base::InputError(
             fmt::format("fleet.password_file: the first line of {} is empty; write the password there", file.string()));
-    if (password.find('\0') != std::string::npos)
-        throw base::InputError(fmt::format("fleet.password_file: {} is no text; save it as UTF-8", file.string()));
     return password;
 }
 
