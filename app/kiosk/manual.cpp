@@ -39,7 +39,7 @@ std::string roff(const std::string& text) {
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 std::string option_entry(const CLI::Option& option) {
-    const std::string type = option.get_type_size() == 0 ? "" : option.get_type_name();
+    const std::string type = takes_a_value(option) ? option.get_type_name() : "";
     std::string entry = fmt::format(".TP\n.B {}", roff(option.get_name(option.get_positional(), true)));
     entry += type.empty() ? "\n" : fmt::format(" \\fR{}\n", roff(type));
     entry += roff(option.get_description());
@@ -113,7 +113,7 @@ struct Completion {
             if (option->get_positional() && !values.empty()) known.push_back(values);
             for (const std::string& name : long_and_short_names(*option)) {
                 known.push_back(name);
-                if (option->get_type_size() == 0) continue;
+                if (!takes_a_value(*option)) continue;
                 const std::string pattern = fmt::format("\"{} {}\"", path, name);
                 if (values.empty())
                     anything.push_back(pattern);
@@ -131,6 +131,10 @@ struct Completion {
 };
 
 }  // namespace
+
+bool takes_a_value(const CLI::Option& option) {
+    return option.get_type_size() != 0 && option.get_items_expected_max() != 0;
+}
 
 std::string page_name(const CLI::App& command) {
     std::string name = words_of(command);

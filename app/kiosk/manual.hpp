@@ -6,6 +6,9 @@
 // What the command line says of itself, for man and for bash: made from the same options that are parsed.
 namespace quadrat::kiosk {
 
+// Whether something follows it: a flag's name says all.
+bool takes_a_value(const CLI::Option& option);
+
 // "quadrat-run", the name of its page; "quadrat" of the program's own.
 std::string page_name(const CLI::App& command);
 

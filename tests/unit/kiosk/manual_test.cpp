@@ -21,9 +21,8 @@ class Manual : public testing::Test {
 
 void expect_defaults(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {
-        const bool takes_a_value = option->get_type_size() != 0;
         EXPECT_FALSE(option->get_description().empty()) << command.get_name() << " " << option->get_name();
-        EXPECT_TRUE(!takes_a_value || option->get_required() || !option->get_default_str().empty())
+        EXPECT_TRUE(!takes_a_value(*option) || option->get_required() || !option->get_default_str().empty())
             << command.get_name() << " " << option->get_name() << " does not say what it is where it is left out";
     }
     for (const CLI::App* one : command.get_subcommands([](const CLI::App*) { return true; })) expect_defaults(*one);
@@ -47,6 +46,7 @@ TEST_F(Manual, APageHasEveryOptionWithItsDefaultAndNoLineThatManMisreads) {
     const std::string page = man_page(*program.get_subcommand("field"));
     EXPECT_THAT(page, HasSubstr(".B \\-\\-size \\fRINT"));
     EXPECT_THAT(page, HasSubstr("Default: 513"));
+    EXPECT_THAT(page, HasSubstr(".B \\-\\-relief\n")) << "a flag has no type";
     EXPECT_THAT(man_page(*program.get_subcommand("words")), HasSubstr(".SS quadrat words sheet"));
 }
 
