@@ -8,6 +8,7 @@
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/commands/learn_buttons.hpp"
 #include "kiosk/diagnosis.hpp"
+#include "kiosk/settings.hpp"
 #include "kiosk/staff/machine.hpp"
 #include "kiosk/state_folder.hpp"
 
@@ -20,6 +21,7 @@ struct Options {
     std::vector<std::string> only;
     bool learns_buttons = false;
     bool calibrates = false;
+    bool is_json = false;
     std::string device;
     std::string map;
 };
@@ -35,15 +37,23 @@ std::vector<Finding> service_findings(const std::string& state) {
     return findings;
 }
 
+std::vector<Finding> screen_findings(const Configuration& configuration, const std::optional<Account>& user) {
+    std::vector<Finding> findings = examine_screen(user);
+    const std::vector<Finding> wanted = examine_wanted_screen(configuration);
+    findings.insert(findings.end(), wanted.begin(), wanted.end());
+    return findings;
+}
+
 std::vector<Finding> examine_parts(const Options& options) {
-    const Examined examined = examine_configuration(options.configuration);
+    const Examined examined = examine_configuration(tended_configuration(options.configuration, options.state),
+                                                    tended_state_folder(options.state));
     const Configuration& configuration = examined.configuration;
     // Who names another state folder has an exhibit of their own, and runs it themselves.
     const auto user = is_the_services(options.state) ? account_named("quadrat") : std::nullopt;
     const std::pair<const char*, std::function<std::vector<Finding>()>> parts[] = {
         {"settings", [&] { return examined.findings; }},
         {"gpu", [] { return examine_gpu(); }},
-        {"screen", [&] { return examine_screen(user); }},
+        {"screen", [&] { return screen_findings(configuration, user); }},
         {"buttons", [&] { return examine_buttons(configuration, user); }},
         {"state", [&] { return examine_state(tended_state_folder(options.state), user); }},
         {"clock", [&] { return examine_clock(staff::read_wall_clock(), !configuration.hours.is_always_open); }},
@@ -65,12 +75,10 @@ int examine(const Options& options) {
         return learn_buttons(options.device, map);
     }
     if (options.calibrates) {
-        const Configuration configuration =
-            options.configuration.empty() ? Configuration{} : read_configuration(options.configuration);
-        return calibrate(configuration, state_folder(options.state));
+        return calibrate(settings_for_people(options.configuration).configuration, state_folder(options.state));
     }
     const std::vector<Finding> all = examine_parts(options);
-    std::fputs(report_of(all).c_str(), stdout);
+    std::fputs((options.is_json ? json_of(all) : report_of(all)).c_str(), stdout);
     return kStatus[static_cast<std::size_t>(worst_of(all))];
 }
 
@@ -82,7 +90,8 @@ void add_doctor(CLI::App& app, Action& chosen) {
         "doctor",
         "Look at settings, GPU, screen, buttons, state, clock and service, and say what is wrong and what mends it.\n"
         "Ends with 0 when all is good, 3 when something is doubtful, 4 when something is bad");
-    command->add_option("--config", options->configuration, "The site's settings, which are checked too");
+    command->add_option("--config", options->configuration,
+                        "The site's settings, which are checked too; without it, the service's where it is installed");
     command->add_option("--state", options->state,
                         "Folder of what is kept between runs; without it, the service's where it is installed");
     command
@@ -91,6 +100,8 @@ void add_doctor(CLI::App& app, Action& chosen) {
         ->check(CLI::IsMember({"settings", "gpu", "screen", "buttons", "state", "clock", "service"}))
         ->expected(1)
         ->take_all();
+    command->add_flag("--json", options->is_json,
+                      "Findings for other programs: part, verdict, what, remedy, file and line of each");
     command->add_flag("--learn-buttons", options->learns_buttons,
                       "Instead: learn what the buttons of a HID device are, by asking for them one after the other");
     command->add_flag("--calibrate", options->calibrates,

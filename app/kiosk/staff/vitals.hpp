@@ -10,6 +10,7 @@
 #include "firmware-io/button_health.hpp"
 #include "kiosk/staff/ladder.hpp"
 #include "kiosk/staff/machine.hpp"
+#include "kiosk/staff/settings_in_use.hpp"
 
 // How the exhibit is: what staff see on the screen, and what a fleet collects.
 namespace quadrat::kiosk::staff {
@@ -60,6 +61,7 @@ struct Vitals {
     std::string state_trouble;  // "" while everything is kept
     std::optional<double> free_mb;
     std::vector<std::string> faults;  // the last warnings, oldest first
+    SettingsNews settings;
 };
 
 enum class Verdict { Good, Doubtful, Bad };
