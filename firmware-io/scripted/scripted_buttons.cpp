@@ -56,10 +56,11 @@ bool ScriptedButtons::is_finished() const { return !next_event_at(); }
 
 Script read_script(const std::filesystem::path& file) {
     constexpr std::uintmax_t kLargest = 8u << 20;
-    std::ifstream stream{file, std::ios::binary};
     std::error_code error;
-    if (!stream || !std::filesystem::is_regular_file(file, error))
-        throw ScriptError{file.string() + ": cannot be read; name a readable text file"};
+    // Asked before it is opened: who opens a pipe waits until somebody writes into it.
+    const bool is_file = std::filesystem::is_regular_file(file, error);
+    std::ifstream stream{is_file ? file : std::filesystem::path{}, std::ios::binary};
+    if (!stream) throw ScriptError{file.string() + ": cannot be read; name a readable text file"};
     if (std::filesystem::file_size(file, error) > kLargest)
         throw ScriptError{file.string() + ": is larger than 8 MB; a script is a short text"};
     const std::string text{std::istreambuf_iterator<char>{stream}, {}};
