@@ -184,7 +184,8 @@ CheckedConfiguration check_configuration_file(const std::filesystem::path& path,
     try {
         read = base::read_file(path, kLargest);
     } catch (const base::InputError& error) {
-        return unusable(path.string(), error.what());
+        return unusable(path.string(),
+                        fmt::format("{}; put a file of settings there that everybody may read", error.what()));
     }
     CheckedConfiguration checked = check_configuration(read, path.string());
     if (toml != nullptr) *toml = std::move(read);

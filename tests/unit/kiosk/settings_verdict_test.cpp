@@ -304,8 +304,10 @@ TEST(Mistakes, AMissingFileIsOneToo) {
     std::optional<staff::Seen::Changed> seen;
     for (int look = 0; look < 3 && !seen; ++look) seen = watch.look().settings;
     ASSERT_TRUE(seen.has_value());
-    const Verdict verdict = lines_of(check_configuration_file(site.file()).mistakes);
-    ASSERT_EQ(verdict.size(), 1U);
+    const std::vector<Mistake> mistakes = check_configuration_file(site.file()).mistakes;
+    ASSERT_EQ(mistakes.size(), 1U);
+    EXPECT_FALSE(mistakes.front().remedy.empty());
+    const Verdict verdict = lines_of(mistakes);
     EXPECT_THAT(verdict.front(), HasSubstr("site.toml"));
     EXPECT_THAT(lines_of(seen->checked.mistakes), ElementsAreArray(verdict));
     EXPECT_THAT(doctors(site), ElementsAreArray(verdict));
