@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr std::ptrdiff_t kLongestText = 160;
 constexpr std::size_t kLongestName = 100;
 constexpr const char* kFonts =
-    "install a font that has them (Debian: fonts-noto-core; fonts-noto-cjk for Chinese, Japanese and Korean)";
+    "install a font that has them (Debian: fonts-noto-core, or fonts-noto-cjk for Chinese, Japanese and Korean)";
 
 [[noreturn]] void refuse(const std::string& what) { throw base::InputError(what); }
 
@@ -54,7 +54,6 @@ void refuse_dotted(ConfigurationReader& reader, const toml::table& texts) {
         const toml::table* table = node != nullptr ? node->as_table() : nullptr;
         if (table == nullptr) continue;
         const toml::node* text = table->get(prompt.substr(head.size() + 1));
-        reader.find("text", head.c_str());  // as much as is to be said of it is said here
         if (text != nullptr)
             reader.refuse(*text, fmt::format("text.{}", prompt), "stands without quotation marks",
                           fmt::format("a key with a dot needs them: \"{}\" = \"…\"", prompt));
@@ -73,7 +72,7 @@ void refuse_unknown_dotted(ConfigurationReader& reader, const toml::table& texts
                     text, "text." + name, "is not known",
                     "write \"ask.trees\", \"ask.land\", \"ask.sky\" or \"describe.trees\" …, in quotation marks");
         }
-        reader.find("text", std::string(head.str()).c_str());
+        reader.pass_over("text", std::string(head.str()));  // all that is to be said of it is said here
     }
 }
 
@@ -118,8 +117,7 @@ void check_fleet_name(const std::string& name) {
                          std::ranges::none_of(name, is_control) && name.find('\n') == std::string::npos;
     const bool is_blank = !name.empty() && name.find_first_not_of(' ') == std::string::npos;
     if (!is_word || is_blank)
-        refuse(fmt::format("is no name of a topic; it must be a word without / + and #, of {} bytes at most",
-                           kLongestName));
+        refuse(fmt::format("is \"{}\"; it must be a word without / + and #, of {} bytes at most", name, kLongestName));
 }
 
 void check_fleet_user(const std::string& name) {

@@ -164,9 +164,11 @@ void ConfigurationReader::refuse_what_was_not_read() {
         } else if (!node.is_table()) {
             refuse(node, table, "must be a table", fmt::format("write [{}]", table));
         } else {
-            for (const auto& [key, value] : *node.as_table())
-                if (std::ranges::find(known->second, std::string(key.str())) == known->second.end())
-                    refuse_unknown(value, full_name(table, std::string(key.str())), known->second);
+            for (const auto& [key, value] : *node.as_table()) {
+                const std::string full = full_name(table, std::string(key.str()));
+                const bool is_known = std::ranges::find(known->second, std::string(key.str())) != known->second.end();
+                if (!is_known && !passed_over_.contains(full)) refuse_unknown(value, full, known->second);
+            }
         }
     }
     std::ranges::stable_sort(mistakes_, {}, &Mistake::line);

@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,8 @@ class ConfigurationReader {
     // For values of other forms. Null: it is not there.
     const toml::node* find(const char* table, const char* key);
     const toml::table* find_table(const char* table);
+    // This key is no mistake of its own, nor one that others are told of.
+    void pass_over(const std::string& table, const std::string& key) { passed_over_.insert(table + "." + key); }
     // False: noted as wrong.
     bool read_text(const toml::node& node, const std::string& name, std::string& text, const Check& check);
     void refuse(const toml::node& node, const std::string& name, const std::string& what, const std::string& remedy);
@@ -49,6 +52,7 @@ class ConfigurationReader {
     const toml::table& root_;
     const std::string& source_;
     std::map<std::string, Names> known_;
+    std::set<std::string> passed_over_;
     std::vector<Mistake> mistakes_;
 };
 

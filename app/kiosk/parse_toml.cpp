@@ -68,8 +68,9 @@ std::optional<Mistake> parse(const std::string& text, const std::string& source,
         root = toml::parse(text, source);
         return std::nullopt;
     } catch (const toml::parse_error& error) {
-        const std::string what(error.description());
-        return Mistake{source, static_cast<int>(error.source().begin.line), what, remedy_for(what)};
+        const std::string why(error.description());
+        return Mistake{source, static_cast<int>(error.source().begin.line), "this cannot be read: " + why,
+                       remedy_for(why)};
     }
 }
 

@@ -206,17 +206,22 @@ Opened open_with(Settings settings, const Options& options, staff::Mode mode, ba
     return opened;
 }
 
-// For a service, settings that cannot be opened give way to others until some can.
-Opened open_what_works(const Options& options, const fs::path& state, const staff::Rung& rung, base::Seed seed) {
-    if (!is_service(options)) return open_with(settings_for_people(options.configuration), options, rung.mode, seed);
+Settings settings_for(const Options& options, const fs::path& state, const staff::Rung& rung) {
+    if (!is_service(options)) return settings_for_people(options.configuration);
     Settings settings = settings_for_service(options.configuration, state);
-    if (rung.mode == staff::Mode::Safe) settings = safe_settings(std::move(settings), state, rung.failures);
+    return rung.mode == staff::Mode::Safe ? safe_settings(std::move(settings), state, rung.failures) : settings;
+}
+
+// For a service, settings that cannot be opened give way to others until some can.
+Opened open_what_works(Settings settings, const Options& options, const fs::path& state, staff::Mode mode,
+                       base::Seed seed) {
     for (;;) {
         try {
-            Opened opened = open_with(settings, options, rung.mode, seed);
+            Opened opened = open_with(settings, options, mode, seed);
             tell(opened.settings);
             return opened;
         } catch (const base::InputError& error) {
+            if (!is_service(options)) throw;
             auto next = next_settings(settings, state, mistake_from(options.configuration, 0, error.what()));
             if (!next) throw;
             settings = std::move(*next);
@@ -245,10 +250,11 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
     climb(ladder);
     const staff::Mode mode = ladder.rung().mode;
     const bool is_safe = mode == staff::Mode::Safe;
+    Settings settings = settings_for(options, state, ladder.rung());
     auto keeper =
         std::make_unique<Keeper>([state](const exhibit::TellKept& tell) { return open_archive(state, tell); });
     const base::Seed seed = seed_for(options);
-    Opened opened = open_what_works(options, state, ladder.rung(), seed);
+    Opened opened = open_what_works(std::move(settings), options, state, mode, seed);
     Configuration& configuration = opened.settings.configuration;
     const auto& screen = opened.screen;
     Buttons& buttons = opened.buttons;

@@ -66,6 +66,26 @@ TEST(Vitals, AreMetricsThatPrometheusReads) {
                 HasSubstr("quadrat_button_ailments_total{button=\"B\",ailment=\"chattering\"} 4"));
 }
 
+TEST(Vitals, AreDoubtfulAndSayWhyWhereTheSettingsCannotBeUsed) {
+    Vitals vitals;
+    ASSERT_EQ(verdict_of(vitals), Verdict::Good);
+    vitals.settings.from = SettingsFrom::LastGood;
+    vitals.settings.mistakes = {{"/etc/q.toml", 7, "screen.mode: \"1080p\" is not a mode", "write 1920x1080"}};
+    EXPECT_EQ(verdict_of(vitals), Verdict::Doubtful);
+    const auto told = nlohmann::json::parse(to_json(vitals))["settings"];
+    EXPECT_EQ(told["from"], "last good");
+    EXPECT_EQ(told["mistakes"][0]["line"], 7);
+    EXPECT_EQ(told["mistakes"][0]["remedy"], "write 1920x1080");
+    EXPECT_THAT(to_prometheus(vitals), HasSubstr("quadrat_settings_up 0\n"));
+    EXPECT_THAT(to_prometheus(vitals), HasSubstr("quadrat_settings_from 1\n"));
+    ServiceScreen service;
+    service.open(0s);
+    EXPECT_THAT(service.board(vitals, 0s).lines,
+                testing::IsSupersetOf({std::string("SETTINGS: the last settings that worked are used"),
+                                       std::string("/etc/q.toml, line 7: screen.mode: \"1080p\" is not a mode"),
+                                       std::string("  → write 1920x1080")}));
+}
+
 TEST(Vitals, CountLateFrames) {
     FrameCount count;
     for (int i = 0; i < 120; ++i) count.frame(i * 16ms + (i >= 60 ? 40ms : 0ms), 16ms);
