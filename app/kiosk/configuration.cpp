@@ -134,7 +134,7 @@ void read_hours(Reader& reader, staff::Hours& hours) {
 
 void read_all(Reader& reader, Configuration& configuration, const LettersWithoutFont& without_font) {
     read_screen(reader, configuration.screen);
-    reader.read_checked("buttons", "inputs", configuration.inputs, check_input);
+    reader.read_checked("buttons", "inputs", configuration.inputs, InputCheck{});
     read_visit(reader, configuration.visit);
     read_breeding(reader, configuration.breeding);
     read_words(reader, configuration.words);
@@ -170,10 +170,11 @@ CheckedConfiguration check_configuration(std::string_view toml, const std::strin
     ParsedToml parsed = parse_toml(toml, source);
     CheckedConfiguration checked;
     checked.mistakes = std::move(parsed.mistakes);
-    if (!parsed.is_whole) return checked;
-    Reader reader(parsed.root, source);
-    read_all(reader, checked.configuration, without_font);
-    checked.mistakes.insert(checked.mistakes.end(), reader.mistakes().begin(), reader.mistakes().end());
+    if (parsed.is_whole) {
+        Reader reader(parsed.root, source);
+        read_all(reader, checked.configuration, without_font);
+        checked.mistakes.insert(checked.mistakes.end(), reader.mistakes().begin(), reader.mistakes().end());
+    }
     std::ranges::stable_sort(checked.mistakes, {}, &Mistake::line);
     return checked;
 }

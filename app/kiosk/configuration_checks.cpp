@@ -98,12 +98,23 @@ void check_connector(const std::string& text) {
         refuse(fmt::format(": \"{}\" is no connector; write one such as HDMI-A-1 or DP-2 (ls /sys/class/drm)", text));
 }
 
-void check_input(const std::string& spec) {
+void InputCheck::operator()(const std::string& spec) {
     const firmware_io::InputSpec parsed = firmware_io::parse_input_spec(spec);
-    const auto* script = std::get_if<firmware_io::ScriptSpec>(&parsed);
-    if (script == nullptr) return;
-    require_file(script->file);
-    firmware_io::scripted::read_script(script->file);
+    if (const auto* script = std::get_if<firmware_io::ScriptSpec>(&parsed)) {
+        require_file(script->file);
+        firmware_io::scripted::read_script(script->file);
+    }
+    const auto* wiring = std::get_if<firmware_io::gpio::Wiring>(&parsed);
+    if (wiring == nullptr) return;
+    const std::size_t before = lines_.size();
+    for (const auto* wires : {&wiring->contacts, &wiring->lamps})
+        for (const firmware_io::gpio::Wire& wire : *wires) {
+            const auto end = lines_.begin() + static_cast<std::ptrdiff_t>(before);
+            if (std::find(lines_.begin(), end, wire.line) != end)
+                refuse(
+                    fmt::format("line {} is in two inputs; give each button a line of its own", to_string(wire.line)));
+            lines_.push_back(wire.line);
+        }
 }
 
 void check_broker(const std::string& address) {
