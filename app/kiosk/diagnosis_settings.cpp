@@ -46,6 +46,8 @@ Examined examine_configuration(const fs::path& file, const fs::path& state) {
         return none;
     }
     CheckedConfiguration checked = check_configuration_file(file);
+    if (auto cut = cut_off_from_last_good(file, state); cut && checked.is_usable())
+        checked.mistakes.push_back(std::move(*cut));
     Examined examined{std::move(checked.configuration), {}};
     for (const Mistake& mistake : checked.mistakes) {
         Mistake plain = mistake;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "base/file.hpp"
@@ -56,6 +57,9 @@ Settings settings_for_people(const fs::path& file) {
 
 Settings settings_for_service(const fs::path& file, const fs::path& state) {
     Settings settings = read(file);
+    if (settings.mistakes.empty() && settings.held)
+        if (auto cut = cut_off(*settings.held, last_good(state).value_or(""), file.string()))
+            settings.mistakes.push_back(std::move(*cut));
     return settings.mistakes.empty() ? settings : second_best(std::move(settings), state);
 }
 
@@ -90,6 +94,25 @@ void keep_last_good(const fs::path& state, const std::string& toml) {
     std::error_code error;
     fs::create_directories(state, error);
     base::write_file(last_good_file(state), toml);
+}
+
+std::optional<Mistake> cut_off(const std::string& toml, const std::string& before, const std::string& source) {
+    if (toml.empty() || toml.back() == '\n' || toml.size() >= before.size() || !before.starts_with(toml))
+        return std::nullopt;
+    if (before[toml.size()] == '\n' || before[toml.size()] == '\r')
+        return std::nullopt;  // a whole line is nobody's slip
+    return Mistake{source, static_cast<int>(std::ranges::count(toml, '\n')) + 1,
+                   "the file ends in the middle of this line, and had more when it worked",
+                   "put the rest back: the settings that worked last are last-good.toml in the state folder"};
+}
+
+std::optional<Mistake> cut_off_from_last_good(const fs::path& file, const fs::path& state) {
+    const auto kept = state.empty() ? std::nullopt : last_good(state);
+    try {
+        return kept ? cut_off(base::read_file(file, kLargest), *kept, file.string()) : std::nullopt;
+    } catch (const base::InputError&) {
+        return std::nullopt;  // which is a mistake of its own
+    }
 }
 
 std::string in_words(SettingsFrom from) {

@@ -46,6 +46,11 @@ void tell(const Settings& settings);
 std::filesystem::path last_good_file(const std::filesystem::path& state);
 void keep_last_good(const std::filesystem::path& state, const std::string& toml);
 
+// What a pulled plug leaves of a file may be read without complaint: "rounds = 1" of "rounds = 12". It is known by the
+// settings from before, of which it is the beginning as far as the middle of a line. Nothing: it is not.
+std::optional<Mistake> cut_off(const std::string& toml, const std::string& before, const std::string& source);
+std::optional<Mistake> cut_off_from_last_good(const std::filesystem::path& file, const std::filesystem::path& state);
+
 // For people: "the last settings that worked are used".
 std::string in_words(SettingsFrom from);
 

@@ -54,10 +54,15 @@ class Installed {
             return told.is_object() && told["settings"]["from"] == from;
         });
     }
+    // Written after the health that is told beside it.
+    void wait_for_metric(Process& exhibit, const char* sample) const {
+        wait_until(exhibit, sample,
+                   [&] { return contents_of(folder / "run/quadrat.prom").find(sample) != std::string::npos; });
+    }
     void end(Process& exhibit) const {
         exhibit.kill(SIGTERM);
         EXPECT_TRUE(succeeds(exhibit.wait()));
-        std::filesystem::remove(folder / "run/health.json");
+        for (const char* told : {"run/health.json", "run/quadrat.prom"}) std::filesystem::remove(folder / told);
     }
     TemporaryFolder folder;
 };
@@ -80,7 +85,7 @@ TEST(LastSettings, AreKeptAfterAMinuteAndUsedWhenTheFileIsWrongEmptyCutOrGone) {
         exhibit.wait_for_settings_of(next, "last good");
         EXPECT_EQ(exhibit.health()["settings"]["mistakes"][0]["file"], "quadrat.toml") << toml;
         EXPECT_EQ(exhibit.health()["verdict"], "doubtful") << toml;
-        EXPECT_THAT(contents_of(exhibit.folder / "run/quadrat.prom"), HasSubstr("quadrat_settings_up 0\n"));
+        exhibit.wait_for_metric(next, "quadrat_settings_up 0\n");
         EXPECT_THAT(exhibit.log(), HasSubstr("the last settings that worked are used"));
         exhibit.end(next);
     }
@@ -100,7 +105,7 @@ TEST(LastSettings, WithoutAnyTheDefaultsAreUsedAndWhoCorrectsTheFileIsHeard) {
     exhibit.settings("[visit]\nrounds = 4\n");
     exhibit.wait_for_settings_of(first, "file");
     EXPECT_TRUE(exhibit.health()["settings"]["mistakes"].empty());
-    EXPECT_THAT(contents_of(exhibit.folder / "run/quadrat.prom"), HasSubstr("quadrat_settings_up 1\n"));
+    exhibit.wait_for_metric(first, "quadrat_settings_up 1\n");
     exhibit.end(first);
 }
 
@@ -131,7 +136,6 @@ TEST(LastSettings, AScreenThatCannotBeOpenedIsASlipTooForAServiceAndARefusalForP
     const Installed exhibit;
     for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY"}) ::unsetenv(variable);
     exhibit.settings("[screen]\ndisplay = \"window\"\n[picture]\nland_samples = 65\n");
-    exhibit.folder.write("state-of-before", "");
     std::filesystem::create_directory(exhibit.folder / "state");
     exhibit.folder.write("state/last-good.toml", "[screen]\ndisplay = \"headless\"\n[picture]\nland_samples = 65\n");
     auto command = exhibit.command();

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "kiosk/settings.hpp"
+
 namespace quadrat::kiosk::staff {
 
 namespace fs = std::filesystem;
@@ -13,7 +15,8 @@ Watch::Watch(fs::path configuration_file, std::optional<std::string> held, fs::p
     : configuration_file_(std::move(configuration_file)),
       runtime_(std::move(runtime)),
       state_(std::move(state)),
-      held_(std::move(held)) {}
+      held_(std::move(held)),
+      worked_(held_.value_or("")) {}
 
 Watch::Stamp Watch::stamp_of(const fs::path& file) {
     struct stat status {};
@@ -31,6 +34,9 @@ std::optional<Seen::Changed> Watch::changed_settings() {
     std::optional<std::string> holds;
     CheckedConfiguration checked = check_configuration_file(configuration_file_, &holds);
     if (holds == std::exchange(held_, holds)) return std::nullopt;
+    if (auto cut = cut_off(holds.value_or(""), worked_, configuration_file_.string()); cut && checked.is_usable())
+        checked.mistakes.push_back(std::move(*cut));
+    if (checked.is_usable()) worked_ = *holds;
     return Seen::Changed{std::move(checked), std::move(holds).value_or("")};
 }
 

@@ -45,6 +45,7 @@ class Watch {
 
     std::filesystem::path configuration_file_, runtime_, state_;
     std::optional<std::string> held_;
+    std::string worked_;  // what it held last that could be used
     std::optional<Stamp> seen_, read_;
 };
 

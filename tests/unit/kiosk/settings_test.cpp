@@ -64,6 +64,17 @@ TEST_F(AService, BeginsWithTheDefaultsWhereNoneHasWorkedYet) {
               (Mistake{file_.string(), 2, "visit.rounds is 300", "it must lie between 1 and 50"}));
 }
 
+TEST_F(AService, KnowsAFileThatIsCutInTheMiddleOfALineByTheLastThatWorked) {
+    keep_last_good(folder_.path(), "[visit]\nrounds = 12\npatience_s = 30\n");
+    const Settings cut = begun_with("[visit]\nrounds = 1");
+    EXPECT_EQ(cut.from, SettingsFrom::LastGood);
+    EXPECT_EQ(cut.configuration.visit.rounds, 12);
+    EXPECT_EQ(cut.mistakes.front().line, 2);
+    EXPECT_EQ(begun_with("[visit]\nrounds = 12").from, SettingsFrom::File) << "the last line was deleted";
+    EXPECT_EQ(begun_with("[visit]\nrounds = 1\n").from, SettingsFrom::File) << "that is another number";
+    EXPECT_EQ(begun_with("[visit]\nrounds = 13").from, SettingsFrom::File);
+}
+
 TEST_F(AService, TakesOfTheLastThatWorkedWhatIsStillRight) {
     keep_last_good(folder_.path(), "[visit]\nrounds = 4\npatience_s = 9999\n");
     const Settings settings = begun_with(kWrong);

@@ -206,6 +206,8 @@ TEST_F(AWatchedFile, IsToldOfOnceWhenItChangesAndWhenItCannotBeUsed) {
 TEST_F(AWatchedFile, ThatIsEmptiedOrGoneIsAMistakeAndIsFineWhenItIsBack) {
     folder_.write("quadrat.toml", "");
     EXPECT_THAT(mistake_of(look_twice()), HasSubstr("empty"));
+    folder_.write("quadrat.toml", "[visit]\nround");
+    EXPECT_THAT(mistake_of(look_twice()), HasSubstr("quadrat.toml:2: "));
     std::filesystem::remove(file_);
     EXPECT_THAT(mistake_of(look_twice()), HasSubstr("quadrat.toml: cannot read"));
     EXPECT_FALSE(look_twice().settings.has_value()) << "once";
