@@ -175,6 +175,7 @@ CheckedConfiguration check_configuration(std::string_view toml, const std::strin
         read_all(reader, checked.configuration, without_font);
         checked.mistakes.insert(checked.mistakes.end(), reader.mistakes().begin(), reader.mistakes().end());
     }
+    for (Mistake& mistake : checked.mistakes) mistake = on_one_line(std::move(mistake));
     std::ranges::stable_sort(checked.mistakes, {}, &Mistake::line);
     return checked;
 }

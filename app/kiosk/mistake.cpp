@@ -15,7 +15,27 @@ std::string lines_of(const std::vector<Mistake>& mistakes) {
     return lines;
 }
 
+std::string escaped(const std::string& text) {
+    std::string line;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '\n')
+            line += "\\n";
+        else if (byte < ' ' || byte == 127)
+            line += fmt::format("\\x{:02x}", byte);
+        else
+            line += c;
+    }
+    return line;
+}
+
 }  // namespace
+
+Mistake on_one_line(Mistake mistake) {
+    mistake.what = escaped(mistake.what);
+    mistake.remedy = escaped(mistake.remedy);
+    return mistake;
+}
 
 std::string to_text(const Mistake& mistake) {
     return fmt::format("{}{}: {}{}{}", mistake.file, mistake.line > 0 ? fmt::format(":{}", mistake.line) : "",
