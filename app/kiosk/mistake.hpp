@@ -20,7 +20,8 @@ struct Mistake {
 // "site.toml:2: visit.rounds is 900; it must lie between 1 and 50"
 std::string to_text(const Mistake& mistake);
 
-// The same without control characters, which would break a line of the log or colour a terminal: \n stands for a new line.
+// The same without control characters, which would break a line of the log or colour a terminal: \n stands for a new
+// line.
 Mistake on_one_line(Mistake mistake);
 
 // A message of the form "what is wrong; what would be right", taken apart at its last semicolon.
