@@ -27,8 +27,12 @@ std::vector<std::string> subcommands_of(CLI::App& app) {
     return names;
 }
 
-int refuse(const char* what) {
-    std::fprintf(stderr, "quadrat: %s\n", what);
+// A line for each thing that is wrong.
+int refuse(const std::string& what) {
+    std::size_t begin = 0;
+    for (std::size_t end = what.find('\n'); end != std::string::npos; end = what.find('\n', begin = end + 1))
+        std::fprintf(stderr, "quadrat: %s\n", what.substr(begin, end - begin).c_str());
+    std::fprintf(stderr, "quadrat: %s\n", what.substr(begin).c_str());
     return kBadUsage;
 }
 
@@ -56,7 +60,7 @@ int parse_and_act(int argc, const char* const* argv) {
     // CLI11 would call a misspelt subcommand a missing one.
     const std::vector<std::string> known = subcommands_of(app);
     if (argc > 1 && argv[1][0] != '-' && std::ranges::find(known, argv[1]) == known.end())
-        return refuse(fmt::format("{} is not a subcommand; there are {}", argv[1], fmt::join(known, ", ")).c_str());
+        return refuse(fmt::format("{} is not a subcommand; there are {}", argv[1], fmt::join(known, ", ")));
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

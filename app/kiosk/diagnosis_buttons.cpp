@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "kiosk/diagnosis_access.hpp"
+#include "kiosk/screen.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -59,6 +61,28 @@ std::optional<Finding> beside_finding(const std::string& spec, const std::vector
     return Finding{"buttons", Health::Good, fmt::format("{} would hear {}", spec, status.reason), ""};
 }
 
+// What an exhibit hears that names no input: whatever HID controller there is, and the keyboard in a window.
+Finding unnamed_finding(const Configuration& configuration, const OpenButtons& open) {
+    if (configuration.screen.display == "headless")
+        return {"buttons", Health::Good, "none are named, and no screen is: a visitor is played", ""};
+    const bool is_window = configuration.screen.display == "window";
+    Finding finding = input_finding(default_inputs("kms").front(), open);
+    finding.what = "none are named in the configuration; " + finding.what;
+    if (finding.health != Health::Bad) return finding;
+    if (is_window)
+        return {"buttons", Health::Good, "none are named in the configuration; the window's keyboard is", ""};
+    finding.remedy = "nobody can press anything: name yours under buttons.inputs, or plug a controller in";
+    return finding;
+}
+
+// A keyboard reaches a window alone.
+std::optional<Finding> keyboard_finding(const Configuration& configuration) {
+    const bool is_all = std::ranges::all_of(configuration.inputs, [](const auto& spec) { return spec == "keyboard"; });
+    if (!is_all || configuration.screen.display != "kms") return std::nullopt;
+    return Finding{"buttons", Health::Bad, "buttons.inputs names the keyboard alone, which only a window hears",
+                   "name buttons: hid: or gpio:…; or write display = \"window\""};
+}
+
 }  // namespace
 
 std::vector<Finding> examine_buttons(const Configuration& configuration, const std::optional<Account>& exhibit,
@@ -69,8 +93,9 @@ std::vector<Finding> examine_buttons(const Configuration& configuration, const s
         if (auto map = map_finding(spec, exhibit)) findings.push_back(std::move(*map));
     }
     if (configuration.inputs.empty())
-        findings.push_back({"buttons", Health::Doubtful, "none are named in the configuration",
-                            "without them the first HID controller is used; name yours under buttons.inputs"});
+        findings.push_back(unnamed_finding(configuration, open));
+    else if (auto keyboard = keyboard_finding(configuration))
+        findings.push_back(std::move(*keyboard));
     findings.push_back(access_finding({"buttons", "GPIO chips", "gpiochip", "gpio"}, dev, exhibit));
     findings.push_back(access_finding({"buttons", "HID devices", "hidraw", "input"}, dev, exhibit));
     findings.push_back(access_finding({"buttons", "input devices", "event", "input"}, dev / "input", exhibit));

@@ -60,4 +60,14 @@ std::filesystem::path watched_folder(const std::string& named_state, const Servi
     return staff::runtime_folder(state_folder(named_state));
 }
 
+std::filesystem::path tended_configuration(const std::string& named, const std::string& named_state,
+                                           const ServiceFolders& service) {
+    if (!named.empty()) return named;
+    std::error_code error;
+    // A service whose file is gone has lost its settings: that is to be found, not passed over.
+    const bool is_installed =
+        std::filesystem::exists(service.configuration, error) || std::filesystem::is_directory(service.state, error);
+    return is_installed && is_the_services(named_state, service) ? service.configuration : std::filesystem::path{};
+}
+
 }  // namespace quadrat::kiosk

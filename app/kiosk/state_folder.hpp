@@ -18,6 +18,7 @@ void require_state_folder(const std::string& named);
 struct ServiceFolders {
     std::filesystem::path state = "/var/lib/quadrat";
     std::filesystem::path runtime = "/run/quadrat";
+    std::filesystem::path configuration = "/etc/quadrat/quadrat.toml";
 };
 
 // The same for whoever looks after an exhibit from a terminal: the named folder, else the installed service's where
@@ -30,5 +31,10 @@ bool is_the_services(const std::string& named_state, const ServiceFolders& servi
 // The folder in which a running exhibit tells how it is and looks for requests: the installed service's, unless the
 // state folder of another is named.
 std::filesystem::path watched_folder(const std::string& named_state, const ServiceFolders& service = {});
+
+// The settings that whoever looks after an exhibit means: the named file, else the installed service's where there is a
+// service, else none.
+std::filesystem::path tended_configuration(const std::string& named, const std::string& named_state,
+                                           const ServiceFolders& service = {});
 
 }  // namespace quadrat::kiosk

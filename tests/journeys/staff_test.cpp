@@ -220,7 +220,7 @@ TEST(Staff, ThreeFailuresLeadToSafeModeAndPersistentOnesToOneReboot) {
 TEST(Staff, TheVisitorsGenerationIsBackWithinThreeSecondsOfAKill) {
     const Service service("at 4s press A\nafter 1s press B\nwait 600s\n");
     // The land as fine as the exhibit has it.
-    service.folder.write("quadrat.toml", "");
+    service.folder.write("quadrat.toml", "# the defaults\n");
     Process exhibit(service.command(), service.folder.path());
     service.wait_for_log(exhibit, "press B");
     exhibit.kill(SIGKILL);

@@ -43,7 +43,9 @@ void write_quietly(const std::filesystem::path& file, const std::string& text) {
 }  // namespace
 
 Caretaker::Caretaker(const CaretakerParts& parts)
-    : parts_(parts), watch_(parts.configuration_file, parts.runtime, parts.state) {
+    : parts_(parts),
+      watch_(parts.settings.file, parts.settings.held, parts.runtime, parts.state),
+      settings_(parts.settings) {
     doorkeeper_.follow(parts_.configuration.hours, parts_.configuration.closing);
     seen_.wall.is_trusted = false;  // until it was looked at
     faults_ = base::recent_warnings().count;
@@ -62,6 +64,7 @@ void Caretaker::look(Panel& panel, Show& show, Instant now) {
     }
     raise_curtain(show, now);
     watch_faults(now);
+    keep_proved_settings(now);
     const bool has_news = has_looked_ && shown_since_ && now >= *shown_since_ + kFirstReport;
     const bool is_reporting = has_news && is_due(reported_at_, kReportEvery, now);
     const bool is_drawing =
@@ -88,7 +91,7 @@ void Caretaker::look_outside(Instant now) {
         Seen seen = watch_.look();
         const std::scoped_lock lock(mutex_);
         // A look that nobody has taken up yet may have seen what this one does not see any more.
-        if (fresh_ && !seen.configuration) seen.configuration = std::move(fresh_->configuration);
+        if (fresh_ && !seen.settings) seen.settings = std::move(fresh_->settings);
         fresh_ = std::move(seen);
     });
 }
@@ -98,14 +101,37 @@ void Caretaker::take_over(Seen seen, Show& show) {
     seen_ = std::move(seen);
     has_looked_ = true;
     if (seen_.is_picture_asked) answer_picture_wish();
-    if (!seen_.configuration_trouble.empty())
-        base::log::error("configuration: {}; the exhibit goes on as it was", seen_.configuration_trouble);
-    if (!seen_.configuration) return;
-    const std::string later = apply(*seen_.configuration, parts_.configuration);
-    seen_.configuration.reset();
+    if (auto changed = std::exchange(seen_.settings, std::nullopt)) take_over(std::move(*changed), show);
+}
+
+void Caretaker::take_over(Seen::Changed changed, Show& show) {
+    if (!changed.checked.is_usable()) {
+        for (const Mistake& mistake : changed.checked.mistakes)
+            base::log::error("configuration: {}; the exhibit goes on as it was", to_text(mistake));
+        settings_.refuse(std::move(changed.checked.mistakes));
+        return;
+    }
+    if (parts_.adjust) parts_.adjust(changed.checked.configuration);
+    const std::string later = apply(changed.checked.configuration, parts_.configuration);
+    settings_.follow(std::move(changed.toml), later);
     show.follow(parts_.configuration);
     doorkeeper_.follow(parts_.configuration.hours, parts_.configuration.closing);
     base::log::info("configuration: read anew{}", later.empty() ? "" : "; after a restart also: " + later);
+    reported_at_.reset();
+}
+
+void Caretaker::keep_proved_settings(Instant now) {
+    const bool is_shown = shown_since_ && screen_trouble_.empty() && curtain_ != Curtain::Dark;
+    auto proved = settings_.take_proved(now, is_shown);
+    if (!proved || !parts_.keeps_settings) return;
+    errands_.send([state = parts_.state, toml = std::move(*proved)] {
+        try {
+            keep_last_good(state, toml);
+            base::log::info("configuration: kept as the last that worked");
+        } catch (const base::InputError& error) {
+            base::log::warn("configuration: it cannot be kept as the last that worked: {}", error.what());
+        }
+    });
 }
 
 // Staff ask for the log when an exhibit was dark, or was not: what it took for the time is there.
@@ -254,6 +280,7 @@ Vitals Caretaker::vitals(const Panel& panel, const Show& show, Instant now) cons
     vitals.state_trouble = show.state_trouble();
     vitals.free_mb = seen_.free_mb;
     vitals.faults = base::recent_warnings().lines;
+    vitals.settings = settings_.news();
     return vitals;
 }
 

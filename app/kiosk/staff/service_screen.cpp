@@ -154,6 +154,8 @@ Board ServiceScreen::board(const Vitals& vitals, Instant now) const {
     if (is_absent) lines.push_back("BUTTONS MISSING: " + vitals.buttons.reason);
     for (const auto& finding : vitals.findings)
         lines.push_back(fmt::format("button {} is {}", name_of(finding.button), name_of(finding.ailment)));
+    const auto settings = lines_for_staff(vitals.settings);
+    lines.insert(lines.end(), settings.begin(), settings.end());
     const std::size_t first = vitals.faults.size() - std::min(kFaultsShown, vitals.faults.size());
     for (std::size_t i = first; i < vitals.faults.size(); ++i) lines.push_back(vitals.faults[i]);
     lines.emplace_back();

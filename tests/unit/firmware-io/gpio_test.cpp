@@ -214,6 +214,20 @@ TEST(GpioButtons, GoesOnWithTheLinesThatCanBeHadAndTakesTheOthersWhenTheyAreFree
     EXPECT_THAT(buttons.status().reason, HasSubstr("GPIO lines A=GPIO17, B=GPIO27"));
 }
 
+TEST(GpioButtons, WhatIsWrongWithAllLinesIsSaidOnce) {
+    auto machine = std::make_shared<FakeGpioMachine>();
+    gpio::Wiring wiring;
+    wiring.contacts = {{Button::A, {"GPIO17", {}}}, {Button::B, {"GPIO27", {}}}};
+    wiring.lamps = {{Button::A, {"GPIO5", {}}}};
+    EXPECT_EQ((gpio::GpioButtons{std::make_unique<FakeGpioHost>(machine), wiring}.look().reason),
+              "GPIO lines GPIO17, GPIO27, GPIO5: this machine has no GPIO chip; use hid: or load the chip's driver");
+    machine->chips = {chip_of("/dev/gpiochip0", "pinctrl-fake", {"GPIO17"})};
+    machine->chips[0].lines[0].holder = "spi0 CS1";
+    EXPECT_EQ((gpio::GpioButtons{std::make_unique<FakeGpioHost>(machine), wiring}.look().reason),
+              "GPIO line GPIO17 is held by spi0 CS1; stop that, or wire the button to another line; "
+              "GPIO lines GPIO27, GPIO5 are on no GPIO chip; the command gpioinfo lists the lines");
+}
+
 TEST(GpioButtons, ALineThatCannotBeHadAloneIsAbsentWithTheReason) {
     Panel panel;
     panel.machine->chips[0].lines[0].holder = "spi0 CS1";

@@ -198,7 +198,7 @@ const std::vector<Broken>& broken_machines() {
          },
          Health::Doubtful, "its last end was: watchdog", "journalctl -u quadrat"},
         {"HeldLine", [](const tests::TemporaryFolder&) { return lines_held_by("spi0 CS1"); }, Health::Bad,
-         "GPIO17 is held by spi0 CS1", "GPIO line GPIO5 is held by spi0 CS1; stop that"},
+         "GPIO lines GPIO17, GPIO5 are held by spi0 CS1", "stop that"},
         {"HeldByUs", [](const tests::TemporaryFolder&) { return lines_held_by("quadrat"); }, Health::Good,
          "GPIO lines A=GPIO17, lamp A=GPIO5", ""},
         {"DamagedMapOfButtons",
@@ -225,7 +225,7 @@ const std::vector<Broken>& broken_machines() {
          },
          Health::Doubtful, "shows the year 1970", "timedatectl set-ntp true"},
         {"BrokenSettings", [](const tests::TemporaryFolder& m) { return configured(m, "[visit]\nrounds = 900\n"); },
-         Health::Bad, "quadrat.toml:2: visit.rounds is 900", "correct that line"},
+         Health::Bad, "quadrat.toml:2: visit.rounds is 900", "between 1 and 50"},
         {"StoppedService",
          [](const tests::TemporaryFolder& m) {
              m.write("health.json", "{}");

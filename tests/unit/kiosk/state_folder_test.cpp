@@ -95,6 +95,21 @@ TEST(StateFolder, ThatIsNamedToBeReadMustBeThere) {
     EXPECT_THROW(require_state_folder((machine / "nope").string()), base::InputError);
 }
 
+TEST(StateFolder, WhoTendsAnExhibitReadsTheSettingsThatTheServiceReads) {
+    const tests::TemporaryFolder machine;
+    const ServiceFolders service{machine / "state", machine / "run", machine / "site.toml"};
+    EXPECT_EQ(tended_configuration("", "", service), "") << "no service is installed: the defaults are meant";
+    machine.write("site.toml", "# the defaults\n");
+    EXPECT_EQ(tended_configuration("", "", service), service.configuration);
+    EXPECT_EQ(tended_configuration("", service.state, service), "") << "of that name there is none yet";
+    fs::create_directory(service.state);
+    EXPECT_EQ(tended_configuration("", service.state, service), service.configuration);
+    EXPECT_EQ(tended_configuration("mine.toml", "", service), "mine.toml");
+    EXPECT_EQ(tended_configuration("", machine / "other", service), "") << "another exhibit, with settings of its own";
+    fs::remove(service.configuration);
+    EXPECT_EQ(tended_configuration("", "", service), service.configuration) << "lost: that is what is to be found";
+}
+
 TEST(LearnButtons, WhatRootLearnsTheServiceMayRead) {
     const tests::TemporaryFolder state;
     const mode_t before = ::umask(077);
