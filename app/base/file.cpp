@@ -67,6 +67,10 @@ void write_file_by(const fs::path& path, const std::function<void(const fs::path
     }
 }
 
+void flush_file(const fs::path& path) { flush(path, O_RDONLY); }
+
+void flush_folder(const fs::path& folder) { flush(folder, O_RDONLY | O_DIRECTORY); }
+
 void require_writable(const fs::path& path) {
     constexpr int kMode = 0600;
     std::error_code error;

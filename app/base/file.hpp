@@ -20,6 +20,10 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 void write_file_by(const std::filesystem::path& path,
                    const std::function<void(const std::filesystem::path& temporary)>& write);
 
+// What was written to a file, and what was moved within a folder, is on the disk then. Both throw InputError naming it.
+void flush_file(const std::filesystem::path& path);
+void flush_folder(const std::filesystem::path& folder);
+
 // Throws InputError naming the file where write_file could not leave one: its folder is missing or closed to us, or
 // what is there is no file. Asked before long work, so that its result is not lost.
 void require_writable(const std::filesystem::path& path);

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <cstdio>
 
+#include "base/error.hpp"
 #include "exhibit/archive.hpp"
+#include "exhibit/state_file.hpp"
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/state_folder.hpp"
+#include "kiosk/state_hold.hpp"
 
 namespace quadrat::kiosk::commands {
 namespace {
@@ -14,7 +19,13 @@ struct Options {
 };
 
 int move(const Options& options) {
-    const int before = exhibit::move_state(state_folder(options.state), options.version);
+    const auto folder = tended_state_folder(options.state);
+    std::error_code error;
+    if (!std::filesystem::exists(folder / exhibit::kStateFile, error))
+        throw base::InputError(fmt::format("{}: there is no state file; name its folder with --state",
+                                           (folder / exhibit::kStateFile).string()));
+    const auto lock = hold_state(folder, "quadrat state --move-to");
+    const int before = exhibit::move_state(folder, options.version);
     std::printf("the state file is of version %d now; it was of version %d\n", options.version, before);
     return 0;
 }
