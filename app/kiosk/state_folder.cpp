@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kiosk/state_folder.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 
+#include "base/error.hpp"
 #include "kiosk/staff/machine.hpp"
 
 namespace quadrat::kiosk {
@@ -13,6 +16,13 @@ std::filesystem::path state_folder(const std::string& named) {
     if (const char* state = std::getenv("XDG_STATE_HOME")) return std::filesystem::path(state) / "quadrat";
     if (const char* home = std::getenv("HOME")) return std::filesystem::path(home) / ".local/state/quadrat";
     return "quadrat-state";
+}
+
+std::filesystem::path existing_state_folder(const std::string& named) {
+    std::error_code error;
+    if (!named.empty() && !std::filesystem::is_directory(named, error))
+        throw base::InputError(fmt::format("--state {}: there is no such folder", named));
+    return state_folder(named);
 }
 
 std::filesystem::path tended_state_folder(const std::string& named, const ServiceFolders& service) {

@@ -8,10 +8,14 @@ namespace quadrat::kiosk {
 // Where visits are kept: the named folder, else the service's ($STATE_DIRECTORY), else the user's.
 std::filesystem::path state_folder(const std::string& named);
 
+// The same for tools that read what is there: one that is named must be. Throws InputError.
+std::filesystem::path existing_state_folder(const std::string& named);
+
 // The folders of the installed service.
 struct ServiceFolders {
     std::filesystem::path state = "/var/lib/quadrat";
     std::filesystem::path runtime = "/run/quadrat";
+    std::filesystem::path settings = "/etc/quadrat/quadrat.toml";
 };
 
 // The same for whoever looks after an exhibit from a terminal: the named folder, else the installed service's where

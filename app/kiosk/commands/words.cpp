@@ -48,18 +48,9 @@ const genome::Language& language_named(const std::string& code) {
     return genome::language(code);
 }
 
-// The folder that was named, which must be there, or the usual one, which need not.
-std::filesystem::path folder_of(const Options& options) {
-    const std::filesystem::path folder = state_folder(options.state);
-    std::error_code error;
-    if (!options.state.empty() && !std::filesystem::is_directory(folder, error))
-        throw base::InputError(fmt::format("--state {}: there is no such folder", options.state));
-    return folder;
-}
-
 // With --state the site's own; otherwise the one that the program brings along.
 breeding::WordMap map_for(const Options& options) {
-    return options.state.empty() ? breeding::default_word_map() : site_words(folder_of(options)).map;
+    return options.state.empty() ? breeding::default_word_map() : site_words(existing_state_folder(options.state)).map;
 }
 
 int show(const Options& options) {
@@ -131,7 +122,7 @@ exhibit::WordAnswers answers_of(const std::filesystem::path& folder) {
 
 // What is in the files replaces what the curator taught before; what visitors said is read again.
 int train(const Options& options) {
-    const std::filesystem::path folder = folder_of(options);
+    const std::filesystem::path folder = state_folder(options.state);
     std::error_code ignored;  // where it cannot be made, the lock says so
     std::filesystem::create_directories(folder, ignored);
     const auto lock = hold_state(folder, "quadrat words train");
@@ -181,7 +172,7 @@ int tell_own(const Options& options) {
 }
 
 int export_lessons(const Options& options) {
-    const std::filesystem::path folder = folder_of(options);
+    const std::filesystem::path folder = existing_state_folder(options.state);
     const exhibit::WordAnswers answers = exhibit::word_answers_in(folder);
     write_or_refuse(options.output, to_json(breeding::Lessons{site_words(folder).lessons.curator,
                                                               breeding::lessons_from(answers.readable)}));
@@ -212,7 +203,7 @@ std::filesystem::path keep_copy(const std::filesystem::path& folder, const exhib
 }
 
 int forget(const Options& options) {
-    const std::filesystem::path folder = folder_of(options);
+    const std::filesystem::path folder = existing_state_folder(options.state);
     const auto lock = hold_state(folder, "quadrat words forget");
     const exhibit::WordAnswers answers = exhibit::word_answers_in(folder);
     const breeding::Lessons lessons = site_words(folder).lessons;
