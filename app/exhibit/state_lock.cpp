@@ -97,7 +97,7 @@ StateLock lock_or_refuse(const fs::path& directory, const LockHolder& self) {
     if (!attempt.holder) throw base::InputError(attempt.trouble);
     const std::string& how = attempt.holder->how_to_end;
     throw base::InputError(fmt::format("{} is in use by {}{}", directory.string(), to_text(*attempt.holder),
-                                       how.empty() ? "" : "; end that first: " + how));
+                                       how.empty() ? "; wait until it is done" : "; end that first: " + how));
 }
 
 std::optional<LockHolder> holder_of(const fs::path& directory) {

@@ -14,7 +14,7 @@ struct LockHolder {
     std::string process;     // its number
     std::string host;        // a folder may lie on another machine
     std::string since;       // "2026-11-26 11:20:00 UTC"
-    std::string how_to_end;  // "systemctl stop quadrat"
+    std::string how_to_end;  // "systemctl stop quadrat"; "": it ends by itself
     friend bool operator==(const LockHolder&, const LockHolder&) = default;
 };
 // "the exhibit (process 1234 on foyer, since 2026-11-26 11:20:00 UTC)"

@@ -60,7 +60,7 @@ std::optional<exhibit::LockAttempt> wait_for_it(const fs::path& folder, const Lo
 }  // namespace
 
 exhibit::StateLock hold_state(const fs::path& folder, const std::string& tool) {
-    auto lock = exhibit::lock_or_refuse(folder, {tool, "", "", "", "it ends by itself"});
+    auto lock = exhibit::lock_or_refuse(folder, {tool, "", "", "", ""});
     complete_restore(folder);
     return lock;
 }

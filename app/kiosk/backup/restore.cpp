@@ -175,7 +175,9 @@ class Restorer {
         tell_settings(lines);
         if (options_.identity == Identity::OfTheMachine)
             lines.emplace_back("this machine stays another: visits begin anew, and its own name counts in the fleet");
-        lines.push_back(fmt::format("what was there lies in {}", (places_.state / before).string()));
+        std::error_code error;
+        if (fs::exists(places_.state / before, error))
+            lines.push_back(fmt::format("what was there lies in {}", (places_.state / before).string()));
         return lines;
     }
 

@@ -69,7 +69,6 @@ void move_if_there(const fs::path& state, const std::string& name, const fs::pat
 // Each step may be the last before the plug is pulled, and may be done already.
 void carry_out(const fs::path& state, const Note& note) {
     const fs::path before = state / note.before;
-    make_folder(state, before);
     std::error_code error;
     for (const std::string& name : site_files()) {
         const bool is_staged = std::ranges::find(note.staged, name) != note.staged.end();

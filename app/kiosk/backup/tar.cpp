@@ -13,6 +13,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 
 #include "base/error.hpp"
@@ -35,6 +36,15 @@ std::string why(archive* tar) {
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& what) {
     throw base::InputError(fmt::format("{}: {}", file.string(), what));
+}
+
+bool begins_as_xz(const fs::path& file) {
+    std::array<char, 6> head{};
+    std::ifstream(file, std::ios::binary).read(head.data(), head.size());
+    return std::string_view(head.data(), head.size()) == std::string_view(
+                                                             "\xfd"
+                                                             "7zXZ\0",
+                                                             head.size());
 }
 
 std::string text_of(const char* text) { return text != nullptr ? text : ""; }
@@ -81,6 +91,7 @@ void TarWriter::begin_entry(const std::string& name, std::uint64_t size, const O
     archive_entry_set_size(entry.get(), static_cast<la_int64_t>(size));
     archive_entry_set_filetype(entry.get(), AE_IFREG);
     archive_entry_set_perm(entry.get(), ownership.mode);
+    archive_entry_set_mtime(entry.get(), std::time(nullptr), 0);
     archive_entry_set_uname(entry.get(), ownership.user.c_str());
     archive_entry_set_gname(entry.get(), ownership.group.c_str());
     check(archive_write_header(tar_.get(), entry.get()));
@@ -178,13 +189,11 @@ void require_whole(const fs::path& file) {
     archive_read_support_filter_xz(raw.get());
     archive_read_support_format_raw(raw.get());
     archive_entry* entry = nullptr;
-    constexpr const char* kOther = "is not a backup of Quadrat";
-    if (archive_read_open_filename(raw.get(), file.c_str(), kPiece) != ARCHIVE_OK ||
-        archive_read_next_header(raw.get(), &entry) != ARCHIVE_OK ||
-        archive_filter_code(raw.get(), 0) != ARCHIVE_FILTER_XZ)
-        refuse(file, kOther);
+    if (!begins_as_xz(file)) refuse(file, "is not a backup of Quadrat");
+    bool is_open = archive_read_open_filename(raw.get(), file.c_str(), kPiece) == ARCHIVE_OK;
+    is_open = is_open && archive_read_next_header(raw.get(), &entry) == ARCHIVE_OK;
     std::array<char, kPiece> piece{};
-    la_ssize_t count = 1;
+    la_ssize_t count = is_open && archive_filter_code(raw.get(), 0) == ARCHIVE_FILTER_XZ ? 1 : -1;
     while (count > 0) count = archive_read_data(raw.get(), piece.data(), piece.size());
     if (count < 0) refuse(file, fmt::format("is damaged or cut off ({}); nothing was changed", why(raw.get())));
 }

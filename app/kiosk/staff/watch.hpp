@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "kiosk/configuration.hpp"
 #include "kiosk/staff/machine.hpp"
@@ -15,6 +16,7 @@ struct Seen {
     WallClock wall;
     std::optional<double> free_mb;
     bool is_picture_asked = false;
+    std::vector<std::string> earlier_faults;     // of the runs before this one, oldest first
     std::optional<Configuration> configuration;  // if its file has changed, and can be used
     std::string configuration_trouble;           // if it has changed, and cannot
 };
