@@ -25,10 +25,10 @@ namespace fs = std::filesystem;
     throw InputError(fmt::format("{}: {}: {}", path.string(), what, std::strerror(errno)));
 }
 
-void flush_folder(const fs::path& folder) {
-    const OwnedDescriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+void flush(const fs::path& path, int flags) {
+    const OwnedDescriptor fd(::open(path.c_str(), flags | O_CLOEXEC));
     // Some file systems cannot flush a directory; the rename is then as safe as they make it.
-    if (fd && ::fsync(fd.get()) != 0 && errno != EINVAL) fail(folder, "cannot flush to the disk");
+    if (fd && ::fsync(fd.get()) != 0 && errno != EINVAL) fail(path, "cannot flush to the disk");
 }
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
@@ -110,6 +110,25 @@ void write_file(const fs::path& path, std::string_view bytes) {
     const fs::path temporary = beside(path);
     try {
         write_whole(temporary, path, bytes);
+        if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, "cannot replace");
+        flush_folder(folder_of(path));
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
+        throw;
+    }
+}
+
+void flush_file(const fs::path& path) { flush(path, O_RDONLY); }
+
+void flush_folder(const fs::path& folder) { flush(folder, O_RDONLY | O_DIRECTORY); }
+
+void write_file_by(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+    require_file_or_nothing(path);
+    const fs::path temporary = beside(path);
+    try {
+        write(temporary);
+        flush_file(temporary);
         if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, "cannot replace");
         flush_folder(folder_of(path));
     } catch (...) {

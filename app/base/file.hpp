@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -14,6 +15,15 @@ std::string read_file(const std::filesystem::path& path, std::size_t limit_bytes
 // Replaces path by bytes, whole or not at all: written beside it, flushed to the disk, then renamed.
 // Throws InputError naming the file, also where what is there is no file.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+// The same for a writer that needs a path of its own (a picture library, say). The temporary path keeps the extension;
+// when write throws, nothing is left behind.
+void write_file_by(const std::filesystem::path& path,
+                   const std::function<void(const std::filesystem::path& temporary)>& write);
+
+// What was written to a file, and what was moved within a folder, is on the disk then. Both throw InputError naming it.
+void flush_file(const std::filesystem::path& path);
+void flush_folder(const std::filesystem::path& folder);
 
 // Throws InputError naming the file where write_file could not leave one: its folder is missing or closed to us, or
 // what is there is no file. Asked before long work, so that its result is not lost.

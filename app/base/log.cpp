@@ -24,7 +24,7 @@ class WarningSink final : public spdlog::sinks::base_sink<std::mutex> {
   public:
     RecentWarnings recent() {
         const std::scoped_lock lock(mutex_);
-        return {{lines_.begin(), lines_.end()}, count_};
+        return {{lines_.begin(), lines_.end()}, {warnings_.begin(), warnings_.end()}, count_};
     }
 
   private:
@@ -33,11 +33,14 @@ class WarningSink final : public spdlog::sinks::base_sink<std::mutex> {
         ++count_;
         lines_.push_back(fmt::format("{:%H:%M:%S} {}", fmt::localtime(spdlog::log_clock::to_time_t(message.time)),
                                      std::string_view(message.payload.data(), message.payload.size())));
+        warnings_.push_back({message.time, {message.payload.data(), message.payload.size()}});
         if (lines_.size() > kWarningsKept) lines_.pop_front();
+        if (warnings_.size() > kWarningsKept) warnings_.pop_front();
     }
     void flush_() override {}
 
     std::deque<std::string> lines_;
+    std::deque<Warning> warnings_;
     std::size_t count_ = 0;
 };
 

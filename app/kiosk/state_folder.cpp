@@ -42,6 +42,11 @@ void require_state_folder(const std::string& named) {
             "--state {}: there is no such folder; name the exhibit's, as /var/lib/quadrat, or leave it out", named));
 }
 
+std::filesystem::path existing_state_folder(const std::string& named) {
+    require_state_folder(named);
+    return state_folder(named);
+}
+
 std::filesystem::path tended_state_folder(const std::string& named, const ServiceFolders& service) {
     std::error_code error;
     if (named.empty() && std::filesystem::is_directory(service.state, error)) return service.state;

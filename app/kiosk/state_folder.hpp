@@ -13,6 +13,8 @@ std::filesystem::path state_folder(const std::string& named);
 
 // For those who only read there. Throws InputError where a folder is named and there is none.
 void require_state_folder(const std::string& named);
+// The same for tools that read what is there: one that is named must be. Throws InputError.
+std::filesystem::path existing_state_folder(const std::string& named);
 
 // The folders of the installed service.
 struct ServiceFolders {

@@ -212,7 +212,7 @@ TEST(Words, AreTrainedExportedAndForgottenFromWhatVisitorsSaid) {
     };
     EXPECT_NE(shown({"--state", "state"}), shown({}));
 
-    const Ended forgotten = run(program({"words", "--state", "state", "forget"}), folder);
+    const Ended forgotten = run(program({"words", "--state", "state", "forget", "--yes"}), folder);
     ASSERT_EQ(forgotten.status, 0) << forgotten.err;
     EXPECT_THAT(forgotten.out, testing::HasSubstr("3 answers are forgotten"));
     EXPECT_FALSE(std::filesystem::exists(folder / "state" / "words.previous.json"));

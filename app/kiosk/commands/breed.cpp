@@ -31,8 +31,7 @@ breeding::Session session_for(const Options& options) {
     breeding::BreederOptions breeder;
     const bool is_classic = options.genome == "classic";
     breeder.kind = breeding::breeder_named(!options.breeder.empty() ? options.breeder : is_classic ? "pbil" : "belief");
-    require_state_folder(options.state);
-    if (!options.state.empty()) breeder.map = site_words(options.state).map;
+    if (!options.state.empty()) breeder.map = site_words(existing_state_folder(options.state)).map;
     breeder.genome = is_classic ? genome::Genome::Classic : genome::Genome::Full;
     breeder.pbil.learning_rate = options.learning_rate;
     breeder.pbil.mutation = options.mutation;

@@ -26,6 +26,7 @@
 #include "kiosk/staff/machine.hpp"
 #include "kiosk/staff/presence.hpp"
 #include "kiosk/state_folder.hpp"
+#include "kiosk/state_hold.hpp"
 #include "kiosk/visitor.hpp"
 
 namespace quadrat::kiosk::commands {
@@ -315,6 +316,9 @@ int run(const Options& options) {
     if (!options.log_file.empty()) base::log_to_file_too(options.log_file);
     stop_on_signals();
     const fs::path state = state_folder(options.state);
+    const Starter starter = service_folder().empty() ? Starter::Hand : Starter::Service;
+    const ExhibitsHold hold = hold_state_for_the_exhibit(state, starter, stop_flag());
+    if (hold.was_stopped) return 0;
     staff::Ladder ladder(service_folder(), state, staff::uptime());
     try {
         return exhibit_until_the_end(options, ladder, state);

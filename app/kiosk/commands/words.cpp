@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 
@@ -12,11 +14,13 @@
 #include "breeding/words/own_word.hpp"
 #include "exhibit/word_answers.hpp"
 #include "genome/speech.hpp"
+#include "kiosk/backup/staged.hpp"
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/easel.hpp"
 #include "kiosk/growing.hpp"
 #include "kiosk/school.hpp"
 #include "kiosk/state_folder.hpp"
+#include "kiosk/state_hold.hpp"
 #include "kiosk/tree_view.hpp"
 
 namespace quadrat::kiosk::commands {
@@ -28,21 +32,32 @@ struct Options {
     std::string output;
     std::vector<std::string> files;
     bool is_anyway = false;
+    bool is_sure = false;
     double value = 1;
     std::string size = "320x180";
     int steps = 5;
     std::uint64_t seed = 1;
 };
 
+constexpr std::size_t kLargest = 64U << 20U;
+
+// Languages are looked for leniently elsewhere: an exhibit speaks in any case. Here somebody asked for one.
+const genome::Language& language_named(const std::string& code) {
+    const auto codes = genome::language_codes();
+    if (std::ranges::find(codes, code) == codes.end())
+        throw base::InputError(
+            fmt::format("--language {}: there is no such language; there are {}", code, fmt::join(codes, ", ")));
+    return genome::language(code);
+}
+
 // With --state the site's own; otherwise the one that the program brings along.
 breeding::WordMap map_for(const Options& options) {
-    require_state_folder(options.state);
-    return options.state.empty() ? breeding::default_word_map() : site_words(options.state).map;
+    return options.state.empty() ? breeding::default_word_map() : site_words(existing_state_folder(options.state)).map;
 }
 
 int show(const Options& options) {
     const breeding::WordMap map = map_for(options);
-    const genome::Language& language = genome::language(options.language);
+    const genome::Language& language = language_named(options.language);
     for (const genome::Aspect aspect : genome::kAspects) {
         int scenes = 0;
         for (const breeding::DescribedScene& scene : map.scenes()) scenes += scene.aspect == aspect;
@@ -69,7 +84,7 @@ int draw_sheet(const Options& options) {
     picture.height = size.height;
     const breeding::WordMap map = map_for(options);
     Easel easel(picture.width, picture.height);
-    const genome::Language& language = genome::language(options.language);
+    const genome::Language& language = language_named(options.language);
     const genome::Recipe seeds = genome::random_recipe(base::Seed{options.seed});
     std::vector<SheetEntry> entries;
     for (const genome::Word& word : genome::vocabulary()) {
@@ -108,6 +123,9 @@ exhibit::WordAnswers answers_of(const std::filesystem::path& folder) {
 // What is in the files replaces what the curator taught before; what visitors said is read again.
 int train(const Options& options) {
     const std::filesystem::path folder = state_folder(options.state);
+    std::error_code ignored;  // where it cannot be made, the lock says so
+    std::filesystem::create_directories(folder, ignored);
+    const auto lock = hold_state(folder, "quadrat words train");
     const SiteWords before = site_words(folder);
     breeding::Lessons wanted{before.lessons.curator, {}};
     if (!options.files.empty()) wanted.curator.clear();
@@ -143,7 +161,7 @@ int tell_own(const Options& options) {
     for (std::size_t i = 0; i < vocabulary.size(); ++i)
         fmt::print("  {:<14} {:+.2f}\n", vocabulary[i].name, own.direction.weights[i]);
     const genome::Description words = map.completed({}, std::vector{own.at(options.value)});
-    fmt::print("{:+.2f} is {}\n", options.value, genome::language(options.language).describe(words, own.aspect));
+    fmt::print("{:+.2f} is {}\n", options.value, language_named(options.language).describe(words, own.aspect));
     if (own.leave_one_out >= own.spread_of_said)
         std::cerr << fmt::format("words: {}: the words of the {} do not tell what it is\n", own.name,
                                  name_of(own.aspect));
@@ -156,23 +174,59 @@ int tell_own(const Options& options) {
 
 int export_lessons(const Options& options) {
     base::require_ending(options.output, {".json"}, "what was taught");
-    const std::filesystem::path folder = state_folder(options.state);
+    const std::filesystem::path folder = existing_state_folder(options.state);
     const exhibit::WordAnswers answers = exhibit::word_answers_in(folder);
     write_and_name(options.output, to_json(breeding::Lessons{site_words(folder).lessons.curator,
                                                              breeding::lessons_from(answers.readable)}));
     return 0;
 }
 
+// Whoever sits there says so; a script says it beforehand.
+void require_consent(const Options& options, std::size_t count) {
+    if (options.is_sure) return;
+    const std::string what = fmt::format("{} answers of visitors, and what was learnt of them, are deleted", count);
+    if (::isatty(STDIN_FILENO) == 0) throw base::InputError(what + "; to go on, say so with --yes");
+    fmt::print(stderr, "{}. Go on? Type yes: ", what);
+    std::string answer;
+    std::getline(std::cin, answer);
+    if (answer != "yes") throw base::InputError("nothing was deleted");
+}
+
+std::filesystem::path keep_copy(const std::filesystem::path& folder, const exhibit::WordAnswers& answers,
+                                const breeding::Lessons& lessons) {
+    using std::chrono::system_clock;
+    const auto now = std::chrono::time_point_cast<std::chrono::milliseconds>(system_clock::now());
+    const auto copy = folder / backup::dated_name(folder, "words.forgotten", now, ".json");
+    // Answers that are gone, with a damaged state file say, may still be in what was learnt of them.
+    const auto said = breeding::lessons_from(answers.readable);
+    base::write_file(copy, to_json(breeding::Lessons{lessons.curator, said.empty() ? lessons.visitors : said}));
+    exhibit::give_to_owner_of(folder, copy);
+    return copy;
+}
+
 int forget(const Options& options) {
-    const std::filesystem::path folder = state_folder(options.state);
-    const int count = exhibit::forget_word_answers_in(folder);
+    const std::filesystem::path folder = existing_state_folder(options.state);
+    const auto lock = hold_state(folder, "quadrat words forget");
+    const exhibit::WordAnswers answers = exhibit::word_answers_in(folder);
     const breeding::Lessons lessons = site_words(folder).lessons;
+    const std::size_t count = answers.readable.size() + static_cast<std::size_t>(answers.unreadable);
+    if (count == 0 && lessons.visitors.empty()) {
+        fmt::print("visitors have said nothing yet: there is nothing to forget\n");
+        return 0;
+    }
+    require_consent(options, count);
+    const std::filesystem::path copy = keep_copy(folder, answers, lessons);
+    exhibit::forget_word_answers_in(folder);
     if (!lessons.visitors.empty()) keep_site_words(folder, {lessons.curator, {}});
     // The map of before knows them too.
     std::error_code ignored;
     std::filesystem::remove(folder / "words.previous.json", ignored);
     fmt::print("{} answers are forgotten; {}\n", count,
                lessons.curator.empty() ? "the map is the default one" : "the map keeps what its curator taught");
+    if (answers.unreadable > 0) fmt::print("{} of them could not be read, and are in no copy\n", answers.unreadable);
+    fmt::print(
+        "what they had taught is in {}: quadrat words train FILE learns it again; delete it to forget for good\n",
+        copy.string());
     return 0;
 }
 
@@ -203,7 +257,7 @@ void add_words(CLI::App& app, Action& chosen) {
     sheet->add_option("--steps", options->steps, "Pictures a row")->check(CLI::Range(2, 21))->capture_default_str();
     sheet->add_option("--seed", options->seed, "Names the places")->capture_default_str();
     sheet->callback([options, &chosen] { chosen = [options] { return draw_sheet(*options); }; });
-    CLI::App* trained = command->add_subcommand("train", "Learn from what visitors said, and from files");
+    CLI::App* trained = command->add_subcommand("train", "Learn from what visitors said, and from files, with the exhibit stopped");
     trained->add_option("FILE", options->files, "Scenes described by a curator, instead of those taught before")
         ->default_str("none");
     trained->add_flag("--anyway", options->is_anyway, "Also where scenes could be told from one another less well");
@@ -221,7 +275,9 @@ void add_words(CLI::App& app, Action& chosen) {
     CLI::App* exported = command->add_subcommand("export", "Write what visitors and the curator taught, to train from");
     exported->add_option("-o,--output", options->output, "FILE.json")->required();
     exported->callback([options, &chosen] { chosen = [options] { return export_lessons(*options); }; });
-    CLI::App* forgotten = command->add_subcommand("forget", "Delete what visitors said, and what was learnt of it");
+    CLI::App* forgotten = command->add_subcommand(
+        "forget", "Delete what visitors said, and what was learnt of it, with the exhibit stopped; a dated copy stays");
+    forgotten->add_flag("--yes", options->is_sure, "Without being asked");
     forgotten->callback([options, &chosen] { chosen = [options] { return forget(*options); }; });
 }
 

@@ -24,6 +24,9 @@ constexpr Instant kRememberEvery = 1h;
 constexpr Instant kServiceEvery = 250ms;  // the service screen's figures
 constexpr Instant kFaultPictureEvery = 600s;
 constexpr int kFaultPictures = 4;
+constexpr std::string_view kFaultPicture = "fault-";
+
+bool is_of_a_fault(const std::filesystem::path& file) { return file.string().starts_with(kFaultPicture); }
 
 bool is_due(std::optional<Instant>& last, Instant every, Instant now) {
     if (last && now - *last < every) return false;
@@ -45,6 +48,7 @@ void write_quietly(const std::filesystem::path& file, const std::string& text) {
 Caretaker::Caretaker(const CaretakerParts& parts)
     : parts_(parts),
       watch_(parts.settings.file, parts.settings.held, parts.runtime, parts.state),
+      evidence_(parts.state),
       settings_(parts.settings) {
     doorkeeper_.follow(parts_.configuration.hours, parts_.configuration.closing);
     seen_.wall.is_trusted = false;  // until it was looked at
@@ -87,8 +91,10 @@ void Caretaker::look(Panel& panel, Show& show, Instant now) {
 
 void Caretaker::look_outside(Instant now) {
     if (!is_due(looked_at_, kLookEvery, now)) return;
-    errands_.send([this] {
+    errands_.send([this, now] {
         Seen seen = watch_.look();
+        evidence_.look(base::recent_warnings(), now);
+        seen.earlier_faults = evidence_.earlier();
         const std::scoped_lock lock(mutex_);
         // A look that nobody has taken up yet may have seen what this one does not see any more.
         if (fresh_ && !seen.settings) seen.settings = std::move(fresh_->settings);
@@ -224,7 +230,7 @@ void Caretaker::watch_faults(Instant now) {
     reported_at_.reset();
     if (faulted_at_ && now - *faulted_at_ < kFaultPictureEvery) return;
     faulted_at_ = now;
-    picture_wishes_.push_back(fmt::format("fault-{}.png", fault_pictures_++ % kFaultPictures + 1));
+    picture_wishes_.push_back(fmt::format("{}{}.png", kFaultPicture, fault_pictures_++ % kFaultPictures + 1));
 }
 
 std::string Caretaker::take_picture_wish() {
@@ -235,11 +241,12 @@ std::string Caretaker::take_picture_wish() {
 }
 
 void Caretaker::keep_picture(mesh::Image picture, const std::filesystem::path& file) {
-    errands_.send([runtime = parts_.runtime, file, picture = std::move(picture)] {
+    errands_.send([this, runtime = parts_.runtime, file, picture = std::move(picture)] {
         try {
             std::error_code exists;
             std::filesystem::create_directories((runtime / file).parent_path(), exists);
             write_png_quickly(runtime / file, picture);
+            if (is_of_a_fault(file)) evidence_.keep_picture(picture, std::chrono::system_clock::now());
         } catch (const base::InputError& error) {
             base::log::info("picture: {}", error.what());
         }
@@ -281,6 +288,7 @@ Vitals Caretaker::vitals(const Panel& panel, const Show& show, Instant now) cons
     vitals.free_mb = seen_.free_mb;
     vitals.faults = base::recent_warnings().lines;
     vitals.settings = settings_.news();
+    vitals.earlier_faults = seen_.earlier_faults;
     return vitals;
 }
 

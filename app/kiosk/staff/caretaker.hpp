@@ -11,6 +11,7 @@
 #include "kiosk/panel.hpp"
 #include "kiosk/show.hpp"
 #include "kiosk/staff/errands.hpp"
+#include "kiosk/staff/evidence.hpp"
 #include "kiosk/staff/hours.hpp"
 #include "kiosk/staff/ladder.hpp"
 #include "kiosk/staff/service_screen.hpp"
@@ -84,7 +85,8 @@ class Caretaker {
     void ask_for_power(const char* what);
 
     CaretakerParts parts_;
-    Watch watch_;  // used by the errands' thread alone
+    Watch watch_;        // used by the errands' thread alone
+    Evidence evidence_;  // likewise
     Doorkeeper doorkeeper_;
     ServiceScreen service_;
     SettingsInUse settings_;

@@ -66,7 +66,8 @@ struct Vitals {
     int visits = 0;
     std::string state_trouble;  // "" while everything is kept
     std::optional<double> free_mb;
-    std::vector<std::string> faults;  // the last warnings, oldest first
+    std::vector<std::string> faults;          // the last warnings, oldest first
+    std::vector<std::string> earlier_faults;  // those of the runs before this one, with their dates
     SettingsNews settings;
 };
 

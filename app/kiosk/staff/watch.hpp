@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "kiosk/configuration.hpp"
 #include "kiosk/staff/machine.hpp"
@@ -23,6 +24,7 @@ struct Seen {
     std::optional<double> free_mb;
     bool is_picture_asked = false;
     std::optional<Changed> settings;
+    std::vector<std::string> earlier_faults;     // of the runs before this one, oldest first
 };
 
 class Watch {
