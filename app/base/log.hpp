@@ -16,8 +16,12 @@ namespace log = spdlog;
 
 enum class LogDetail { Quiet, Normal, Verbose };
 
-// Once, at start. With a file, every line is written there too.
-void open_log(LogDetail detail, const std::filesystem::path& file = {});
+// Once, at start.
+void open_log(LogDetail detail);
+
+// From now on every line is written there too, after what is in the file already. At 4 MB, log.txt becomes log.1.txt
+// and a new one is begun; three of before are kept. Throws InputError naming the file where it cannot be written.
+void log_to_file_too(const std::filesystem::path& file);
 
 struct Warning {
     std::chrono::system_clock::time_point at;

@@ -12,6 +12,7 @@
 #include "kiosk/diagnosis_access.hpp"
 #include "kiosk/diagnosis_state.hpp"
 #include "kiosk/staff/machine.hpp"
+#include "kiosk/staff/wall_clock.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -117,17 +118,21 @@ std::vector<Finding> examine_state(const fs::path& directory, std::optional<doub
     return findings;
 }
 
-std::vector<Finding> examine_clock() { return examine_clock(staff::read_wall_clock(), false); }
-
-std::vector<Finding> examine_clock(const staff::WallClock& wall, bool closes_by_the_clock) {
-    const int year = static_cast<int>(wall.date.year());
-    if (wall.is_trusted) return {{"clock", Health::Good, "it can be trusted", ""}};
-    const char* follows = closes_by_the_clock
-                              ? "the opening hours are not followed until it is right: connect a network "
-                                "(timedatectl set-ntp true) or fit a clock module"
-                              : "nothing on the screen depends on it; for right dates: timedatectl set-ntp true";
-    return {{"clock", closes_by_the_clock ? Health::Doubtful : Health::Good,
-             fmt::format("nothing keeps it right, and it shows the year {}", year), follows}};
+std::vector<Finding> examine_clock(const staff::WallClock& wall, const staff::Hours& hours) {
+    const bool closes = !hours.is_always_open;
+    const std::string now = time_text(wall);
+    if (wall.is_trusted) {
+        const bool may_be_unset = closes && (wall.zone.starts_with("UTC") || wall.zone.starts_with("Etc/UTC"));
+        return {{"clock", Health::Good,
+                 fmt::format("{}: it can be trusted ({}); {}", now, wall.source, opening_text(hours, wall)),
+                 may_be_unset ? "the opening hours follow UTC: where the site's time is another, timedatectl "
+                                "set-timezone Europe/Berlin"
+                              : ""}};
+    }
+    return {{"clock", closes ? Health::Doubtful : Health::Good,
+             fmt::format("{}: nothing keeps it right: {}; {}", now, wall.doubt, opening_text(hours, wall)),
+             closes ? "the opening hours are not followed until it is right: " + wall.remedy
+                    : "nothing on the screen depends on it; for right dates: " + wall.remedy}};
 }
 
 Health worst_of(const std::vector<Finding>& findings) {

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
+#include "base/text_file.hpp"
 #include "kiosk/backup/staged.hpp"
 
 namespace quadrat::kiosk {
@@ -32,7 +33,7 @@ void set_aside_if_damaged(const fs::path& folder) {
 }
 
 SiteWords words_in(const fs::path& file) {
-    breeding::Lessons lessons = breeding::word_lessons_from(base::read_file(file, kLargest), file.string());
+    breeding::Lessons lessons = breeding::word_lessons_from(base::read_text(file, base::kJsonLimits), file.string());
     breeding::WordMap map = breeding::map_of(lessons);
     return {std::move(lessons), std::move(map)};
 }

@@ -63,7 +63,7 @@ fs::path settings_for(const Options& options, const fs::path& state) {
     if (!options.configuration.empty()) return options.configuration;
     const ServiceFolders service;
     std::error_code error;
-    return fs::equivalent(state, service.state, error) ? service.settings : fs::path{};
+    return fs::equivalent(state, service.state, error) ? service.configuration : fs::path{};
 }
 
 backup::Places places_for(const Options& options) {
@@ -133,10 +133,14 @@ void add_state(CLI::App& app, Action& chosen) {
         "state",
         "Back up what a site has made, put it onto this machine or another, or move it to another schema version.\n"
         "A backup is one file: settings, what visitors did, words, maps of buttons, what is known of the GPU");
-    command->add_option("--state", options->state,
-                        "Folder of what is kept between runs; without it, the service's where it is installed");
-    command->add_option("--config", options->configuration,
-                        "The site's settings; without it, /etc/quadrat/quadrat.toml for the service's folder");
+    command
+        ->add_option("--state", options->state,
+                     "Folder of what is kept between runs; without it, the service's where it is installed")
+        ->default_str("the service's, else ~/.local/state/quadrat");
+    command
+        ->add_option("--config", options->configuration,
+                     "The site's settings; without it, /etc/quadrat/quadrat.toml for the service's folder")
+        ->default_str("the service's, else none");
     auto* backup =
         command->add_option("--backup", options->backup, "Write all of it to FILE.tar.xz; the exhibit may run");
     auto* restored = command->add_option("--restore", options->restore,
@@ -153,6 +157,7 @@ void add_state(CLI::App& app, Action& chosen) {
         "Move the state file to a version, 1 to " + std::to_string(exhibit::state_version()) +
             ", so that an older program can go on with it; with the exhibit stopped. A newer program moves an older "
             "file by itself");
+    for (CLI::Option* option : {backup, restored, moved}) option->default_str("none");
     moved->check(CLI::Range(1, exhibit::state_version()));
     backup->excludes(restored)->excludes(moved);
     restored->excludes(moved);

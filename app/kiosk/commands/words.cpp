@@ -3,12 +3,14 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/text_file.hpp"
 #include "breeding/words/own_word.hpp"
 #include "exhibit/word_answers.hpp"
 #include "genome/speech.hpp"
@@ -39,15 +41,6 @@ struct Options {
 
 constexpr std::size_t kLargest = 64U << 20U;
 
-// Languages are looked for leniently elsewhere: an exhibit speaks in any case. Here somebody asked for one.
-const genome::Language& language_named(const std::string& code) {
-    const auto codes = genome::language_codes();
-    if (std::ranges::find(codes, code) == codes.end())
-        throw base::InputError(
-            fmt::format("--language {}: there is no such language; there are {}", code, fmt::join(codes, ", ")));
-    return genome::language(code);
-}
-
 // With --state the site's own; otherwise the one that the program brings along.
 breeding::WordMap map_for(const Options& options) {
     return options.state.empty() ? breeding::default_word_map() : site_words(existing_state_folder(options.state)).map;
@@ -55,7 +48,7 @@ breeding::WordMap map_for(const Options& options) {
 
 int show(const Options& options) {
     const breeding::WordMap map = map_for(options);
-    const genome::Language& language = language_named(options.language);
+    const genome::Language& language = genome::language(options.language);
     for (const genome::Aspect aspect : genome::kAspects) {
         int scenes = 0;
         for (const breeding::DescribedScene& scene : map.scenes()) scenes += scene.aspect == aspect;
@@ -82,7 +75,7 @@ int draw_sheet(const Options& options) {
     picture.height = size.height;
     const breeding::WordMap map = map_for(options);
     Easel easel(picture.width, picture.height);
-    const genome::Language& language = language_named(options.language);
+    const genome::Language& language = genome::language(options.language);
     const genome::Recipe seeds = genome::random_recipe(base::Seed{options.seed});
     std::vector<SheetEntry> entries;
     for (const genome::Word& word : genome::vocabulary()) {
@@ -107,9 +100,7 @@ int draw_sheet(const Options& options) {
     return 0;
 }
 
-void write_or_refuse(const std::string& output, std::string_view bytes) {
-    if (std::filesystem::is_directory(output))
-        throw base::InputError(fmt::format("--output: {} is a folder; name a file", output));
+void write_and_name(const std::string& output, std::string_view bytes) {
     base::write_file(output, bytes);
     std::cout << output << '\n';
 }
@@ -130,7 +121,7 @@ int train(const Options& options) {
     breeding::Lessons wanted{before.lessons.curator, {}};
     if (!options.files.empty()) wanted.curator.clear();
     for (const std::string& file : options.files) {
-        const breeding::Lessons read = breeding::word_lessons_from(base::read_file(file, kLargest), file);
+        const breeding::Lessons read = breeding::word_lessons_from(base::read_text(file, base::kJsonLimits), file);
         wanted.curator.insert(wanted.curator.end(), read.curator.begin(), read.curator.end());
     }
     const exhibit::WordAnswers answers = answers_of(folder);
@@ -151,31 +142,33 @@ int train(const Options& options) {
 
 // What a word of one's own means in words; with --output, the scene it asks for.
 int tell_own(const Options& options) {
+    if (!options.output.empty()) base::require_ending(options.output, {".json"}, "a scene");
     const breeding::WordMap map = map_for(options);
     const std::string& file = options.files.front();
-    const breeding::OwnWord own = breeding::own_word_from(base::read_file(file, kLargest), file, map);
+    const breeding::OwnWord own = breeding::own_word_from(base::read_text(file, base::kJsonLimits), file, map);
     fmt::print("{}, of the {}: told from the other scenes, one is off by {:.2f}; without words, by {:.2f}\n", own.name,
                name_of(own.aspect), own.leave_one_out, own.spread_of_said);
     const auto vocabulary = genome::vocabulary(own.aspect);
     for (std::size_t i = 0; i < vocabulary.size(); ++i)
         fmt::print("  {:<14} {:+.2f}\n", vocabulary[i].name, own.direction.weights[i]);
     const genome::Description words = map.completed({}, std::vector{own.at(options.value)});
-    fmt::print("{:+.2f} is {}\n", options.value, language_named(options.language).describe(words, own.aspect));
+    fmt::print("{:+.2f} is {}\n", options.value, genome::language(options.language).describe(words, own.aspect));
     if (own.leave_one_out >= own.spread_of_said)
         std::cerr << fmt::format("words: {}: the words of the {} do not tell what it is\n", own.name,
                                  name_of(own.aspect));
     if (options.output.empty()) return 0;
     genome::Recipe recipe = genome::random_recipe(base::Seed{options.seed});
     recipe.values = map(words);
-    write_or_refuse(options.output, genome::to_json(recipe) + "\n");
+    write_and_name(options.output, genome::to_json(recipe) + "\n");
     return 0;
 }
 
 int export_lessons(const Options& options) {
+    base::require_ending(options.output, {".json"}, "what was taught");
     const std::filesystem::path folder = existing_state_folder(options.state);
     const exhibit::WordAnswers answers = exhibit::word_answers_in(folder);
-    write_or_refuse(options.output, to_json(breeding::Lessons{site_words(folder).lessons.curator,
-                                                              breeding::lessons_from(answers.readable)}));
+    write_and_name(options.output, to_json(breeding::Lessons{site_words(folder).lessons.curator,
+                                                             breeding::lessons_from(answers.readable)}));
     return 0;
 }
 
@@ -236,19 +229,29 @@ void add_words(CLI::App& app, Action& chosen) {
     command->require_subcommand(1);
     command->fallthrough();  // its options may stand after a subcommand too
     command->add_option("--language", options->language, "Of their ends: ar, de, en, es, fr, xh")
+        ->check(CLI::Validator(
+            [](std::string& code) {
+                const auto codes = genome::language_codes();
+                const std::string_view spoken = std::string_view(code).substr(0, code.find_first_of("-_."));
+                if (std::ranges::find(codes, spoken) != codes.end()) return std::string();
+                return fmt::format("{} is not spoken here; there are {}", code, fmt::join(codes, ", "));
+            },
+            ""))
         ->capture_default_str();
-    command->add_option("--state", options->state, "The exhibit's state folder, for the map that its site has trained");
+    command->add_option("--state", options->state, "The exhibit's state folder, for the map that its site has trained")
+        ->default_str("show, sheet, own: the map that comes along; others: the service's, else the user's");
     CLI::App* shown = command->add_subcommand("show", "Every word with its two ends, and how well the map knows them");
     shown->callback([options, &chosen] { chosen = [options] { return show(*options); }; });
     CLI::App* sheet = command->add_subcommand("sheet", "A picture with a row a word, from one end to the other");
-    sheet->add_option("-o,--output", options->output, "FILE.png")->required();
+    sheet->add_option("-o,--output", options->output, "NAME.png or NAME.exr")->required();
     sheet->add_option("--size", options->size, "Of each picture, in pixels")->capture_default_str();
     sheet->add_option("--steps", options->steps, "Pictures a row")->check(CLI::Range(2, 21))->capture_default_str();
     sheet->add_option("--seed", options->seed, "Names the places")->capture_default_str();
     sheet->callback([options, &chosen] { chosen = [options] { return draw_sheet(*options); }; });
     CLI::App* trained =
         command->add_subcommand("train", "Learn from what visitors said, and from files, with the exhibit stopped");
-    trained->add_option("FILE", options->files, "Scenes described by a curator, instead of those taught before");
+    trained->add_option("FILE", options->files, "Scenes described by a curator, instead of those taught before")
+        ->default_str("none");
     trained->add_flag("--anyway", options->is_anyway, "Also where scenes could be told from one another less well");
     trained->callback([options, &chosen] { chosen = [options] { return train(*options); }; });
     CLI::App* own = command->add_subcommand("own", "What a word of one's own means, told by ten scenes or more");
@@ -259,7 +262,7 @@ void add_words(CLI::App& app, Action& chosen) {
         "{\"value\":-0.4,\"parameters\":{\"haze.distance_m\":900,…}}; values from -1 to 1.");
     own->add_option("FILE", options->files, "Scenes, and how far the word suits each")->required()->expected(1);
     own->add_option("--value", options->value, "How much of it")->check(CLI::Range(-1.0, 1.0))->capture_default_str();
-    own->add_option("-o,--output", options->output, "SCENE.json, the scene it then asks for");
+    own->add_option("-o,--output", options->output, "SCENE.json, the scene it then asks for")->default_str("none");
     own->callback([options, &chosen] { chosen = [options] { return tell_own(*options); }; });
     CLI::App* exported = command->add_subcommand("export", "Write what visitors and the curator taught, to train from");
     exported->add_option("-o,--output", options->output, "FILE.json")->required();

@@ -10,6 +10,7 @@
 #include "base/log.hpp"
 #include "kiosk/heap.hpp"
 #include "kiosk/png_picture.hpp"
+#include "kiosk/version.hpp"
 
 namespace quadrat::kiosk::staff {
 namespace {
@@ -45,7 +46,10 @@ void write_quietly(const std::filesystem::path& file, const std::string& text) {
 }  // namespace
 
 Caretaker::Caretaker(const CaretakerParts& parts)
-    : parts_(parts), watch_(parts.configuration_file, parts.runtime, parts.state), evidence_(parts.state) {
+    : parts_(parts),
+      watch_(parts.settings.file, parts.settings.held, parts.runtime, parts.state),
+      evidence_(parts.state),
+      settings_(parts.settings) {
     doorkeeper_.follow(parts_.configuration.hours, parts_.configuration.closing);
     seen_.wall.is_trusted = false;  // until it was looked at
     faults_ = base::recent_warnings().count;
@@ -64,6 +68,7 @@ void Caretaker::look(Panel& panel, Show& show, Instant now) {
     }
     raise_curtain(show, now);
     watch_faults(now);
+    keep_proved_settings(now);
     const bool has_news = has_looked_ && shown_since_ && now >= *shown_since_ + kFirstReport;
     const bool is_reporting = has_news && is_due(reported_at_, kReportEvery, now);
     const bool is_drawing =
@@ -92,29 +97,79 @@ void Caretaker::look_outside(Instant now) {
         seen.earlier_faults = evidence_.earlier();
         const std::scoped_lock lock(mutex_);
         // A look that nobody has taken up yet may have seen what this one does not see any more.
-        if (fresh_ && !seen.configuration) seen.configuration = std::move(fresh_->configuration);
+        if (fresh_ && !seen.settings) seen.settings = std::move(fresh_->settings);
         fresh_ = std::move(seen);
     });
 }
 
 void Caretaker::take_over(Seen seen, Show& show) {
+    tell_clock(seen.wall);
     seen_ = std::move(seen);
     has_looked_ = true;
-    if (seen_.is_picture_asked && picture_wishes_.empty()) picture_wishes_.emplace_back(kPicture);
-    if (!seen_.configuration_trouble.empty())
-        base::log::error("configuration: {}; the exhibit goes on as it was", seen_.configuration_trouble);
-    if (!seen_.configuration) return;
-    const std::string later = apply(*seen_.configuration, parts_.configuration);
-    seen_.configuration.reset();
+    if (seen_.is_picture_asked) answer_picture_wish();
+    if (auto changed = std::exchange(seen_.settings, std::nullopt)) take_over(std::move(*changed), show);
+}
+
+void Caretaker::take_over(Seen::Changed changed, Show& show) {
+    if (!changed.checked.is_usable()) {
+        for (const Mistake& mistake : changed.checked.mistakes)
+            base::log::error("configuration: {}; the exhibit goes on as it was", to_text(mistake));
+        settings_.refuse(std::move(changed.checked.mistakes));
+        return;
+    }
+    if (parts_.adjust) parts_.adjust(changed.checked.configuration);
+    const std::string later = apply(changed.checked.configuration, parts_.configuration);
+    settings_.follow(std::move(changed.toml), later);
     show.follow(parts_.configuration);
     doorkeeper_.follow(parts_.configuration.hours, parts_.configuration.closing);
     base::log::info("configuration: read anew{}", later.empty() ? "" : "; after a restart also: " + later);
+    reported_at_.reset();
+}
+
+void Caretaker::keep_proved_settings(Instant now) {
+    const bool is_shown = shown_since_ && screen_trouble_.empty() && curtain_ != Curtain::Dark;
+    auto proved = settings_.take_proved(now, is_shown);
+    if (!proved || !parts_.keeps_settings) return;
+    errands_.send([state = parts_.state, toml = std::move(*proved)] {
+        try {
+            keep_last_good(state, toml);
+            base::log::info("configuration: kept as the last that worked");
+        } catch (const base::InputError& error) {
+            base::log::warn("configuration: it cannot be kept as the last that worked: {}", error.what());
+        }
+    });
+}
+
+// Staff ask for the log when an exhibit was dark, or was not: what it took for the time is there.
+void Caretaker::tell_clock(const WallClock& wall) {
+    const bool is_news = !has_looked_ || wall.source != seen_.wall.source || wall.zone != seen_.wall.zone ||
+                         wall.is_trusted != seen_.wall.is_trusted;
+    if (!is_news) return;
+    reported_at_.reset();
+    if (wall.is_trusted)
+        base::log::info("clock: {}, {}", time_text(wall), wall.source);
+    else
+        base::log::info("clock: {}, not trusted: {}; {}", time_text(wall), wall.doubt, wall.remedy);
+}
+
+// A dark screen draws nothing that a picture could be taken of.
+void Caretaker::answer_picture_wish() {
+    if (curtain_ != Curtain::Dark || board_) {
+        if (picture_wishes_.empty()) picture_wishes_.emplace_back(kPicture);
+        return;
+    }
+    errands_.send([runtime = parts_.runtime, why = opening_text(parts_.configuration.hours, seen_.wall)] {
+        write_quietly(runtime / kNoPicture, why + "\n");
+        std::error_code ignored;
+        std::filesystem::remove(runtime / kPictureAsked, ignored);
+    });
 }
 
 void Caretaker::raise_curtain(const Show& show, Instant now) {
     const bool has_visitor = show.state().screen != exhibit::Screen::Attract;
     const Curtain before = std::exchange(curtain_, doorkeeper_.look(now, seen_.wall, has_visitor));
     if (before == curtain_) return;
+    reported_at_.reset();
     constexpr const char* kWords[] = {"open", "closing: the card is shown", "closed: the screen is switched off"};
     base::log::info("hours: {}", kWords[static_cast<std::size_t>(curtain_)]);
 }
@@ -202,13 +257,19 @@ void Caretaker::keep_picture(mesh::Image picture, const std::filesystem::path& f
 
 Vitals Caretaker::vitals(const Panel& panel, const Show& show, Instant now) const {
     Vitals vitals;
-    vitals.version = QUADRAT_VERSION;
+    vitals.version = version();
     vitals.mode = parts_.ladder.rung().mode;
     vitals.failures = parts_.ladder.rung().failures;
     vitals.running = std::chrono::duration_cast<std::chrono::seconds>(now);
     vitals.machine = seen_.machine;
     vitals.display = parts_.screen.description();
     vitals.screen_trouble = screen_trouble_;
+    vitals.curtain = curtain_;
+    vitals.wall = seen_.wall;
+    const Hours& hours = parts_.configuration.hours;
+    vitals.has_hours = !hours.is_always_open;
+    vitals.is_open = !seen_.wall.is_trusted || staff::is_open(hours, seen_.wall);
+    vitals.opening = opening_text(hours, seen_.wall);
     vitals.frames = frames_;
     vitals.level = drawn_.level;
     vitals.alpha = drawn_.alpha;
@@ -226,6 +287,7 @@ Vitals Caretaker::vitals(const Panel& panel, const Show& show, Instant now) cons
     vitals.state_trouble = show.state_trouble();
     vitals.free_mb = seen_.free_mb;
     vitals.faults = base::recent_warnings().lines;
+    vitals.settings = settings_.news();
     vitals.earlier_faults = seen_.earlier_faults;
     return vitals;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kiosk/staff/hours.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <optional>
@@ -86,6 +88,49 @@ bool is_open(const Hours& hours, const WallClock& now) {
     const std::chrono::sys_days today{now.date};
     return holds(spans_of(hours, today), now.minute) ||
            holds(spans_of(hours, today - std::chrono::days{1}), now.minute + kDay_min);
+}
+
+std::optional<Turn> next_turn(const Hours& hours, const WallClock& now) {
+    if (hours.is_always_open) return std::nullopt;
+    const std::chrono::sys_days today{now.date};
+    const bool is_open_now = is_open(hours, now);
+    constexpr int kDaysAhead = 366;
+    for (int ahead = -1; ahead <= kDaysAhead; ++ahead) {
+        std::vector<int> edges;  // minutes after the beginning of today
+        for (const OpenSpan& span : spans_of(hours, today + std::chrono::days{ahead}))
+            for (const int minute : {span.from_min, span.until_min}) edges.push_back(ahead * kDay_min + minute);
+        std::sort(edges.begin(), edges.end());
+        for (const int edge : edges) {
+            if (edge <= now.minute) continue;
+            const Turn turn{today + std::chrono::days{edge / kDay_min}, edge % kDay_min};
+            if (is_open(hours, {turn.date, turn.minute}) != is_open_now) return turn;
+        }
+    }
+    return std::nullopt;
+}
+
+std::string turn_text(const Turn& turn, const WallClock& now) {
+    const std::string time = fmt::format("{:02}:{:02}", turn.minute / 60, turn.minute % 60);
+    const auto days = std::chrono::sys_days{turn.date} - std::chrono::sys_days{now.date};
+    constexpr int kMorning = 6 * 60;
+    if (days.count() == 0 || (days.count() == 1 && turn.minute <= kMorning)) return time;
+    constexpr const char* kNames[] = {"Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday"};
+    const std::chrono::weekday weekday{std::chrono::sys_days{turn.date}};
+    return fmt::format("{} {} {}", kNames[weekday.iso_encoding() - 1], date_text(turn.date), time);
+}
+
+std::string opening_text(const Hours& hours, const WallClock& now) {
+    if (hours.is_always_open) return "always open";
+    if (!now.is_trusted) return "open: the opening hours are not followed";
+    const bool is_open_now = is_open(hours, now);
+    const auto turn = next_turn(hours, now);
+    if (!turn) return is_open_now ? "open for good" : "closed for good";
+    return fmt::format("{} until {}", is_open_now ? "open" : "closed", turn_text(*turn, now));
+}
+
+std::string date_text(std::chrono::year_month_day date) {
+    return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
+                       static_cast<unsigned>(date.day()));
 }
 
 Curtain Doorkeeper::look(Instant now, const WallClock& wall, bool has_visitor) {

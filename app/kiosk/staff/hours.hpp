@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,15 +30,33 @@ struct Hours {
 std::vector<OpenSpan> parse_spans(std::string_view text);
 // "2026-12-24". Throws as above.
 std::chrono::year_month_day parse_date(std::string_view text);
+std::string date_text(std::chrono::year_month_day date);
 
 // What the wall says, in the site's own time.
 struct WallClock {
     std::chrono::year_month_day date{};
     int minute = 0;           // of the day
     bool is_trusted = false;  // false: never a reason to close
+    std::string zone{};       // "Europe/Berlin (CET, UTC+01:00)"
+    std::string source{};     // why it is trusted: "synchronised", "rtc0"; "" where it is not
+    std::string doubt{};      // why it is not: what is wrong
+    std::string remedy{};     // and what mends that
 };
 
 bool is_open(const Hours& hours, const WallClock& now);
+
+// When the house opens or closes next, on the same wall; nothing within a year: it stays as it is.
+struct Turn {
+    std::chrono::year_month_day date{};
+    int minute = 0;  // of the day
+    friend bool operator==(const Turn&, const Turn&) = default;
+};
+std::optional<Turn> next_turn(const Hours& hours, const WallClock& now);
+// "18:00"; on another day, unless it is the coming night, "Tuesday 2026-11-24 09:00".
+std::string turn_text(const Turn& turn, const WallClock& now);
+// "always open", "open until 18:00", "closed until Tuesday 2026-11-24 09:00", "closed for good"; with a clock that is
+// not trusted "open: the opening hours are not followed".
+std::string opening_text(const Hours& hours, const WallClock& now);
 
 enum class Curtain {
     Open,  // the exhibit

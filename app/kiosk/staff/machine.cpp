@@ -4,7 +4,6 @@
 #include <arpa/inet.h>
 #include <ifaddrs.h>
 #include <net/if.h>
-#include <sys/timex.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -18,9 +17,6 @@ namespace quadrat::kiosk::staff {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::chrono::year kBuilt{2025};
-constexpr std::chrono::year kTooLate{2100};
 
 std::string word_in(const fs::path& file) {
     std::ifstream stream(file);
@@ -101,23 +97,6 @@ std::vector<std::string> addresses() {
 
 }  // namespace
 
-WallClock read_wall_clock(const fs::path& sys) {
-    const std::time_t now = ::time(nullptr);
-    std::tm local{};
-    ::localtime_r(&now, &local);
-    WallClock wall;
-    wall.date = std::chrono::year_month_day{std::chrono::year{local.tm_year + 1900},
-                                            std::chrono::month(static_cast<unsigned>(local.tm_mon + 1)),
-                                            std::chrono::day(static_cast<unsigned>(local.tm_mday))};
-    wall.minute = local.tm_hour * 60 + local.tm_min;
-    struct timex state {};
-    const bool is_synchronised = ::adjtimex(&state) >= 0 && (state.status & STA_UNSYNC) == 0;
-    bool is_kept = false;
-    for_each_entry(sys / "class/rtc", [&](const fs::path& rtc) { is_kept |= word_in(rtc / "hctosys") == "1"; });
-    wall.is_trusted = (is_synchronised || is_kept) && wall.date.year() >= kBuilt && wall.date.year() < kTooLate;
-    return wall;
-}
-
 MachineFacts read_machine(const fs::path& sys, const fs::path& proc) {
     MachineFacts facts;
     std::array<char, 65> name{};
@@ -145,9 +124,17 @@ std::chrono::seconds uptime() {
     return std::chrono::seconds{now.tv_sec};
 }
 
+fs::path folder_in(const char* variable) {
+    const char* const value = std::getenv(variable);
+    if (value == nullptr) return {};
+    const std::string folders = value;
+    const fs::path first = folders.substr(0, folders.find(':'));  // systemd names several that way
+    return first.is_absolute() ? first : fs::path();
+}
+
 fs::path runtime_folder(const fs::path& state) {
-    if (const char* directory = std::getenv("RUNTIME_DIRECTORY")) return directory;
-    return state;
+    const fs::path service = folder_in("RUNTIME_DIRECTORY");
+    return service.empty() ? state : service;
 }
 
 }  // namespace quadrat::kiosk::staff

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "kiosk/staff/hours.hpp"
-
 // What the machine tells about itself. Nothing here waits, throws or writes; what cannot be read is left out.
 namespace quadrat::kiosk::staff {
-
-// The wall clock in the site's time. Trusted if it was set by the network or kept by a clock with a battery, and shows
-// a year that can be.
-WallClock read_wall_clock(const std::filesystem::path& sys = "/sys");
 
 struct MachineFacts {
     std::string name;                     // of the host
@@ -30,6 +25,10 @@ std::optional<double> free_mb(const std::filesystem::path& folder);
 
 // Seconds since the machine was switched on, asleep or awake.
 std::chrono::seconds uptime();
+
+// The folder that a variable of the environment names: of several between colons the first. "" where the variable is
+// missing, empty, or names no absolute path.
+std::filesystem::path folder_in(const char* variable);
 
 // Where requests, health and pictures of faults lie, gone with the power: the service's runtime folder, else `state`.
 std::filesystem::path runtime_folder(const std::filesystem::path& state);

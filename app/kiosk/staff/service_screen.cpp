@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "kiosk/staff/wall_clock.hpp"
+
 namespace quadrat::kiosk::staff {
 namespace {
 
@@ -36,6 +38,15 @@ std::string machine_line(const Vitals& vitals) {
     const auto& is_throttled = vitals.machine.is_throttled;
     if (!is_throttled) return line + " · throttling not known";
     return line + (*is_throttled ? " · THROTTLED by heat or low voltage" : " · not throttled");
+}
+
+std::string clock_line(const Vitals& vitals) {
+    return fmt::format("{} · {}", time_text(vitals.wall),
+                       vitals.wall.is_trusted ? vitals.wall.source : "clock NOT TRUSTED");
+}
+
+std::string opening_line(const Vitals& vitals) {
+    return vitals.wall.is_trusted ? vitals.opening : fmt::format("{} · {}", vitals.opening, vitals.wall.doubt);
 }
 
 std::string disk_line(const Vitals& vitals) {
@@ -141,6 +152,8 @@ Board ServiceScreen::board(const Vitals& vitals, Instant now) const {
         "address {} · running {}",
         vitals.machine.addresses.empty() ? "none" : fmt::format("{}", fmt::join(vitals.machine.addresses, " ")),
         span(vitals.running)));
+    lines.push_back(clock_line(vitals));
+    lines.push_back(opening_line(vitals));
     lines.push_back(vitals.display);
     lines.push_back(frames_line(vitals));
     lines.push_back(machine_line(vitals));
@@ -152,6 +165,8 @@ Board ServiceScreen::board(const Vitals& vitals, Instant now) const {
     if (is_absent) lines.push_back("BUTTONS MISSING: " + vitals.buttons.reason);
     for (const auto& finding : vitals.findings)
         lines.push_back(fmt::format("button {} is {}", name_of(finding.button), name_of(finding.ailment)));
+    const auto settings = lines_for_staff(vitals.settings);
+    lines.insert(lines.end(), settings.begin(), settings.end());
     for (std::string& fault : last_faults(vitals)) lines.push_back(std::move(fault));
     lines.emplace_back();
     lines.emplace_back(is_testing_lamps_ ? "A: end the lamp test   B: restart   C: picture   D: shut down   Back: leave"

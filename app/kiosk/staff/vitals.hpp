@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "firmware-io/button_health.hpp"
+#include "kiosk/staff/hours.hpp"
 #include "kiosk/staff/ladder.hpp"
 #include "kiosk/staff/machine.hpp"
+#include "kiosk/staff/settings_in_use.hpp"
 
 // How the exhibit is: what staff see on the screen, and what a fleet collects.
 namespace quadrat::kiosk::staff {
@@ -43,6 +45,11 @@ struct Vitals {
     MachineFacts machine;
     std::string display;         // GPU, driver and mode
     std::string screen_trouble;  // "" while it shows
+    Curtain curtain = Curtain::Open;
+    WallClock wall;
+    bool has_hours = false;  // it closes by the clock
+    bool is_open = true;     // by its hours
+    std::string opening;     // "open until 18:00"
     FrameCount frames;
     double level = 1;  // of detail, the governor's
     double alpha = 1;  // that is drawn with at this level
@@ -61,7 +68,12 @@ struct Vitals {
     std::optional<double> free_mb;
     std::vector<std::string> faults;          // the last warnings, oldest first
     std::vector<std::string> earlier_faults;  // those of the runs before this one, with their dates
+    SettingsNews settings;
 };
+
+// A screen that is dark because the house is closed has not failed.
+enum class ScreenState { Shows, Card, Dark, Failed };
+ScreenState screen_state(const Vitals& vitals);
 
 enum class Verdict { Good, Doubtful, Bad };
 Verdict verdict_of(const Vitals& vitals);

@@ -105,5 +105,47 @@ TEST_F(AnEvening, AClockThatIsNotTrustedNeverBlanksTheScreen) {
     EXPECT_EQ(keeper.look(2h, {parse_date("1970-01-01"), 3 * 60, false}, false), Curtain::Open);
 }
 
+TEST(Hours, SayUntilWhen) {
+    const Hours hours = museum();
+    EXPECT_EQ(opening_text(hours, at("2026-11-24", 10)), "open until 12:30");
+    EXPECT_EQ(opening_text(hours, at("2026-11-24", 12, 30)), "closed until 13:30");
+    EXPECT_EQ(opening_text(hours, at("2026-11-22", 18)), "closed until Tuesday 2026-11-24 09:00") << "over a Monday";
+    EXPECT_EQ(opening_text(hours, at("2026-11-27", 23)), "open until 02:00") << "past midnight";
+    EXPECT_EQ(opening_text(hours, at("2026-11-28", 1)), "open until 02:00");
+    EXPECT_EQ(opening_text(hours, at("2026-12-24", 13)), "closed until Saturday 2026-12-26 09:00") << "over Christmas";
+    EXPECT_EQ(opening_text(Hours{}, at("2026-11-24", 10)), "always open");
+    WallClock doubtful = at("2026-11-23", 10);
+    doubtful.is_trusted = false;
+    EXPECT_EQ(opening_text(hours, doubtful), "open: the opening hours are not followed");
+}
+
+TEST(Hours, WhoseSpansTouchStayOpenOverTheSeam) {
+    Hours hours;
+    hours.is_always_open = false;
+    hours.week.fill({{0, 24 * 60}});
+    EXPECT_EQ(opening_text(hours, at("2026-11-24", 10)), "open for good");
+    hours.exceptions[parse_date("2026-11-26")] = {};
+    EXPECT_EQ(opening_text(hours, at("2026-11-24", 10)), "open until Thursday 2026-11-26 00:00");
+    EXPECT_EQ(opening_text(hours, at("2026-11-26", 10)), "closed until 00:00");
+    hours.week.fill({});
+    hours.exceptions.clear();
+    EXPECT_EQ(opening_text(hours, at("2026-11-26", 10)), "closed for good");
+}
+
+// The next turn is where the house really opens or closes, minute for minute.
+TEST(Hours, TurnNextWhereAMinuteForMinuteSearchFindsIt) {
+    const Hours hours = museum();
+    const WallClock start = at("2026-12-21", 0);
+    for (int minute = 0; minute < 8 * 24 * 60; minute += 37) {
+        const auto wall_at = [&](int m) {
+            return WallClock{std::chrono::sys_days{start.date} + std::chrono::days{m / 1440}, m % 1440, true};
+        };
+        int until = minute;
+        while (is_open(hours, wall_at(until)) == is_open(hours, wall_at(minute))) ++until;
+        const WallClock then = wall_at(until);
+        EXPECT_EQ(next_turn(hours, wall_at(minute)), (Turn{then.date, then.minute})) << minute;
+    }
+}
+
 }  // namespace
 }  // namespace quadrat::kiosk::staff

@@ -58,12 +58,66 @@ TEST(Vitals, AreMetricsThatPrometheusReads) {
     int samples = 0;
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("# HELP quadrat_") || line.starts_with("# TYPE quadrat_")) continue;
-        EXPECT_THAT(line, testing::MatchesRegex("quadrat_[a-z_]+(\\{[a-zA-Z_=\", ]+\\})? -?[0-9.e+]+"));
+        EXPECT_THAT(line, testing::MatchesRegex("quadrat_[a-z_]+(\\{[a-zA-Z0-9_=\", ]+\\})? -?[0-9.e+]+"));
         ++samples;
     }
     EXPECT_GT(samples, 40);
     EXPECT_THAT(to_prometheus(ailing()),
                 HasSubstr("quadrat_button_ailments_total{button=\"B\",ailment=\"chattering\"} 4"));
+}
+
+TEST(Vitals, TellAScreenThatIsDarkByPlanFromOneThatFailed) {
+    Vitals vitals;
+    EXPECT_THAT(to_prometheus(vitals), HasSubstr("\nquadrat_screen_up 1\n"));
+    vitals.has_hours = true;
+    vitals.curtain = Curtain::Dark;
+    vitals.is_open = false;
+    vitals.opening = "closed until 09:00";
+    vitals.wall.is_trusted = true;
+    vitals.wall.source = "rtc0";
+    auto json = nlohmann::json::parse(to_json(vitals));
+    EXPECT_EQ(json["verdict"], "good");
+    EXPECT_EQ(json["screen"], "dark");
+    EXPECT_EQ(json["open"], false);
+    EXPECT_EQ(json["opening"], "closed until 09:00");
+    EXPECT_EQ(json["clock"]["trusted"], true);
+    EXPECT_EQ(json["clock"]["source"], "rtc0");
+    for (const char* line : {"quadrat_screen_up 0", "quadrat_screen_failed 0", "quadrat_screen_state{state=\"dark\"} 1",
+                             "quadrat_open 0", "quadrat_clock_trusted 1", "quadrat_clock_source{source=\"rtc0\"} 1"})
+        EXPECT_THAT(to_prometheus(vitals), HasSubstr(std::string("\n") + line + "\n"));
+    vitals.screen_trouble = "nothing is plugged in";
+    json = nlohmann::json::parse(to_json(vitals));
+    EXPECT_EQ(json["screen"], "failed");
+    EXPECT_EQ(json["verdict"], "bad");
+    EXPECT_THAT(to_prometheus(vitals), HasSubstr("\nquadrat_screen_failed 1\n"));
+}
+
+TEST(Vitals, AreDoubtfulWhereHoursWaitForAClock) {
+    Vitals vitals;
+    vitals.has_hours = true;
+    EXPECT_EQ(verdict_of(vitals), Verdict::Doubtful);
+    vitals.wall.is_trusted = true;
+    EXPECT_EQ(verdict_of(vitals), Verdict::Good);
+}
+
+TEST(Vitals, AreDoubtfulAndSayWhyWhereTheSettingsCannotBeUsed) {
+    Vitals vitals;
+    ASSERT_EQ(verdict_of(vitals), Verdict::Good);
+    vitals.settings.from = SettingsFrom::LastGood;
+    vitals.settings.mistakes = {{"/etc/q.toml", 7, "screen.mode: \"1080p\" is not a mode", "write 1920x1080"}};
+    EXPECT_EQ(verdict_of(vitals), Verdict::Doubtful);
+    const auto told = nlohmann::json::parse(to_json(vitals))["settings"];
+    EXPECT_EQ(told["from"], "last good");
+    EXPECT_EQ(told["mistakes"][0]["line"], 7);
+    EXPECT_EQ(told["mistakes"][0]["remedy"], "write 1920x1080");
+    EXPECT_THAT(to_prometheus(vitals), HasSubstr("quadrat_settings_up 0\n"));
+    EXPECT_THAT(to_prometheus(vitals), HasSubstr("quadrat_settings_from 1\n"));
+    ServiceScreen service;
+    service.open(0s);
+    EXPECT_THAT(service.board(vitals, 0s).lines,
+                testing::IsSupersetOf({std::string("SETTINGS: the last settings that worked are used"),
+                                       std::string("/etc/q.toml, line 7: screen.mode: \"1080p\" is not a mode"),
+                                       std::string("  → write 1920x1080")}));
 }
 
 TEST(Vitals, CountLateFrames) {
@@ -104,6 +158,26 @@ TEST(ServiceScreen, ShowsWhatStaffAskOnTheTelephone) {
     for (const char* what : {"address 192.0.2.7", "71 °C", "disk 512 MB", "BUTTONS MISSING", "button B is chattering",
                              "buttons: gone", "A: lamp test", "late"})
         EXPECT_THAT(all, HasSubstr(what));
+}
+
+TEST(ServiceScreen, ShowsTheTimeItsZoneWhoVouchesForItAndUntilWhenItIsOpen) {
+    Vitals vitals = ailing();
+    vitals.wall = {std::chrono::year_month_day{std::chrono::year{2026}, std::chrono::month{11}, std::chrono::day{26}},
+                   755,
+                   true,
+                   "Europe/Berlin (CET, UTC+01:00)",
+                   "rtc0",
+                   {},
+                   {}};
+    vitals.opening = "open until 18:00";
+    ServiceScreen service;
+    EXPECT_THAT(service.board(vitals, 1s).lines,
+                testing::IsSupersetOf({"2026-11-26 12:35 Europe/Berlin (CET, UTC+01:00) · rtc0", "open until 18:00"}));
+    vitals.wall.is_trusted = false;
+    vitals.wall.doubt = "rtc0 shows 1970";
+    EXPECT_THAT(service.board(vitals, 1s).lines,
+                testing::IsSupersetOf({"2026-11-26 12:35 Europe/Berlin (CET, UTC+01:00) · clock NOT TRUSTED",
+                                       "open until 18:00 · rtc0 shows 1970"}));
 }
 
 TEST(ServiceScreen, ItsFiguresLieInACornerOfThePicture) {
@@ -151,28 +225,57 @@ TEST(ServiceScreen, TestsEachLampAndLeavesByBackOrByItself) {
     EXPECT_FALSE(service.is_open(140s));
 }
 
-TEST(Watch, TellsOfAChangedConfigurationOnceAndOfOneThatCannotBeUsed) {
-    const tests::TemporaryFolder folder;
-    const auto file = folder.write("quadrat.toml", "[visit]\nrounds = 3\n");
-    Watch watch(file, folder.path(), folder.path());
-    EXPECT_FALSE(watch.look().configuration.has_value());
-    const auto touch = [&](const char* text, std::chrono::seconds later) {
-        folder.write("quadrat.toml", text);
-        std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now() + later);
-    };
-    touch("[visit]\nrounds = 4\n", 10s);
-    Seen seen = watch.look();
-    ASSERT_TRUE(seen.configuration.has_value());
-    EXPECT_EQ(seen.configuration->visit.rounds, 4);
-    EXPECT_FALSE(watch.look().configuration.has_value());
-    touch("[visit]\nrounds = 400\n", 20s);
-    seen = watch.look();
-    EXPECT_FALSE(seen.configuration.has_value());
-    EXPECT_THAT(seen.configuration_trouble, HasSubstr("visit.rounds is 400"));
-    folder.write(kPictureAsked, "");
-    EXPECT_TRUE(watch.look().is_picture_asked);
-    EXPECT_GT(watch.look().machine.memory_mb, 1);
-    EXPECT_GT(watch.look().free_mb.value_or(0), 1);
+// A file of settings that others write, and who watches it.
+class AWatchedFile : public testing::Test {
+  protected:
+    static constexpr const char* kHeld = "[visit]\nrounds = 3\n";
+    // The second look after a change, as nobody is still writing then.
+    Seen look_twice() {
+        watch_.look();
+        return watch_.look();
+    }
+    std::string mistake_of(const Seen& seen) {
+        if (!seen.settings || seen.settings->checked.is_usable()) return "";
+        return to_text(seen.settings->checked.mistakes.front());
+    }
+    tests::TemporaryFolder folder_;
+    std::filesystem::path file_ = folder_.write("quadrat.toml", kHeld);
+    Watch watch_{file_, kHeld, folder_.path(), folder_.path()};
+};
+
+TEST_F(AWatchedFile, IsToldOfOnceWhenItChangesAndWhenItCannotBeUsed) {
+    EXPECT_FALSE(look_twice().settings.has_value()) << "as it was";
+    folder_.write("quadrat.toml", "[visit]\nrounds = 4\n");
+    EXPECT_FALSE(watch_.look().settings.has_value()) << "who saves it may not be through";
+    Seen seen = watch_.look();
+    ASSERT_TRUE(seen.settings.has_value());
+    EXPECT_EQ(seen.settings->checked.configuration.visit.rounds, 4);
+    EXPECT_EQ(seen.settings->toml, "[visit]\nrounds = 4\n");
+    EXPECT_FALSE(look_twice().settings.has_value());
+    folder_.write("quadrat.toml", "[visit]\nrounds = 400\n");
+    EXPECT_THAT(mistake_of(look_twice()), HasSubstr("quadrat.toml:2: visit.rounds is 400"));
+    EXPECT_FALSE(look_twice().settings.has_value()) << "once";
+}
+
+TEST_F(AWatchedFile, ThatIsEmptiedOrGoneIsAMistakeAndIsFineWhenItIsBack) {
+    folder_.write("quadrat.toml", "");
+    EXPECT_THAT(mistake_of(look_twice()), HasSubstr("empty"));
+    folder_.write("quadrat.toml", "[visit]\nround");
+    EXPECT_THAT(mistake_of(look_twice()), HasSubstr("quadrat.toml:2: "));
+    std::filesystem::remove(file_);
+    EXPECT_THAT(mistake_of(look_twice()), HasSubstr("quadrat.toml: cannot read"));
+    EXPECT_FALSE(look_twice().settings.has_value()) << "once";
+    folder_.write("quadrat.toml", kHeld);
+    const Seen seen = look_twice();
+    ASSERT_TRUE(seen.settings.has_value());
+    EXPECT_TRUE(seen.settings->checked.is_usable());
+}
+
+TEST_F(AWatchedFile, BesideIsWatchedForRequestsAndRoom) {
+    folder_.write(kPictureAsked, "");
+    EXPECT_TRUE(watch_.look().is_picture_asked);
+    EXPECT_GT(watch_.look().machine.memory_mb, 1);
+    EXPECT_GT(watch_.look().free_mb.value_or(0), 1);
 }
 
 TEST(Watch, AppliesAtOnceWhatARunningExhibitMayChangeAndNamesTheRest) {
@@ -199,7 +302,6 @@ TEST(Machine, TellsAPiThatIsThrottledAndTheWarmestSensor) {
     std::filesystem::create_directories(sys / "devices/platform/soc/soc:firmware");
     std::filesystem::create_directories(sys / "class/thermal/thermal_zone0");
     std::filesystem::create_directories(sys / "class/thermal/thermal_zone1");
-    std::filesystem::create_directories(sys / "class/rtc/rtc0");
     sys.write("devices/platform/soc/soc:firmware/get_throttled", "50005\n");
     sys.write("class/thermal/thermal_zone0/temp", "48000\n");
     sys.write("class/thermal/thermal_zone1/temp", "61500\n");
@@ -209,8 +311,6 @@ TEST(Machine, TellsAPiThatIsThrottledAndTheWarmestSensor) {
     sys.write("devices/platform/soc/soc:firmware/get_throttled", "50000\n");
     EXPECT_EQ(read_machine(sys.path()).is_throttled, false) << "it was once, and is not now";
     EXPECT_FALSE(read_machine("/nowhere", "/nowhere").temperature_c.has_value());
-    sys.write("class/rtc/rtc0/hctosys", "1\n");
-    EXPECT_TRUE(read_wall_clock(sys.path()).is_trusted);
 }
 
 TEST(Machine, FindsTheFirmwareOfAPi5AndElseItsVoltage) {
