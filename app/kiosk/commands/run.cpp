@@ -316,7 +316,7 @@ int run(const Options& options) {
     if (!options.log_file.empty()) base::log_to_file_too(options.log_file);
     stop_on_signals();
     const fs::path state = state_folder(options.state);
-    const Starter starter = service_folder().empty() ? Starter::Hand : Starter::Service;
+    const Starter starter = is_service(options) ? Starter::Service : Starter::Hand;
     const ExhibitsHold hold = hold_state_for_the_exhibit(state, starter, stop_flag());
     if (hold.was_stopped) return 0;
     staff::Ladder ladder(service_folder(), state, staff::uptime());

@@ -41,15 +41,6 @@ struct Options {
 
 constexpr std::size_t kLargest = 64U << 20U;
 
-// Languages are looked for leniently elsewhere: an exhibit speaks in any case. Here somebody asked for one.
-const genome::Language& language_named(const std::string& code) {
-    const auto codes = genome::language_codes();
-    if (std::ranges::find(codes, code) == codes.end())
-        throw base::InputError(
-            fmt::format("--language {}: there is no such language; there are {}", code, fmt::join(codes, ", ")));
-    return genome::language(code);
-}
-
 // With --state the site's own; otherwise the one that the program brings along.
 breeding::WordMap map_for(const Options& options) {
     return options.state.empty() ? breeding::default_word_map() : site_words(existing_state_folder(options.state)).map;
@@ -57,7 +48,7 @@ breeding::WordMap map_for(const Options& options) {
 
 int show(const Options& options) {
     const breeding::WordMap map = map_for(options);
-    const genome::Language& language = language_named(options.language);
+    const genome::Language& language = genome::language(options.language);
     for (const genome::Aspect aspect : genome::kAspects) {
         int scenes = 0;
         for (const breeding::DescribedScene& scene : map.scenes()) scenes += scene.aspect == aspect;
@@ -84,7 +75,7 @@ int draw_sheet(const Options& options) {
     picture.height = size.height;
     const breeding::WordMap map = map_for(options);
     Easel easel(picture.width, picture.height);
-    const genome::Language& language = language_named(options.language);
+    const genome::Language& language = genome::language(options.language);
     const genome::Recipe seeds = genome::random_recipe(base::Seed{options.seed});
     std::vector<SheetEntry> entries;
     for (const genome::Word& word : genome::vocabulary()) {
@@ -161,7 +152,7 @@ int tell_own(const Options& options) {
     for (std::size_t i = 0; i < vocabulary.size(); ++i)
         fmt::print("  {:<14} {:+.2f}\n", vocabulary[i].name, own.direction.weights[i]);
     const genome::Description words = map.completed({}, std::vector{own.at(options.value)});
-    fmt::print("{:+.2f} is {}\n", options.value, language_named(options.language).describe(words, own.aspect));
+    fmt::print("{:+.2f} is {}\n", options.value, genome::language(options.language).describe(words, own.aspect));
     if (own.leave_one_out >= own.spread_of_said)
         std::cerr << fmt::format("words: {}: the words of the {} do not tell what it is\n", own.name,
                                  name_of(own.aspect));
@@ -257,7 +248,8 @@ void add_words(CLI::App& app, Action& chosen) {
     sheet->add_option("--steps", options->steps, "Pictures a row")->check(CLI::Range(2, 21))->capture_default_str();
     sheet->add_option("--seed", options->seed, "Names the places")->capture_default_str();
     sheet->callback([options, &chosen] { chosen = [options] { return draw_sheet(*options); }; });
-    CLI::App* trained = command->add_subcommand("train", "Learn from what visitors said, and from files, with the exhibit stopped");
+    CLI::App* trained =
+        command->add_subcommand("train", "Learn from what visitors said, and from files, with the exhibit stopped");
     trained->add_option("FILE", options->files, "Scenes described by a curator, instead of those taught before")
         ->default_str("none");
     trained->add_flag("--anyway", options->is_anyway, "Also where scenes could be told from one another less well");
