@@ -63,11 +63,6 @@ void append(std::vector<Wire>& wires, const std::vector<Wire>& more) {
     wires.insert(wires.end(), more.begin(), more.end());
 }
 
-std::string to_string(const Wire& wire) {
-    std::string text{name_of(wire.button)};
-    return text.append("=").append(to_string(wire.line));
-}
-
 // Lines that cannot be had, and why: those with the same trouble in one sentence.
 class Missing {
   public:

@@ -22,7 +22,7 @@ def say(text):
 
 class Installed(Machine):
     def __init__(self):
-        super().__init__(image, f'{folder}/installed', disk, stick, 'root=/dev/vda rw')
+        super().__init__(image, f'{folder}/installed', disk, stick, 'root=/dev/vda ro')
 
     def type(self, command, statuses=(0,)):
         """As staff type it, in the folder they copied; what it said."""
@@ -39,6 +39,15 @@ class Installed(Machine):
         while self.process.poll() is None:
             assert time.time() < end, f'it does not go down: {self.said()[-2000:]}'
             time.sleep(0.2)
+
+    def wait(self):
+        """Until it has started all it starts: the agent answers before any disk is mounted."""
+        seconds = super().wait()
+        end = time.time() + PATIENCE
+        while self.sh('systemctl is-system-running').strip() not in ('running', 'degraded'):
+            assert time.time() < end, self.sh('systemctl list-jobs')
+            time.sleep(1)
+        return seconds
 
     def is_only_read(self):
         return self.sh('findmnt -n -o SOURCE /').strip() == 'overlayroot'

@@ -18,6 +18,7 @@
 #include "kiosk/backup/manifest.hpp"
 #include "kiosk/backup/staged.hpp"
 #include "kiosk/backup/tar.hpp"
+#include "kiosk/version.hpp"
 
 namespace quadrat::kiosk::backup {
 namespace {
@@ -104,7 +105,7 @@ std::string host_name() {
 }
 
 Manifest manifest_for(const Contents& contents, const Places& places, const fs::path& state_file) {
-    Manifest manifest{QUADRAT_VERSION, host_name(), "", {}};
+    Manifest manifest{std::string(version()), host_name(), "", {}};
     const auto at = std::chrono::floor<std::chrono::seconds>(places.now);
     manifest.made_at = fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::chrono::system_clock::to_time_t(at)));
     for (const auto& [name, small] : contents.small) manifest.files[name] = small.bytes.size();
