@@ -266,8 +266,8 @@ TEST_F(SiteState, TellsOfTheLastFaultsAfterTheMachineWasSwitchedOff) {
     Process running(exhibit(), folder.path());
     wait_for_log(running, "the four of round 1 are");
     folder.write("quadrat.toml", "[visit]\nrounds = many\n");
-    const auto kept = folder / "state/faults/fault-1.png";
-    while (running.is_running() && !std::filesystem::exists(kept))
+    const auto kept = [&] { return contents_of(folder / "state/faults/faults.json"); };
+    while (running.is_running() && kept().find("fault-1.png") == std::string::npos)
         std::this_thread::sleep_for(std::chrono::milliseconds{5});
     running.kill(SIGKILL);
     running.wait();
@@ -275,7 +275,9 @@ TEST_F(SiteState, TellsOfTheLastFaultsAfterTheMachineWasSwitchedOff) {
     ::unsetenv("RUNTIME_DIRECTORY");
     const Ended doctor = tool({"doctor", "--state", at("state"), "--only", "state"});
     EXPECT_THAT(doctor.out, HasSubstr("a fault that is kept: 20"));
-    EXPECT_THAT(doctor.out, HasSubstr("visit.rounds"));
+    EXPECT_THAT(doctor.out, HasSubstr("quadrat.toml:2"));
+    EXPECT_THAT(doctor.out, HasSubstr("faults/fault-1.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "state/faults/fault-1.png"));
     EXPECT_EQ(doctor.status, 0) << "it is over";
 }
 

@@ -241,18 +241,24 @@ std::string Caretaker::take_picture_wish() {
 }
 
 void Caretaker::keep_picture(mesh::Image picture, const std::filesystem::path& file) {
-    errands_.send([this, runtime = parts_.runtime, file, picture = std::move(picture)] {
-        try {
-            std::error_code exists;
-            std::filesystem::create_directories((runtime / file).parent_path(), exists);
-            write_png_quickly(runtime / file, picture);
-            if (is_of_a_fault(file)) evidence_.keep_picture(picture, std::chrono::system_clock::now());
-        } catch (const base::InputError& error) {
-            base::log::info("picture: {}", error.what());
-        }
-        std::error_code ignored;
-        if (file == kPicture) std::filesystem::remove(runtime / kPictureAsked, ignored);
-    });
+    errands_.send(
+        [this, at = looked_at_.value_or(Instant{0}), runtime = parts_.runtime, file, picture = std::move(picture)] {
+            try {
+                std::error_code exists;
+                std::filesystem::create_directories((runtime / file).parent_path(), exists);
+                write_png_quickly(runtime / file, picture);
+                if (is_of_a_fault(file)) keep_evidence(picture, at);
+            } catch (const base::InputError& error) {
+                base::log::info("picture: {}", error.what());
+            }
+            std::error_code ignored;
+            if (file == kPicture) std::filesystem::remove(runtime / kPictureAsked, ignored);
+        });
+}
+
+void Caretaker::keep_evidence(const mesh::Image& picture, Instant now) {
+    evidence_.look(base::recent_warnings(), now);  // it is a picture of a fault that is listed
+    evidence_.keep_picture(picture, std::chrono::system_clock::now());
 }
 
 Vitals Caretaker::vitals(const Panel& panel, const Show& show, Instant now) const {

@@ -83,6 +83,7 @@ class Caretaker {
     Vitals vitals(const Panel& panel, const Show& show, Instant now) const;
     void carry_out(StaffWish wish);
     void ask_for_power(const char* what);
+    void keep_evidence(const mesh::Image& picture, Instant now);
 
     CaretakerParts parts_;
     Watch watch_;        // used by the errands' thread alone

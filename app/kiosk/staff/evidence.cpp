@@ -140,7 +140,7 @@ void Evidence::keep_picture(const mesh::Image& picture, WallMoment now) {
     write_png_quickly(file, small);
     if (faults_.empty()) return;
     faults_.back().picture = file.string();
-    has_new_ = true;
+    write();
 }
 
 // Where nothing can be kept, it is no fault that could be kept.
