@@ -3,6 +3,7 @@
 # exhibit: journal, boot, read-only root.
 install(TARGETS quadrat DESTINATION bin)
 install(TARGETS quadrat_images LIBRARY DESTINATION lib/quadrat)
+install(DIRECTORY ${CMAKE_BINARY_DIR}/share/ DESTINATION share)  # manual pages and completion
 file(STRINGS ${CMAKE_SOURCE_DIR}/deploy/system/files lines REGEX "^program ")
 foreach(line IN LISTS lines)
   string(REPLACE " " ";" parts "${line}")

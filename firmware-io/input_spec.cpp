@@ -38,12 +38,14 @@ bool set_debounce(const Setting& setting, DebounceOptions& debounce) {
     return true;
 }
 
+// A chip and the number of one of its lines, or a line's name; names with a colon and digits at their end are looked
+// for as names first.
 gpio::LineAddress line_of(std::string_view text) {
-    if (!text.starts_with('/')) return {std::string{text}, {}};
     const std::size_t colon = text.rfind(':');
     const auto offset = colon == std::string_view::npos ? std::nullopt : parse_unsigned(text.substr(colon + 1));
-    if (!offset) refuse(quoted(text) + " names no line of the chip; write /dev/gpiochip0:17");
-    return {"", {std::string{text.substr(0, colon)}, *offset}};
+    if (offset && colon > 0) return {"", {std::string{text.substr(0, colon)}, *offset}};
+    if (text.starts_with('/')) refuse(quoted(text) + " names no line of the chip; write /dev/gpiochip0:17");
+    return {std::string{text}, {}};
 }
 
 bool set_inputs(const Setting& setting, gpio::InputOptions& inputs) {
@@ -93,7 +95,7 @@ gpio::Wiring parse_gpio(std::string_view text) {
     return wiring;
 }
 
-void parse_vendor_product(std::string_view part, hid::HidSelector& selector) {
+void parse_vendor_product(std::string_view part, std::string_view kind, DeviceSelector& selector) {
     const auto numbers = split(part, ':');
     const auto number = [&](std::size_t i) -> std::optional<std::uint16_t> {
         const auto value =
@@ -103,29 +105,85 @@ void parse_vendor_product(std::string_view part, hid::HidSelector& selector) {
     selector.vendor = number(0);
     selector.product = number(1);
     if (!selector.vendor || !selector.product)
-        refuse(quoted(part) + " is not VENDOR:PRODUCT in hexadecimal; write hid:0079:0006 (lsusb shows them)");
+        refuse(quoted(part) + " is not VENDOR:PRODUCT in hexadecimal; write " + std::string{kind} +
+               ":0079:0006 (lsusb shows them)");
 }
 
-HidSpec parse_hid(std::string_view text) {
-    HidSpec spec;
+bool set_selector(const Setting& setting, DeviceSelector& selector) {
+    if (setting.key == "path")
+        selector.path = setting.value;
+    else if (setting.key == "port")
+        selector.port = setting.value;
+    else if (setting.key == "serial")
+        selector.serial = setting.value;
+    else if (setting.key == "name")
+        selector.name = setting.value;
+    else
+        return false;
+    return true;
+}
+
+// What hid: and evdev: share: VENDOR:PRODUCT first, if it is given, and settings. Those that are not shared go to
+// `other`.
+template <typename Other>
+void parse_device(std::string_view text, std::string_view kind, DeviceSelector& selector, Other other) {
     const auto parts = split(text, ',');
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const std::string_view part = trimmed(parts[i]);
         if (i == 0 && part.empty()) continue;
         if (i == 0 && part.find('=') == std::string_view::npos) {
-            parse_vendor_product(part, spec.selector);
+            parse_vendor_product(part, kind, selector);
             continue;
         }
-        const Setting setting = setting_of(part, "hid:0079:0006,port=usb-0000:00:14.0-1.2");
-        if (setting.key == "path")
-            spec.selector.path = setting.value;
-        else if (setting.key == "port")
-            spec.selector.port = setting.value;
-        else if (setting.key == "map")
+        const Setting setting = setting_of(part, std::string{kind} + ":0079:0006,port=usb-0000:00:14.0-1.2");
+        if (!set_selector(setting, selector)) other(setting);
+    }
+}
+
+HidSpec parse_hid(std::string_view text) {
+    HidSpec spec;
+    parse_device(text, "hid", spec.selector, [&](const Setting& setting) {
+        if (setting.key == "map")
             spec.mappings_file = setting.value;
         else if (!set_debounce(setting, spec.debounce))
-            refuse(quoted(setting.key) + " is not a setting; write path, port, map, debounce or form");
-    }
+            refuse(quoted(setting.key) + " is not a setting; write path, port, serial, name, map, debounce or form");
+    });
+    return spec;
+}
+
+// Which of them a kernel knows is found out when the source is opened; here, that it can be one.
+bool is_control(std::string_view name) {
+    const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; };
+    const bool is_axis = name.starts_with("ABS_");
+    if (is_axis && !name.ends_with('+') && !name.ends_with('-')) return false;
+    if (is_axis) name.remove_suffix(1);
+    return (is_axis || name.starts_with("BTN_") || name.starts_with("KEY_")) && name.size() > 4 &&
+           std::all_of(name.begin(), name.end(), is_letter);
+}
+
+void add_control(const Setting& setting, EvdevSpec& spec) {
+    const auto button = button_named(setting.key);
+    if (!button)
+        refuse(quoted(setting.key) +
+               " is not a setting; write A, B, C, D, Back, path, port, serial, name, grab, debounce or form");
+    if (!is_control(setting.value))
+        refuse(quoted(setting.value) +
+               " is not a control; write its name as evtest shows it: BTN_SOUTH, KEY_A, or an " +
+               "end of an axis, ABS_Z+ or ABS_HAT0X-");
+    spec.controls.push_back({*button, std::string{setting.value}});
+}
+
+EvdevSpec parse_evdev(std::string_view text) {
+    EvdevSpec spec;
+    parse_device(text, "evdev", spec.selector, [&](const Setting& setting) {
+        if (setting.key == "grab") {
+            if (setting.value != "yes" && setting.value != "no")
+                refuse("grab is " + quoted(setting.value) + "; write yes or no");
+            spec.grabs = setting.value == "yes";
+        } else if (!set_debounce(setting, spec.debounce)) {
+            add_control(setting, spec);
+        }
+    });
     return spec;
 }
 
@@ -138,11 +196,12 @@ InputSpec parse(std::string_view spec) {
     if (spec == "keyboard") return KeyboardSpec{};
     if (colon != std::string_view::npos && kind == "gpio") return parse_gpio(rest);
     if (colon != std::string_view::npos && kind == "hid") return parse_hid(rest);
+    if (colon != std::string_view::npos && kind == "evdev") return parse_evdev(rest);
     if (colon != std::string_view::npos && kind == "script") {
         if (rest.empty()) refuse("no file is named; write script:FILE");
         return ScriptSpec{std::string{rest}};
     }
-    refuse("no such input; write keyboard, script:FILE, hid:, hid:VENDOR:PRODUCT or gpio:A=GPIO17,…");
+    refuse("no such input; write keyboard, script:FILE, hid:, hid:VENDOR:PRODUCT, evdev: or gpio:A=GPIO17,…");
 }
 
 }  // namespace

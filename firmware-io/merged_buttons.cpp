@@ -6,48 +6,17 @@
 
 namespace quadrat::firmware_io {
 
-MergedButtons::MergedButtons(std::vector<std::unique_ptr<ButtonSource>> sources)
-    : sources_{std::move(sources)}, last_at_{Instant::min()} {}
-
-bool MergedButtons::is_news(const ButtonEdge& edge) {
-    std::size_t& down_on = down_on_[index_of(edge.button)];
-    if (edge.motion == Motion::Down) return down_on++ == 0;
-    return --down_on == 0;
-}
+MergedButtons::MergedButtons(std::vector<std::unique_ptr<ButtonSource>> sources) : sources_{std::move(sources)} {}
 
 std::vector<ButtonEdge> MergedButtons::poll(Instant now) {
     std::vector<ButtonEdge> all;
+    std::vector<const Contacts*> contacts;
     for (const auto& source : sources_) {
         const auto edges = source->poll(now);
         all.insert(all.end(), edges.begin(), edges.end());
+        contacts.push_back(&source->contacts());
     }
-    std::stable_sort(all.begin(), all.end(), [](const ButtonEdge& a, const ButtonEdge& b) { return a.at < b.at; });
-    std::erase_if(all, [&](const ButtonEdge& edge) { return !is_news(edge); });
-    for (ButtonEdge& edge : all) {
-        // A source may learn late of an edge that lies before one that another source has already delivered.
-        edge.at = last_at_ = std::max(edge.at, last_at_);
-        Contact& contact = contacts_[index_of(edge.button)];
-        contact.is_down = edge.motion == Motion::Down;
-        if (contact.is_down) contact.down_since = edge.at;
-    }
-    join_contacts();
-    return all;
-}
-
-void MergedButtons::join_contacts() {
-    for (std::size_t i = 0; i < kButtons.size(); ++i) {
-        Contact& joined = contacts_[i];
-        joined.is_closed = false;
-        joined.raw_edges = 0;
-        for (const auto& source : sources_) {
-            const Contact& contact = source->contacts()[i];
-            joined.raw_edges += contact.raw_edges;
-            if (!contact.is_closed) continue;
-            joined.closed_since =
-                joined.is_closed ? std::min(joined.closed_since, contact.closed_since) : contact.closed_since;
-            joined.is_closed = true;
-        }
-    }
+    return joined_.join(std::move(all), contacts);
 }
 
 SourceStatus MergedButtons::status() const {

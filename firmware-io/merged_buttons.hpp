@@ -2,7 +2,7 @@
 #pragma once
 #include <memory>
 
-#include "firmware-io/button_source.hpp"
+#include "firmware-io/joined_contacts.hpp"
 
 namespace quadrat::firmware_io {
 
@@ -15,20 +15,15 @@ class MergedButtons final : public ButtonSource {
 
     std::vector<ButtonEdge> poll(Instant now) override;
     SourceStatus status() const override;
-    const Contacts& contacts() const override { return contacts_; }
+    const Contacts& contacts() const override { return joined_.contacts(); }
     void set_lamps(const Lamps& lamps) override;
     void key(char key, Motion motion, Instant at) override;
     std::optional<Instant> next_event_at() const override;
     bool is_finished() const override;
 
   private:
-    bool is_news(const ButtonEdge& edge);
-    void join_contacts();
-
     std::vector<std::unique_ptr<ButtonSource>> sources_;
-    std::array<std::size_t, kButtons.size()> down_on_{};  // how many sources hold this button down
-    Contacts contacts_;
-    Instant last_at_;
+    JoinedContacts joined_;
 };
 
 }  // namespace quadrat::firmware_io

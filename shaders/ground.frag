@@ -12,5 +12,5 @@ in float clear;
 layout(location = 0) out vec4 pixel;
 
 void main() {
-    pixel = vec4(texture(ground, over_land).rgb * clear + veil, 1.0);
+    pixel = vec4(texture(ground, over_land, -0.8).rgb * clear + veil, 1.0);
 }

@@ -15,5 +15,5 @@ layout(location = 0) out vec4 pixel;
 
 void main() {
     float rough = clear + dot(texture(grain, over_grain).rg - 0.5, grains);
-    pixel = vec4(texture(ground, over_land).rgb * rough + veil, 1.0);
+    pixel = vec4(texture(ground, over_land, -0.8).rgb * rough + veil, 1.0);
 }

@@ -3,8 +3,11 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -30,9 +33,32 @@ void flush(const fs::path& path, int flags) {
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-// Where bytes lie until all of them do.
+// Where bytes lie until all of them do: a short name, as a long one of the user's may leave no room for more.
 fs::path beside(const fs::path& path) {
-    return folder_of(path) / fmt::format(".{}.{}{}", path.stem().string(), ::getpid(), path.extension().string());
+    static std::atomic<unsigned> number{0};
+    return folder_of(path) / fmt::format(".quadrat-{}-{}", ::getpid(), number++);
+}
+
+// A rename would put a file in place of a device or a pipe.
+void require_file_or_nothing(const fs::path& path) {
+    std::error_code error;
+    if (path.filename().empty() || fs::is_directory(path, error))
+        throw InputError(fmt::format("{}: is a directory, not a file", path.string()));
+    if (fs::exists(path, error) && !fs::is_regular_file(path, error))
+        throw InputError(fmt::format("{}: is not a file", path.string()));
+}
+
+void write_whole(const fs::path& temporary, const fs::path& path, std::string_view bytes) {
+    constexpr int kMode = 0666;  // less what the umask takes
+    const OwnedDescriptor fd(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kMode));
+    if (!fd) fail(path, "cannot write");
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(fd.get(), bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail(path, "cannot write");
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (::fsync(fd.get()) != 0 && errno != EINVAL) fail(path, "cannot flush to the disk");
 }
 
 }  // namespace
@@ -53,13 +79,39 @@ std::string read_file(const fs::path& path, std::size_t limit_bytes) {
     return bytes;
 }
 
-void write_file_by(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+void require_writable(const fs::path& path) {
+    constexpr int kMode = 0600;
+    require_file_or_nothing(path);
+    const fs::path temporary = beside(path);
+    const OwnedDescriptor fd(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kMode));
+    if (!fd) fail(path, "cannot write");
+    std::error_code error;
+    fs::remove(temporary, error);
+}
+
+std::string ending_of(const fs::path& path) {
+    std::string ending = path.extension().string();
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return ending;
+}
+
+void require_ending(const fs::path& path, std::initializer_list<std::string_view> endings, std::string_view what) {
+    require_file_or_nothing(path);
+    if (std::ranges::find(endings, ending_of(path)) == endings.end())
+        throw InputError(fmt::format("{}: {} is written as {}", path.string(), what, fmt::join(endings, " or ")));
+    if (const fs::path folder = folder_of(path); !fs::is_directory(folder))
+        throw InputError(fmt::format("{}: there is no folder {}", path.string(), folder.string()));
+    require_writable(path);
+}
+
+void write_file(const fs::path& path, std::string_view bytes) {
+    require_file_or_nothing(path);
     const fs::path temporary = beside(path);
     try {
-        write(temporary);
-        flush(temporary, O_RDONLY);
+        write_whole(temporary, path, bytes);
         if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, "cannot replace");
-        flush(folder_of(path), O_RDONLY | O_DIRECTORY);
+        flush_folder(folder_of(path));
     } catch (...) {
         std::error_code ignored;
         fs::remove(temporary, ignored);
@@ -67,27 +119,23 @@ void write_file_by(const fs::path& path, const std::function<void(const fs::path
     }
 }
 
-void require_writable(const fs::path& path) {
-    constexpr int kMode = 0600;
-    std::error_code error;
-    if (path.filename().empty() || fs::is_directory(path, error))
-        throw InputError(fmt::format("{}: is a directory, not a file", path.string()));
-    if (fs::exists(path, error) && !fs::is_regular_file(path, error))
-        throw InputError(fmt::format("{}: is not a file", path.string()));
-    const fs::path temporary = beside(path);
-    const OwnedDescriptor fd(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kMode));
-    if (!fd) fail(path, "cannot write");
-    fs::remove(temporary, error);
-}
+void flush_file(const fs::path& path) { flush(path, O_RDONLY); }
 
-void write_file(const fs::path& path, std::string_view bytes) {
-    write_file_by(path, [&](const fs::path& temporary) {
-        std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-        if (!file) fail(path, "cannot write");
-        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        file.close();
-        if (!file) fail(path, "cannot write");
-    });
+void flush_folder(const fs::path& folder) { flush(folder, O_RDONLY | O_DIRECTORY); }
+
+void write_file_by(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+    require_file_or_nothing(path);
+    const fs::path temporary = beside(path);
+    try {
+        write(temporary);
+        flush_file(temporary);
+        if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, "cannot replace");
+        flush_folder(folder_of(path));
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
+        throw;
+    }
 }
 
 }  // namespace quadrat::base

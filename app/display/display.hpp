@@ -30,10 +30,11 @@ struct Pace {
 struct DisplayOptions {
     Kind kind = Kind::Auto;
     // Pixels to draw. 0x0: the screen's own (kms), the whole monitor (window), 1280x720 (headless).
-    // On kms a size other than the mode's is scaled by the display plane, when the plane can.
+    // On kms a size other than the mode's is scaled by the display plane, when the plane can, with black bars where its
+    // shape is another.
     Size size;
     std::string connector;  // kms: "HDMI-A-1"; empty: the first that has a screen
-    std::string mode;       // kms: "1920x1080@60" or "1920x1080"; empty: the screen's preferred, up to 1080p60
+    std::string mode;       // kms: "1920x1080@60" or "1920x1080"; empty: the screen's own, up to 4096x2160 at 60 Hz
     Rotation rotation = Rotation::None;  // handed on in the Canvas; the projection turns the picture, never the plane
     Mirroring mirroring = Mirroring::None;
     std::string title = "Quadrat";

@@ -122,13 +122,14 @@ Archive::Archive(Connection connection, const Retention& retention)
       retention_(retention),
       last_visit_(connection_.integer("SELECT max(id) FROM visit")) {}
 
-void Archive::require_whole() const {
-    if (connection_.integer("SELECT min(id) FROM visit") < 0 || last_visit_ > kLargestNumber ||
-        connection_.integer("SELECT max(seq) FROM sqlite_sequence") > kLargestNumber ||
-        connection_.integer("SELECT max(id) FROM generation") > kLargestNumber)
+void Archive::require_whole(const Connection& connection) {
+    if (connection.integer("SELECT min(id) FROM visit") < 0 ||
+        connection.integer("SELECT max(id) FROM visit") > kLargestNumber ||
+        connection.integer("SELECT max(seq) FROM sqlite_sequence") > kLargestNumber ||
+        connection.integer("SELECT max(id) FROM generation") > kLargestNumber)
         throw DamageError("it holds numbers that were never written");
     try {
-        Statement rows = connection_.prepare(kGenerations);
+        Statement rows = connection.prepare(kGenerations);
         if (rows.step()) generation_from(rows);
     } catch (const base::InputError& error) {
         throw DamageError(fmt::format("its last generation cannot be read: {}", error.what()));

@@ -123,6 +123,9 @@ class Archive {
     // Whether the visit has begun and not ended: to be taken up again after a pulled plug.
     bool is_open(std::int64_t visit) const;
 
+    // Throws DamageError when the last row is not whole, or a number is beyond what we ever write.
+    static void require_whole(const Connection& connection);
+
   private:
     Archive(Connection connection, const Retention& retention);
 
@@ -135,9 +138,6 @@ class Archive {
                           const Retention& retention, const TellKept& tell);
 
     static Kept kept_in(const Connection& connection);
-
-    // Throws DamageError when the last row is not whole, or a number is beyond what we ever write.
-    void require_whole() const;
 
     template <typename Work>
     Trouble attempt(std::string_view what, const Work& work);

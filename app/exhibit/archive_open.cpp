@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <sqlite3.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -18,31 +16,6 @@ namespace quadrat::exhibit {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool may_be_written(const fs::path& file) {
-    return ::access(file.c_str(), W_OK) == 0 && ::access(file.parent_path().c_str(), W_OK) == 0;
-}
-
-// What a damaged file makes SQLite say; anything else is about the disk, the directory or another program.
-bool is_damage(const SqliteError& error, const fs::path& file) {
-    switch (error.code()) {
-        case SQLITE_ERROR:
-        case SQLITE_CORRUPT:
-        case SQLITE_NOTADB:
-        case SQLITE_FORMAT:
-        case SQLITE_SCHEMA:
-        case SQLITE_MISMATCH:
-        case SQLITE_CONSTRAINT:
-        case SQLITE_TOOBIG:
-        case SQLITE_INTERNAL:
-        case SQLITE_NOMEM:  // for a length that cannot be; where memory is short, nobody is told so
-            return true;
-        case SQLITE_READONLY:  // also of a file whose head says that a later SQLite wrote it
-            return may_be_written(file);
-        default:
-            return false;
-    }
-}
 
 std::string one_line(std::string text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
@@ -104,7 +77,7 @@ Archive::Opened Archive::open_file(const fs::path& file, WallTime now, const Ret
         if (tell && is_known) tell(kept_in(connection));
         const Found found = prepare_schema(connection);
         Archive archive(std::move(connection), retention);
-        archive.require_whole();
+        require_whole(archive.connection_);
         if (tell && !is_known) tell(archive.kept());
         note_start(archive.connection_, now);
         archive.connection_.trust_file();

@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include <array>
 #include <string>
 
 namespace quadrat::exhibit {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::int64_t kApplication = 0x51445254;  // "QDRT"
 constexpr int kVersion = 4;
@@ -65,6 +68,10 @@ CREATE TABLE generation(id INTEGER PRIMARY KEY AUTOINCREMENT, visit INTEGER NOT 
 )"},
 }};
 
+bool may_be_written(const fs::path& file) {
+    return ::access(file.c_str(), W_OK) == 0 && ::access(file.parent_path().c_str(), W_OK) == 0;
+}
+
 std::string schema_of(const Connection& connection) {
     std::string schema;
     Statement rows = connection.prepare("SELECT type, name, tbl_name, sql FROM sqlite_schema ORDER BY name");
@@ -106,9 +113,10 @@ int version_of_ours(const Connection& connection, const std::string& schema) {
     const std::int64_t application = connection.integer("PRAGMA application_id");
     if (application != kApplication) throw DamageError("it is not a state file of Quadrat");
     const std::int64_t version = connection.integer("PRAGMA user_version");
-    if (version < 1 || version > kVersion)
-        throw DamageError(
-            fmt::format("its schema version is {}; this program keeps versions 1 to {}", version, kVersion));
+    const std::string words =
+        fmt::format("its schema version is {}; this program keeps versions 1 to {}", version, kVersion);
+    if (version > kVersion) throw NewerError(words);
+    if (version < 1) throw DamageError(words);
     if (schema != schema_of_version(static_cast<int>(version)))
         throw DamageError("its tables are not those of its version");
     return static_cast<int>(version);
@@ -132,6 +140,26 @@ void use_small_pages(Connection& connection) {
 }
 
 }  // namespace
+
+bool is_damage(const SqliteError& error, const fs::path& file) {
+    switch (error.code()) {
+        case SQLITE_ERROR:
+        case SQLITE_CORRUPT:
+        case SQLITE_NOTADB:
+        case SQLITE_FORMAT:
+        case SQLITE_SCHEMA:
+        case SQLITE_MISMATCH:
+        case SQLITE_CONSTRAINT:
+        case SQLITE_TOOBIG:
+        case SQLITE_INTERNAL:
+        case SQLITE_NOMEM:  // for a length that cannot be; where memory is short, nobody is told so
+            return true;
+        case SQLITE_READONLY:  // also of a file whose head says that a later SQLite wrote it
+            return may_be_written(file);
+        default:
+            return false;
+    }
+}
 
 bool holds_nothing(const Connection& connection) {
     return schema_of(connection).empty() && connection.integer("PRAGMA user_version") == 0;
@@ -158,6 +186,12 @@ Found prepare_schema(Connection& connection) {
     move_schema(connection, kVersion);
     use_small_pages(connection);
     return version == kVersion ? Found::Ours : Found::Older;
+}
+
+int check_schema(const Connection& connection) {
+    const int version = version_of_ours(connection, schema_of(connection));
+    require_whole(connection);
+    return version;
 }
 
 int schema_version() { return kVersion; }

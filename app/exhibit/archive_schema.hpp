@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <filesystem>
 #include <stdexcept>
 
 #include "exhibit/sqlite.hpp"
@@ -12,6 +13,15 @@ class DamageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// Whole, it may be, and of a program that is newer than this one.
+class NewerError : public DamageError {
+  public:
+    using DamageError::DamageError;
+};
+
+// Whether that is what a damaged file makes SQLite say; anything else is about the disk, the folder or another program.
+bool is_damage(const SqliteError& error, const std::filesystem::path& file);
+
 enum class Found { Nothing, Ours, Older };
 
 bool holds_nothing(const Connection& connection);       // no table, and no version
@@ -20,6 +30,9 @@ bool is_of_this_version(const Connection& connection);  // the tables of this pr
 // Makes the tables where there are none, and brings those of an older version to this one. Throws DamageError for a
 // file that holds anything else than the tables of its version or fails SQLite's own check; SqliteError as SQLite does.
 Found prepare_schema(Connection& connection);
+
+// What prepare_schema() would throw, without a change to the file; else its version.
+int check_schema(const Connection& connection);
 
 int schema_version();  // that this program keeps
 

@@ -3,6 +3,8 @@
 
 #include <sqlite3.h>
 
+#include <string>
+
 namespace quadrat::exhibit {
 namespace {
 
@@ -10,6 +12,20 @@ constexpr int kBusyTimeout_ms = 2000;  // a report being read beside the running
 
 [[noreturn]] void fail(sqlite3* database, int code) {
     throw SqliteError(code & 0xff, database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code));
+}
+
+// Every byte as a number: no name means anything else.
+std::string uri_at_rest(const std::filesystem::path& file) {
+    constexpr std::string_view kDigits = "0123456789ABCDEF";
+    std::string uri = "file:";
+    for (const char c : std::filesystem::absolute(file).string()) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '/')
+            uri += c;
+        else
+            (uri += '%').append({kDigits[byte >> 4U], kDigits[byte & 15U]});
+    }
+    return uri + "?immutable=1";
 }
 
 }  // namespace
@@ -56,9 +72,13 @@ std::string Statement::text(int column) const {
 
 void Connection::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 
-Connection::Connection(const std::filesystem::path& file) {
+Connection::Connection(const std::filesystem::path& file, Access access) {
     sqlite3* database = nullptr;
-    const int code = sqlite3_open_v2(file.c_str(), &database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+    const int flags =
+        access == Access::ReadAndWrite ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY;
+    const int code = access == Access::ReadAtRest
+                         ? sqlite3_open_v2(uri_at_rest(file).c_str(), &database, flags | SQLITE_OPEN_URI, nullptr)
+                         : sqlite3_open_v2(file.c_str(), &database, flags, nullptr);
     database_.reset(database);
     if (code != SQLITE_OK) fail(database, code);
     sqlite3_busy_timeout(database, kBusyTimeout_ms);
@@ -93,6 +113,29 @@ std::int64_t Connection::integer(std::string_view sql) const {
 std::int64_t Connection::last_row() const { return sqlite3_last_insert_rowid(database_.get()); }
 
 bool Connection::is_in_transaction() const { return sqlite3_get_autocommit(database_.get()) == 0; }
+
+void Connection::copy_to(Connection& other, const std::function<void(double share)>& copied) {
+    constexpr int kPagesAtOnce = 1024;
+    // While this is read from, what others write is seen by none of the steps: they copy one moment, and never begin
+    // again.
+    const bool is_part = is_in_transaction();
+    if (!is_part) run("BEGIN");
+    integer("SELECT count(*) FROM sqlite_schema");
+    struct Finish {
+        void operator()(sqlite3_backup* backup) const { sqlite3_backup_finish(backup); }
+    };
+    const std::unique_ptr<sqlite3_backup, Finish> backup(
+        sqlite3_backup_init(other.database_.get(), "main", database_.get(), "main"));
+    if (!backup) fail(other.database_.get(), sqlite3_errcode(other.database_.get()));
+    int code = SQLITE_OK;
+    while (code == SQLITE_OK) {
+        code = sqlite3_backup_step(backup.get(), kPagesAtOnce);
+        const int pages = sqlite3_backup_pagecount(backup.get());
+        if (copied && pages > 0) copied(1.0 - static_cast<double>(sqlite3_backup_remaining(backup.get())) / pages);
+    }
+    if (code != SQLITE_DONE) fail(nullptr, code);
+    if (!is_part) run("COMMIT");
+}
 
 Transaction::Transaction(Connection& connection) : connection_(connection), is_part_(connection.is_in_transaction()) {
     connection_.run(is_part_ ? "SAVEPOINT part" : "BEGIN IMMEDIATE");

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -48,16 +49,26 @@ class Statement {
     int bound_ = 0;
 };
 
+enum class Access {
+    ReadAndWrite,  // the file is created when it is not there
+    Read,          // beside whoever writes
+    ReadAtRest,    // nobody writes and there is no log beside it: nothing is made there either
+};
+
 class Connection {
   public:
-    // Created when it is not there. ":memory:" is a database of its own.
-    explicit Connection(const std::filesystem::path& file);
+    // ":memory:" is a database of its own.
+    explicit Connection(const std::filesystem::path& file, Access access = Access::ReadAndWrite);
 
     void run(const char* sql);  // one statement or several, without results
     Statement prepare(std::string_view sql) const;
     std::int64_t integer(std::string_view sql) const;  // the first column of the first row; 0 without one
     std::int64_t last_row() const;
     bool is_in_transaction() const;
+
+    // Puts this database, as it is at one moment, in place of all that is in the other; `copied` hears the share that
+    // is done. Others may go on writing to this one.
+    void copy_to(Connection& other, const std::function<void(double share)>& copied = {});
 
     // A connection leaves the log beside the file as it found it, since the file may turn out to be damaged. Once it is
     // known to be whole, closing may write the log into it.

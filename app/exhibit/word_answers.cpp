@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "exhibit/archive_schema.hpp"
 #include "exhibit/scene_rows.hpp"
+#include "exhibit/state_file.hpp"
 #include "genome/json_text.hpp"
 #include "genome/words_json.hpp"
 
@@ -27,23 +28,36 @@ genome::WordAnswer answer_from(const Statement& row, const genome::Recipe& scene
     return answer;
 }
 
-template <typename Work>
-auto with_state_of(const std::filesystem::path& directory, const Work& work) {
-    const std::filesystem::path file = directory / "quadrat.db";
+std::filesystem::path file_in(const std::filesystem::path& directory) {
+    const std::filesystem::path file = directory / kStateFile;
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
         throw base::InputError(fmt::format("{}: there is no state file; name its folder with --state", file.string()));
+    return file;
+}
+
+// What is wrong with the file, as one exception that names it.
+template <typename Work>
+auto named_in_errors(const std::filesystem::path& file, const Work& work) {
     try {
-        Connection connection(file);
-        prepare_schema(connection);
-        connection.trust_file();
-        return work(connection);
+        return work();
     } catch (const SqliteError& error) {
         throw base::InputError(fmt::format("{}: {}", file.string(), error.what()));
     } catch (const DamageError& error) {
         throw base::InputError(
             fmt::format("{}: {}; the exhibit sets it aside at its next start", file.string(), error.what()));
     }
+}
+
+// The tables of a file of an older program are brought up to date in memory.
+WordAnswers answers_read_from(const std::filesystem::path& file) {
+    Connection connection = open_to_read(file);
+    if (check_schema(connection) == schema_version()) return word_answers_of(connection);
+    Connection copy(":memory:");
+    copy.run(fmt::format("PRAGMA page_size={}", connection.integer("PRAGMA page_size")).c_str());
+    connection.copy_to(copy);
+    move_schema(copy, schema_version());
+    return word_answers_of(copy);
 }
 
 }  // namespace
@@ -69,11 +83,16 @@ WordAnswers word_answers_of(const Connection& connection) {
 }
 
 WordAnswers word_answers_in(const std::filesystem::path& directory) {
-    return with_state_of(directory, [](Connection& connection) { return word_answers_of(connection); });
+    const std::filesystem::path file = file_in(directory);
+    return named_in_errors(file, [&] { return answers_read_from(file); });
 }
 
 int forget_word_answers_in(const std::filesystem::path& directory) {
-    return with_state_of(directory, [](Connection& connection) {
+    const std::filesystem::path file = file_in(directory);
+    return named_in_errors(file, [&] {
+        Connection connection(file);
+        prepare_schema(connection);
+        connection.trust_file();
         Transaction transaction(connection);
         const auto count = connection.integer("SELECT count(*) FROM word_answer");
         connection.run("DELETE FROM word_answer");

@@ -6,11 +6,11 @@
 
 namespace quadrat::exhibit {
 
-// The answers in the state file of a directory, for tools that run beside the exhibit: nothing is set aside, made anew
-// or noted as a start. Throws InputError naming the file when there is none, or none that is whole.
+// The answers in the state file of a directory, for tools that run beside the exhibit: nothing in it is changed. Throws
+// InputError naming the file when there is none, or none that is whole.
 WordAnswers word_answers_in(const std::filesystem::path& directory);
 
-// Deletes all of them; how many there were.
+// Deletes all of them, while no exhibit uses the directory; how many there were. Throws as above.
 int forget_word_answers_in(const std::filesystem::path& directory);
 
 // Of a database that is open. Throws SqliteError.

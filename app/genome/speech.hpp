@@ -11,9 +11,9 @@
 namespace quadrat::genome {
 
 // What the screen asks and says, by key.
-inline constexpr std::array<std::string_view, 13> kPrompts{
+inline constexpr std::array<std::string_view, 14> kPrompts{
     "attract", "ask.trees",      "ask.land",      "ask.sky",      "breed", "still-there", "finale",
-    "first",   "describe.trees", "describe.land", "describe.sky", "slide", "closed"};
+    "first",   "describe.trees", "describe.land", "describe.sky", "slide", "closed",      "settings"};
 
 // How one language speaks of a Description: an adjective for each end of each word, agreeing with its aspect's noun,
 // and the templates that join them. Data: genome/languages/*.json, inside the binary.

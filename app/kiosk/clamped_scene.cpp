@@ -7,6 +7,8 @@
 
 #include "base/file.hpp"
 #include "base/log.hpp"
+#include "base/text_file.hpp"
+#include "kiosk/image_file.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -31,8 +33,11 @@ void clamp_parameters(ordered_json& scene, const std::string& source) {
 
 Picture read_scene_clamped(const std::string& scene) {
     if (!std::filesystem::exists(scene)) return read_scene(scene);
-    ordered_json json = ordered_json::parse(base::read_file(scene), nullptr, false);
-    if (!json.is_object()) return read_scene(scene);  // a picture, or nothing of ours: its reader says what is wrong
+    std::string bytes = base::read_file(scene);
+    if (is_image_file(bytes)) return read_scene(scene);
+    ordered_json json =
+        ordered_json::parse(base::text_from(std::move(bytes), scene, base::kJsonLimits), nullptr, false);
+    if (!json.is_object()) return read_scene(scene);  // its reader says what is wrong
     clamp_parameters(json, scene);
     if (json.contains("scenes") && json["scenes"].is_array())
         for (ordered_json& one : json["scenes"]) clamp_parameters(one, scene);

@@ -4,7 +4,7 @@
 namespace quadrat::kiosk {
 
 // The whole program: picks the subcommand and runs it. 0: success; 2: bad usage, bad input or hardware missing at
-// start, with one line on stderr.
+// start, with one line on stderr; 1: what was printed could not be written, or what nobody foresaw.
 int run_command_line(int argc, const char* const* argv);
 
 }  // namespace quadrat::kiosk

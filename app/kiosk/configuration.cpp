@@ -2,191 +2,31 @@
 #include "kiosk/configuration.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#define TOML_EXCEPTIONS 1
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <optional>
-#include <stdexcept>
 
 #include "base/error.hpp"
-#include "base/file.hpp"
+#include "base/text_file.hpp"
 #include "genome/speech.hpp"
+#include "kiosk/configuration_checks.hpp"
+#include "kiosk/configuration_reader.hpp"
 #include "kiosk/picture.hpp"
 
 namespace quadrat::kiosk {
 namespace {
 
+using Reader = ConfigurationReader;
+
 constexpr std::array kDays{"monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday"};
-
-// One reader for the whole file: it hands out values, remembers which keys were asked for, and refuses the others.
-class Reader {
-  public:
-    Reader(const toml::table& root, const std::string& source) : root_(root), source_(source) {}
-
-    void read(const char* table, const char* key, double& value, double low, double high) {
-        if (const toml::node* node = find(table, key)) {
-            const auto number = node->value<double>();
-            if (!number || node->is_boolean()) refuse(*node, table, key, "is not a number");
-            if (!(*number >= low && *number <= high))
-                refuse(*node, table, key, fmt::format("is {}; it must lie between {} and {}", *number, low, high));
-            value = *number;
-        }
-    }
-    void read(const char* table, const char* key, int& value, int low, int high) {
-        if (const toml::node* node = find(table, key)) {
-            if (!node->is_integer()) refuse(*node, table, key, "is not a whole number");
-            const auto number = *node->value<std::int64_t>();
-            if (number < low || number > high)
-                refuse(*node, table, key, fmt::format("is {}; it must lie between {} and {}", number, low, high));
-            value = static_cast<int>(number);
-        }
-    }
-    void read(const char* table, const char* key, bool& value) {
-        if (const toml::node* node = find(table, key)) {
-            if (!node->is_boolean()) refuse(*node, table, key, "is neither true nor false");
-            value = *node->value<bool>();
-        }
-    }
-    void read(const char* table, const char* key, std::string& value, const std::vector<std::string>& allowed = {}) {
-        if (const toml::node* node = find(table, key)) value = string_in(*node, table, key, allowed);
-    }
-    void read(const char* table, const char* key, std::vector<std::string>& values,
-              const std::vector<std::string>& allowed = {}) {
-        const toml::node* node = find(table, key);
-        if (node == nullptr) return;
-        if (!node->is_array()) refuse(*node, table, key, "is not a list: write [\"…\", \"…\"]");
-        values.clear();
-        for (const toml::node& item : *node->as_array()) values.push_back(string_in(item, table, key, allowed));
-    }
-
-    void read_texts(std::map<std::string, std::string>& texts) {
-        const toml::table* table = table_named("text");
-        if (table == nullptr) return;
-        for (const auto& [key, node] : *table) {
-            const std::string name(key.str());
-            if (std::ranges::find(genome::kPrompts, name) == genome::kPrompts.end())
-                refuse_unknown(node, "text", name, {genome::kPrompts.begin(), genome::kPrompts.end()});
-            texts[name] = string_in(node, "text", name.c_str(), {});
-        }
-    }
-
-    void read_words(std::map<std::string, std::array<double, 2>>& words) {
-        for (const genome::Word& word : genome::vocabulary()) {
-            const std::string name(word.name);
-            const toml::node* node = find("words", name.c_str());
-            if (node == nullptr) continue;
-            const toml::array* ends = node->as_array();
-            const auto low = ends != nullptr && ends->size() == 2 ? (*ends)[0].value<double>() : std::nullopt;
-            const auto high = low ? (*ends)[1].value<double>() : std::nullopt;
-            if (!high || !(-1 <= *low && *low <= *high && *high <= 1))
-                refuse(*node, "words", name.c_str(), "is not a range: write [LOW, HIGH], from -1 to 1");
-            words[name] = {*low, *high};
-        }
-    }
-
-    // A site that names any day is closed on those it does not name.
-    void read_hours(staff::Hours& hours) {
-        for (std::size_t day = 0; day < kDays.size(); ++day)
-            if (const toml::node* node = find("hours", kDays[day])) {
-                hours.is_always_open = false;
-                hours.week[day] = spans_in(*node, "hours", kDays[day]);
-            }
-        const toml::node* exceptions = find("hours", "exceptions");
-        if (exceptions == nullptr) return;
-        if (!exceptions->is_table())
-            refuse(*exceptions, "hours", "exceptions", "must be a table: write [hours.exceptions]");
-        for (const auto& [key, node] : *exceptions->as_table()) {
-            const std::string date(key.str());
-            try {
-                hours.exceptions[staff::parse_date(date)] = spans_in(node, "hours.exceptions", date.c_str());
-            } catch (const std::invalid_argument& error) {
-                refuse(node, "hours.exceptions", date.c_str(), error.what());
-            }
-        }
-        if (hours.is_always_open && !hours.exceptions.empty()) {
-            hours.is_always_open = false;
-            hours.week.fill({{0, 24 * 60}});
-        }
-    }
-
-    // Call last.
-    void refuse_what_was_not_read() const {
-        for (const auto& [name, node] : root_) {
-            const std::string table(name.str());
-            if (table == "text") continue;
-            const auto known = known_.find(table);
-            if (known == known_.end()) refuse_unknown(node, "", table, tables());
-            if (!node.is_table())
-                throw base::InputError(fmt::format("{}:{}: {} must be a table: write [{}]", source_,
-                                                   node.source().begin.line, table, table));
-            for (const auto& [key, value] : *node.as_table())
-                if (std::ranges::find(known->second, std::string(key.str())) == known->second.end())
-                    refuse_unknown(value, table, std::string(key.str()), known->second);
-        }
-    }
-
-  private:
-    std::vector<staff::OpenSpan> spans_in(const toml::node& node, const char* table, const char* key) const {
-        const std::string text = string_in(node, table, key, {});
-        try {
-            return staff::parse_spans(text);
-        } catch (const std::invalid_argument& error) {
-            refuse(node, table, key, error.what());
-        }
-    }
-    std::vector<std::string> tables() const {
-        std::vector<std::string> names{"text"};
-        for (const auto& [name, keys] : known_) names.push_back(name);
-        return names;
-    }
-    const toml::table* table_named(const char* name) const {
-        const toml::node* node = root_.get(name);
-        if (node == nullptr) return nullptr;
-        if (!node->is_table())
-            throw base::InputError(
-                fmt::format("{}:{}: {} must be a table: write [{}]", source_, node->source().begin.line, name, name));
-        return node->as_table();
-    }
-    const toml::node* find(const char* table, const char* key) {
-        known_[table].emplace_back(key);
-        const toml::table* found = table_named(table);
-        return found == nullptr ? nullptr : found->get(key);
-    }
-    std::string string_in(const toml::node& node, const char* table, const char* key,
-                          const std::vector<std::string>& allowed) const {
-        const auto text = node.value<std::string>();
-        if (!node.is_string() || !text) refuse(node, table, key, "is not text in quotation marks");
-        if (!allowed.empty() && std::ranges::find(allowed, *text) == allowed.end())
-            refuse(node, table, key, fmt::format("is \"{}\"; it must be one of {}", *text, fmt::join(allowed, ", ")));
-        return *text;
-    }
-    [[noreturn]] void refuse(const toml::node& node, const char* table, const char* key,
-                             const std::string& what) const {
-        throw base::InputError(fmt::format("{}:{}: {}.{} {}", source_, node.source().begin.line, table, key, what));
-    }
-    [[noreturn]] void refuse_unknown(const toml::node& node, const std::string& table, const std::string& key,
-                                     const std::vector<std::string>& known) const {
-        throw base::InputError(fmt::format("{}:{}: {}{}{} is not known; there are {}", source_,
-                                           node.source().begin.line, table, table.empty() ? "" : ".", key,
-                                           fmt::join(known, ", ")));
-    }
-
-    const toml::table& root_;
-    const std::string& source_;
-    std::map<std::string, std::vector<std::string>> known_;
-};
 
 void read_screen(Reader& reader, Configuration::Screen& screen) {
     reader.read("screen", "display", screen.display, {"auto", "kms", "window", "headless"});
-    reader.read("screen", "size", screen.size);
-    reader.read("screen", "connector", screen.connector);
-    reader.read("screen", "mode", screen.mode);
-    reader.read("screen", "rotation_deg", screen.rotation_deg, 0, 270);
+    reader.read_checked("screen", "size", screen.size, check_size);
+    reader.read_checked("screen", "connector", screen.connector, check_connector);
+    reader.read_checked("screen", "mode", screen.mode, check_mode);
+    reader.read_one_of("screen", "rotation_deg", screen.rotation_deg, {0, 90, 180, 270});
     reader.read("screen", "mirrored", screen.is_mirrored);
 }
 
@@ -225,53 +65,141 @@ void read_breeding(Reader& reader, Configuration::Breeding& breeding) {
     reader.read("breeding", "locked", breeding.locked, {"trees", "land", "sky"});
 }
 
-}  // namespace
+void read_picture(Reader& reader, Configuration::Picture& picture) {
+    reader.read("picture", "alpha", picture.alpha, 0.05, 20);
+    reader.read_one_of("picture", "samples", picture.samples, {1, 4});
+    reader.read_one_of("picture", "land_samples", picture.land_samples, {65, 129, 257, 513, 1025});
+    reader.read("picture", "ground", picture.ground, ground_names());
+}
 
-Configuration configuration_from(std::string_view source_text, const std::string& source) {
-    toml::table root;
-    try {
-        root = toml::parse(source_text, source);
-    } catch (const toml::parse_error& error) {
-        throw base::InputError(fmt::format("{}:{}:{}: {}", source, error.source().begin.line,
-                                           error.source().begin.column, error.description()));
+void read_fleet(Reader& reader, Configuration::Fleet& fleet) {
+    reader.read_checked("fleet", "broker", fleet.broker, check_broker);
+    reader.read_checked("fleet", "name", fleet.name, check_fleet_name);
+    reader.read_checked("fleet", "user", fleet.user, check_fleet_user);
+    reader.read_checked("fleet", "password_file", fleet.password_file, check_file);
+    reader.read_checked("fleet", "ca_file", fleet.ca_file, check_file);
+}
+
+void read_words(Reader& reader, std::map<std::string, std::array<double, 2>>& words) {
+    for (const genome::Word& word : genome::vocabulary()) {
+        const std::string name(word.name);
+        const toml::node* node = reader.find("words", name.c_str());
+        if (node == nullptr) continue;
+        const toml::array* ends = node->as_array();
+        const auto end = [&](std::size_t i) {
+            return ends != nullptr && ends->size() == 2 && (*ends)[i].is_number() ? (*ends)[i].value<double>()
+                                                                                  : std::nullopt;
+        };
+        const auto low = end(0), high = end(1);
+        if (low && high && -1 <= *low && *low <= *high && *high <= 1)
+            words[name] = {*low, *high};
+        else
+            reader.refuse(*node, "words." + name, "is not a range", "write [LOW, HIGH], from -1 to 1");
     }
-    Configuration configuration;
-    Reader reader(root, source);
+}
+
+void read_spans(Reader& reader, const toml::node& node, const std::string& name, std::vector<staff::OpenSpan>& spans) {
+    std::string text;
+    if (reader.read_text(node, name, text, [](const std::string& said) { staff::parse_spans(said); }))
+        spans = staff::parse_spans(text);
+}
+
+void read_exceptions(Reader& reader, staff::Hours& hours) {
+    const toml::node* node = reader.find("hours", "exceptions");
+    if (node == nullptr) return;
+    if (!node->is_table())
+        return reader.refuse(*node, "hours.exceptions", "must be a table", "write [hours.exceptions]");
+    for (const auto& [key, value] : *node->as_table()) {
+        const std::string date(key.str());
+        try {
+            read_spans(reader, value, "hours.exceptions." + date, hours.exceptions[staff::parse_date(date)]);
+        } catch (const std::invalid_argument&) {
+            reader.refuse(value, "hours.exceptions." + date, "is no date", "write 2026-12-24");
+        }
+    }
+}
+
+// A site that names any day is closed on those it does not name.
+void read_hours(Reader& reader, staff::Hours& hours) {
+    for (std::size_t day = 0; day < kDays.size(); ++day)
+        if (const toml::node* node = reader.find("hours", kDays[day])) {
+            hours.is_always_open = false;
+            read_spans(reader, *node, std::string("hours.") + kDays[day], hours.week[day]);
+        }
+    read_exceptions(reader, hours);
+    if (hours.is_always_open && !hours.exceptions.empty()) {
+        hours.is_always_open = false;
+        hours.week.fill({{0, 24 * 60}});
+    }
+}
+
+void read_all(Reader& reader, Configuration& configuration, const LettersWithoutFont& without_font) {
     read_screen(reader, configuration.screen);
-    reader.read("buttons", "inputs", configuration.inputs);
+    reader.read_checked("buttons", "inputs", configuration.inputs, InputCheck{});
     read_visit(reader, configuration.visit);
     read_breeding(reader, configuration.breeding);
-    reader.read_words(configuration.words);
-    reader.read("picture", "alpha", configuration.picture.alpha, 0.05, 20);
-    reader.read("picture", "samples", configuration.picture.samples, 1, 4);
-    reader.read("picture", "land_samples", configuration.picture.land_samples, 65, 1025);
-    reader.read("picture", "ground", configuration.picture.ground, ground_names());
-    reader.read("fleet", "broker", configuration.fleet.broker);
-    reader.read("fleet", "name", configuration.fleet.name);
-    reader.read("fleet", "user", configuration.fleet.user);
-    reader.read("fleet", "password_file", configuration.fleet.password_file);
-    reader.read("fleet", "ca_file", configuration.fleet.ca_file);
-    reader.read_hours(configuration.hours);
+    read_words(reader, configuration.words);
+    read_picture(reader, configuration.picture);
+    read_fleet(reader, configuration.fleet);
+    read_hours(reader, configuration.hours);
     read_closing(reader, configuration.closing);
-    reader.read_texts(configuration.texts);
+    read_texts(reader, configuration.texts, without_font);
+    check_language(reader, configuration, without_font);
     reader.refuse_what_was_not_read();
-    if (configuration.picture.samples != 1 && configuration.picture.samples != 4)
-        throw base::InputError(
-            fmt::format("{}: picture.samples is {}; it must be 1 or 4", source, configuration.picture.samples));
-    const auto land = static_cast<unsigned>(configuration.picture.land_samples - 1);
-    if (!std::has_single_bit(land))
-        throw base::InputError(fmt::format("{}: picture.land_samples is {}; it must be 65, 129, 257, 513 or 1025",
-                                           source, configuration.picture.land_samples));
-    if (configuration.screen.rotation_deg % 90 != 0)
-        throw base::InputError(fmt::format("{}: screen.rotation_deg is {}; it must be 0, 90, 180 or 270", source,
-                                           configuration.screen.rotation_deg));
-    return configuration;
 }
 
-Configuration read_configuration(const std::filesystem::path& path) {
-    constexpr std::size_t kLargest = 1U << 20U;
-    return configuration_from(base::read_file(path, kLargest), path.string());
+bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
+
+CheckedConfiguration unusable(const std::string& source, std::string_view message) {
+    const std::string prefix = source + ": ";
+    return {{}, {mistake_from(source, 0, message.substr(message.starts_with(prefix) ? prefix.size() : 0))}};
 }
+
+Configuration required(CheckedConfiguration checked) {
+    if (!checked.is_usable()) throw SettingsError(std::move(checked.mistakes));
+    return std::move(checked.configuration);
+}
+
+}  // namespace
+
+CheckedConfiguration check_configuration(std::string_view toml, const std::string& source,
+                                         const LettersWithoutFont& without_font) {
+    if (is_blank(toml))
+        return unusable(source,
+                        "the file is empty, as a pulled plug leaves one; put the settings back, or a line that begins "
+                        "with # to have the defaults");
+    ParsedToml parsed = parse_toml(toml, source);
+    CheckedConfiguration checked;
+    checked.mistakes = std::move(parsed.mistakes);
+    if (parsed.is_whole) {
+        Reader reader(parsed.root, source);
+        read_all(reader, checked.configuration, without_font);
+        checked.mistakes.insert(checked.mistakes.end(), reader.mistakes().begin(), reader.mistakes().end());
+    }
+    for (Mistake& mistake : checked.mistakes) mistake = on_one_line(std::move(mistake));
+    std::ranges::stable_sort(checked.mistakes, {}, &Mistake::line);
+    return checked;
+}
+
+CheckedConfiguration check_configuration_file(const std::filesystem::path& path, std::optional<std::string>* toml) {
+    constexpr std::size_t kLargest = 1U << 20U;
+    std::string read;
+    try {
+        read = base::read_text(path, {kLargest, kLargest});
+    } catch (const base::InputError& error) {
+        return unusable(path.string(),
+                        fmt::format("{}; put a file of settings there that everybody may read", error.what()));
+    }
+    CheckedConfiguration checked = check_configuration(read, path.string());
+    if (toml != nullptr) *toml = std::move(read);
+    return checked;
+}
+
+Configuration configuration_from(std::string_view toml, const std::string& source) {
+    return required(check_configuration(toml, source));
+}
+
+Configuration read_configuration(const std::filesystem::path& path) { return required(check_configuration_file(path)); }
 
 std::string text(const Configuration& configuration, const std::string& key) {
     assert(std::ranges::find(genome::kPrompts, key) != genome::kPrompts.end());

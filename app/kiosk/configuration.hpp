@@ -3,12 +3,16 @@
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "kiosk/mistake.hpp"
 #include "kiosk/staff/hours.hpp"
+#include "render/coverage.hpp"
 
 namespace quadrat::kiosk {
 
@@ -19,7 +23,7 @@ struct Configuration {
         std::string display = "auto";  // auto, kms, window, headless
         std::string size;              // drawn size, "1280x720"; empty: the screen's
         std::string connector;         // kms: "HDMI-A-1"; empty: the first with a screen
-        std::string mode;              // kms: "1920x1080@60"; empty: the screen's preferred up to 1080p60
+        std::string mode;              // kms: "1920x1080@60"; empty: the screen's own size
         int rotation_deg = 0;          // 0, 90, 180, 270 clockwise
         bool is_mirrored = false;      // rear projection
     } screen;
@@ -73,7 +77,26 @@ struct Configuration {
     std::map<std::string, std::string> texts;  // prompts in the site's own words, by key
 };
 
-// Throws InputError naming source, line and key, what is wrong and what would be right.
+// Which letters of a text cannot be shown, "" for none: render::letters_without_font.
+using LettersWithoutFont = std::function<std::string(const std::string& utf8)>;
+
+// A configuration, and all that is wrong with what it was read from. Where something is, what is right is in it, and
+// the defaults for the rest.
+struct CheckedConfiguration {
+    Configuration configuration;
+    std::vector<Mistake> mistakes;  // by line
+    bool is_usable() const { return mistakes.empty(); }
+};
+
+// The one judgement of settings: whoever reads them, to run, to publish, to follow them or to look after them, comes
+// here. An empty text is a mistake, as what a pulled plug leaves of a file; one with nothing but comments is not.
+CheckedConfiguration check_configuration(std::string_view toml, const std::string& source,
+                                         const LettersWithoutFont& without_font = render::letters_without_font);
+// The same for a file. One that cannot be read is a mistake too. `toml` receives what it holds, or nothing.
+CheckedConfiguration check_configuration_file(const std::filesystem::path& path,
+                                              std::optional<std::string>* toml = nullptr);
+
+// The same for those who refuse settings with any mistake: throws SettingsError with all of them.
 Configuration configuration_from(std::string_view toml, const std::string& source);
 Configuration read_configuration(const std::filesystem::path& path);
 

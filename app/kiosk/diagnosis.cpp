@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "display/display.hpp"
 #include "kiosk/diagnosis_access.hpp"
+#include "kiosk/diagnosis_state.hpp"
 #include "kiosk/staff/machine.hpp"
 #include "kiosk/staff/wall_clock.hpp"
 
@@ -41,21 +42,6 @@ Finding connector_finding(const fs::path& connector) {
                 fmt::format("{}: plugged in, but it does not say what it is (no EDID)", plain),
                 "a bad cable or adapter; pin the projector's mode in the configuration, screen.mode"};
     return {"screen", Health::Good, fmt::format("{}: plugged in, prefers {}", plain, mode), ""};
-}
-
-Finding state_file_finding(const fs::path& file, const std::optional<Account>& exhibit) {
-    std::error_code error;
-    if (!fs::exists(file, error)) return {"state", Health::Good, "no visit has been kept yet", ""};
-    std::ifstream stream(file, std::ios::binary);
-    char head[16] = {};
-    if (!stream.read(head, sizeof head) || std::string_view(head, 15) != "SQLite format 3")
-        return {"state", Health::Doubtful, fmt::format("{} is not a database any more", file.string()),
-                "nothing to do: the exhibit sets it aside under a dated name and starts a fresh one"};
-    if (!is_usable(file, exhibit))
-        return {
-            "state", Health::Bad, fmt::format("{} is somebody else's: the exhibit may not write it", file.string()),
-            "visits are kept in memory only; give it to the exhibit's user: systemd-tmpfiles --create quadrat.conf"};
-    return {"state", Health::Good, fmt::format("{}, {} kB", file.string(), fs::file_size(file, error) / 1024), ""};
 }
 
 }  // namespace
@@ -127,7 +113,8 @@ std::vector<Finding> examine_state(const fs::path& directory, std::optional<doub
                             "make room: the exhibit goes on, but keeps nothing once the disk is full; what is large: "
                             "du -xh " +
                                 existing.string() + " | sort -h | tail"});
-    findings.push_back(state_file_finding(directory / "quadrat.db", exhibit));
+    const std::vector<Finding> files = examine_state_files(directory, exhibit);
+    findings.insert(findings.end(), files.begin(), files.end());
     return findings;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "kiosk/diagnosis_access.hpp"
+#include "kiosk/screen.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -49,6 +51,38 @@ std::optional<Finding> map_finding(const std::string& spec, const std::optional<
     }
 }
 
+// What else could be named, so that nobody has to guess.
+std::optional<Finding> beside_finding(const std::string& spec, const std::vector<std::string>& inputs,
+                                      const OpenButtons& open) {
+    for (const std::string& input : inputs)
+        if (input.starts_with(spec)) return std::nullopt;
+    const auto status = open(spec).source->look();
+    if (status.presence == firmware_io::Presence::Absent || status.reason.empty()) return std::nullopt;
+    return Finding{"buttons", Health::Good, fmt::format("{} would hear {}", spec, status.reason), ""};
+}
+
+// What an exhibit hears that names no input: whatever HID controller there is, and the keyboard in a window.
+Finding unnamed_finding(const Configuration& configuration, const OpenButtons& open) {
+    if (configuration.screen.display == "headless")
+        return {"buttons", Health::Good, "none are named, and no screen is: a visitor is played", ""};
+    const bool is_window = configuration.screen.display == "window";
+    Finding finding = input_finding(default_inputs("kms").front(), open);
+    finding.what = "none are named in the configuration; " + finding.what;
+    if (finding.health != Health::Bad) return finding;
+    if (is_window)
+        return {"buttons", Health::Good, "none are named in the configuration; the window's keyboard is", ""};
+    finding.remedy = "nobody can press anything: name yours under buttons.inputs, or plug a controller in";
+    return finding;
+}
+
+// A keyboard reaches a window alone.
+std::optional<Finding> keyboard_finding(const Configuration& configuration) {
+    const bool is_all = std::ranges::all_of(configuration.inputs, [](const auto& spec) { return spec == "keyboard"; });
+    if (!is_all || configuration.screen.display != "kms") return std::nullopt;
+    return Finding{"buttons", Health::Bad, "buttons.inputs names the keyboard alone, which only a window hears",
+                   "name buttons: hid: or gpio:…; or write display = \"window\""};
+}
+
 }  // namespace
 
 std::vector<Finding> examine_buttons(const Configuration& configuration, const std::optional<Account>& exhibit,
@@ -59,10 +93,19 @@ std::vector<Finding> examine_buttons(const Configuration& configuration, const s
         if (auto map = map_finding(spec, exhibit)) findings.push_back(std::move(*map));
     }
     if (configuration.inputs.empty())
-        findings.push_back({"buttons", Health::Doubtful, "none are named in the configuration",
-                            "without them the first HID controller is used; name yours under buttons.inputs"});
+        findings.push_back(unnamed_finding(configuration, open));
+    else if (auto keyboard = keyboard_finding(configuration))
+        findings.push_back(std::move(*keyboard));
     findings.push_back(access_finding({"buttons", "GPIO chips", "gpiochip", "gpio"}, dev, exhibit));
     findings.push_back(access_finding({"buttons", "HID devices", "hidraw", "input"}, dev, exhibit));
+    findings.push_back(access_finding({"buttons", "input devices", "event", "input"}, dev / "input", exhibit));
+    return findings;
+}
+
+std::vector<Finding> examine_boards(const Configuration& configuration, const OpenButtons& open) {
+    std::vector<Finding> findings;
+    for (const char* spec : {"hid:", "evdev:"})
+        if (auto beside = beside_finding(spec, configuration.inputs, open)) findings.push_back(std::move(*beside));
     return findings;
 }
 

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "kiosk/diagnosis.hpp"
+#include "kiosk/settings.hpp"
 #include "kiosk/staff/watch.hpp"
 
 namespace quadrat::kiosk {
@@ -29,6 +30,19 @@ std::string text_in(const json& object, const char* key) {
     return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
+// Which settings it has instead of its file's.
+std::vector<std::string> settings_trouble_in(const json& health) {
+    const json settings = health.value("settings", json::object());
+    const json mistakes = settings.is_object() ? settings.value("mistakes", json::array()) : json::array();
+    if (!mistakes.is_array() || mistakes.empty()) return {};
+    const std::string from = text_in(settings, "from");
+    const SettingsFrom used = from == "defaults"    ? SettingsFrom::Defaults
+                              : from == "last good" ? SettingsFrom::LastGood
+                                                    : SettingsFrom::File;
+    return {fmt::format("its settings file cannot be used ({} mistake{}): {}", mistakes.size(),
+                        mistakes.size() == 1 ? "" : "s", in_words(used))};
+}
+
 std::vector<Finding> findings_in(const json& health) {
     std::vector<Finding> findings;
     const auto add = [&](Health how, std::string what, std::string remedy) {
@@ -44,6 +58,8 @@ std::vector<Finding> findings_in(const json& health) {
     if (const std::string trouble = text_in(health, "state_trouble"); !trouble.empty())
         add(Health::Doubtful, "it keeps nothing: " + trouble,
             "make room, or give it a working disk: df -h; dmesg | tail");
+    for (std::string& line : settings_trouble_in(health))
+        add(Health::Doubtful, std::move(line), "correct it: quadrat doctor --only settings; it is then taken over");
     const json buttons = health.value("buttons", json::object());
     if (buttons.is_object() && !buttons.value("present", true))
         add(Health::Bad, "its buttons: " + text_in(buttons, "reason"),
@@ -102,17 +118,6 @@ std::vector<Finding> examine_service(const fs::path& runtime) {
         findings.push_back({"service", Health::Good,
                             fmt::format("its screen is dark as planned: {}", text_in(health, "opening")), ""});
     return findings;
-}
-
-Examined examine_configuration(const fs::path& file) {
-    if (file.empty()) return {{}, {}};
-    try {
-        return {read_configuration(file), {{"settings", Health::Good, file.string() + " can be used", ""}}};
-    } catch (const base::InputError& error) {
-        return {{},
-                {{"settings", Health::Bad, error.what(),
-                  "correct that line; the exhibit does not start with it: systemctl status quadrat"}}};
-    }
 }
 
 }  // namespace quadrat::kiosk

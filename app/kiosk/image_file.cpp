@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "kiosk/images/module.hpp"
 
 namespace quadrat::kiosk {
@@ -32,30 +33,39 @@ const ImageFiles& files() {
     return *loaded;
 }
 
+PictureName named(const std::filesystem::path& path) { return {path.string(), base::ending_of(path)}; }
+
+std::string bytes_of(const std::filesystem::path& path) {
+    constexpr std::size_t kLargest = std::size_t{2} << 30U;
+    return base::read_file(path, kLargest);
+}
+
 }  // namespace
 
-void write_image_file(const std::filesystem::path& path, const std::string& name, const mesh::Image& pixels,
-                      const std::string& json) {
-    files().write(path, name, pixels, json);
+std::string encoded_picture(const std::filesystem::path& name, const mesh::Image& pixels, const std::string& json) {
+    return files().encode_picture(named(name), pixels, json);
 }
 
-void write_field_file(const std::filesystem::path& path, const std::string& name, const mesh::Field& field) {
-    files().write_field(path, name, field);
+std::string encoded_field(const std::filesystem::path& name, const mesh::Field& field) {
+    return files().encode_field(named(name), field);
 }
 
-std::size_t write_height_picture(const std::filesystem::path& path, const std::string& name, const mesh::Field& field,
-                                 float low, float high) {
-    return files().write_heights(path, name, field, low, high);
+std::string encoded_heights(const std::filesystem::path& name, const mesh::Field& field, float low, float high) {
+    return files().encode_heights(named(name), field, low, high);
 }
 
-mesh::Field read_mask_file(const std::filesystem::path& path) { return files().read_mask(path); }
+GreyPicture read_grey_picture(const std::filesystem::path& path) {
+    return files().read_grey(bytes_of(path), path.string());
+}
 
-mesh::Image read_image_file(const std::filesystem::path& path) { return files().read(path); }
+mesh::Image read_image_file(const std::filesystem::path& path) { return files().read(bytes_of(path), path.string()); }
 
 bool is_image_file(std::string_view bytes) {
     return bytes.starts_with("\x89PNG") || bytes.starts_with("\x76\x2f\x31\x01");
 }
 
-std::optional<std::string> scene_inside(const std::filesystem::path& path) { return files().scene_inside(path); }
+std::optional<std::string> scene_inside(const std::filesystem::path& path) {
+    return files().scene_inside(bytes_of(path), path.string());
+}
 
 }  // namespace quadrat::kiosk

@@ -11,21 +11,24 @@
 // Pictures on disk, through OpenImageIO. Every failure is an InputError naming the file.
 namespace quadrat::kiosk {
 
-// To `path`, in the format of its ending, with the JSON inside unless it is empty. `name` is what errors call the file.
-void write_image_file(const std::filesystem::path& path, const std::string& name, const mesh::Image& pixels,
-                      const std::string& json);
+// Whole files, for base::write_file: the name's ending decides the format, and nothing in them depends on the time of
+// day. They are looked at before they are returned.
+
+// .png or .exr, with the JSON inside unless it is empty.
+std::string encoded_picture(const std::filesystem::path& name, const mesh::Image& pixels, const std::string& json);
 
 // Heights as 32-bit floats (.exr, .tif), one channel.
-void write_field_file(const std::filesystem::path& path, const std::string& name, const mesh::Field& field);
+std::string encoded_field(const std::filesystem::path& name, const mesh::Field& field);
 
-// Heights as 16-bit grey (.png), low to high over the whole of it; what lies beyond is cut. Returns how many samples
-// did.
-std::size_t write_height_picture(const std::filesystem::path& path, const std::string& name, const mesh::Field& field,
-                                 float low, float high);
+// Heights as 16-bit grey (.png), low to high over the whole of it; what lies beyond is cut.
+std::string encoded_heights(const std::filesystem::path& name, const mesh::Field& field, float low, float high);
 
-// A grey picture, PNG, TIFF, EXR or PNM, of any size to 8193: 0 black to 1 white; floats as they are. Of colours the
-// mean. Anything else is refused by its name.
-mesh::Field read_mask_file(const std::filesystem::path& path);
+// PNG, TIFF, EXR or PNM of any size to 16384; of colours the mean. Anything else is refused by its name.
+struct GreyPicture {
+    mesh::Field samples;         // in the file's own numbers; floats may be infinite, or none
+    std::optional<float> white;  // of whole numbers without a sign: the largest. Others may mean anything.
+};
+GreyPicture read_grey_picture(const std::filesystem::path& path);
 
 mesh::Image read_image_file(const std::filesystem::path& path);  // RGBA
 

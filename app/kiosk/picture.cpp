@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/text_file.hpp"
 #include "kiosk/image_file.hpp"
 
 namespace quadrat::kiosk {
@@ -155,18 +156,12 @@ Picture picture_from_json(const std::string& json, const std::string& source) {
 }
 
 void check_picture_name(const std::filesystem::path& path) {
-    if (path.extension() != ".png" && path.extension() != ".exr")
-        refuse(path.string(), "a picture is written as .png or .exr");
-    const std::filesystem::path folder = path.parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder))
-        refuse(path.string(), fmt::format("there is no folder {}", folder.string()));
+    base::require_ending(path, {".png", ".exr"}, "a picture");
 }
 
 void write_picture(const std::filesystem::path& path, const mesh::Image& pixels, const std::string& json) {
     check_picture_name(path);
-    base::write_file_by(path, [&](const std::filesystem::path& temporary) {
-        write_image_file(temporary, path.string(), pixels, json);
-    });
+    base::write_file(path, encoded_picture(path, pixels, json));
 }
 
 void write_image(const std::filesystem::path& path, const mesh::Image& pixels) { write_picture(path, pixels, {}); }
@@ -177,8 +172,9 @@ Picture read_scene(const std::string& scene) {
         picture.scenes.push_back(genome::random_recipe(base::Seed{*number}));
         return picture;
     }
-    const std::string bytes = base::read_file(scene);
-    if (!is_image_file(bytes)) return picture_from_json(bytes, scene);
+    std::string bytes = base::read_file(scene);
+    if (!is_image_file(bytes))
+        return picture_from_json(base::text_from(std::move(bytes), scene, base::kJsonLimits), scene);
     const std::optional<std::string> json = scene_inside(scene);
     if (!json) refuse(scene, "this picture carries no scene; take one that quadrat wrote, a scene file, or seed:N");
     return picture_from_json(*json, scene);

@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <memory>
+#include <string>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -63,9 +64,13 @@ void write_png_quickly(const std::filesystem::path& path, const mesh::Image& ima
             std::memcpy(rows + y * stride + x * 4, &word, sizeof word);
         }
     cairo_surface_mark_dirty(png.get());
-    base::write_file_by(path, [&](const std::filesystem::path& temporary) {
-        require_success(cairo_surface_write_to_png(png.get(), temporary.c_str()), path);
-    });
+    std::string bytes;
+    const auto append = [](void* to, const unsigned char* from, unsigned count) {
+        static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(from), count);
+        return CAIRO_STATUS_SUCCESS;
+    };
+    require_success(cairo_surface_write_to_png_stream(png.get(), append, &bytes), path);
+    base::write_file(path, bytes);
 }
 
 }  // namespace quadrat::kiosk

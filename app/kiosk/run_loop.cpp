@@ -143,6 +143,7 @@ class Loop {
         calibrate(canvas, now);
         Theatre::Over over;
         if (parts_.caretaker != nullptr) over.board = parts_.caretaker->board();
+        if (parts_.caretaker != nullptr) over.sign = parts_.caretaker->sign();
         if (parts_.keepsakes != nullptr && shows_earlier_landscapes()) over.backdrop = parts_.keepsakes->at(now);
         if (budget_) theatre_.set_detail(budget_->detail({canvas.size.width, canvas.size.height}));
         drawn_ = theatre_.draw(parts_.show, parts_.show.growing_progress(), now, canvas, over);

@@ -6,6 +6,8 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
+#include "base/text_file.hpp"
+#include "kiosk/backup/staged.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -17,8 +19,21 @@ constexpr std::size_t kLargest = 64U << 20U;
 fs::path words_file(const fs::path& folder) { return folder / "words.json"; }
 fs::path previous_file(const fs::path& folder) { return folder / "words.previous.json"; }
 
+// A file that cannot be read is kept for whoever may want to mend it, under a dated name.
+void set_aside_if_damaged(const fs::path& folder) {
+    std::error_code ignored;
+    if (!fs::exists(words_file(folder), ignored)) return;
+    try {
+        breeding::word_lessons_from(base::read_file(words_file(folder), kLargest), words_file(folder).string());
+    } catch (const base::InputError&) {
+        using std::chrono::system_clock;
+        const auto now = std::chrono::time_point_cast<std::chrono::milliseconds>(system_clock::now());
+        fs::rename(words_file(folder), folder / backup::dated_name(folder, "words.json.damaged", now), ignored);
+    }
+}
+
 SiteWords words_in(const fs::path& file) {
-    breeding::Lessons lessons = breeding::word_lessons_from(base::read_file(file, kLargest), file.string());
+    breeding::Lessons lessons = breeding::word_lessons_from(base::read_text(file, base::kJsonLimits), file.string());
     breeding::WordMap map = breeding::map_of(lessons);
     return {std::move(lessons), std::move(map)};
 }
@@ -71,6 +86,7 @@ std::optional<SiteWords> previous_site_words(const fs::path& folder) {
 void keep_site_words(const fs::path& folder, const breeding::Lessons& lessons) {
     std::error_code error;
     fs::create_directories(folder, error);
+    set_aside_if_damaged(folder);
     // Nothing before the first lesson is a map too: the default one.
     const std::string before = fs::exists(words_file(folder), error) ? base::read_file(words_file(folder), kLargest)
                                                                      : to_json(breeding::Lessons{});

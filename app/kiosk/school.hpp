@@ -23,7 +23,8 @@ SiteWords site_words(const std::filesystem::path& folder);
 // The one before; nothing where there is none that can be read.
 std::optional<SiteWords> previous_site_words(const std::filesystem::path& folder);
 
-// Whole or not at all; what was there becomes words.previous.json. Throws InputError naming the file.
+// Whole or not at all; what was there becomes words.previous.json or, where it is damaged, a dated file. Throws
+// InputError naming the file.
 void keep_site_words(const std::filesystem::path& folder, const breeding::Lessons& lessons);
 
 // The night a moment of the site's own time belongs to, counted in days: it changes at three in the morning.

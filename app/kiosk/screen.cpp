@@ -14,4 +14,9 @@ display::DisplayOptions display_options(const Configuration& configuration) {
     return options;
 }
 
+std::vector<std::string> default_inputs(std::string_view display_kind) {
+    if (display_kind == "window") return {"keyboard", "hid:"};
+    return {"hid:"};
+}
+
 }  // namespace quadrat::kiosk

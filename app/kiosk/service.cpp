@@ -13,6 +13,7 @@ void ask_for_time(std::chrono::seconds longer) {
 }
 void announce_ready() { sd_notify(0, "READY=1"); }
 void feed_watchdog() { sd_notify(0, "WATCHDOG=1"); }
+void tell_status(const std::string& line) { sd_notify(0, ("STATUS=" + line).c_str()); }
 void announce_stopping() { sd_notify(0, "STOPPING=1"); }
 
 }  // namespace quadrat::kiosk

@@ -105,6 +105,7 @@ render::Frame Stage::frame(const StageView& view, const display::Canvas& canvas)
     add_plate(frame, view);
     if (view.asked != nullptr) add_labels(frame, view);
     if (view.asked != nullptr && view.asked->slider) add_slider(frame, *view.asked->slider);
+    if (!view.sign.empty()) add_sign(frame, view.sign);
     if (is_strip) add_strip(frame, *view.board);
     frame.is_wired = is_strip && view.board->has_wires;
     return frame;
@@ -175,6 +176,21 @@ void Stage::add_strip(render::Frame& frame, const staff::Board& board) {
         frame.signs.push_back(sign);
         y += written.height + 2 * pad;
     }
+}
+
+// In the lower right corner, where whoever looks for it finds it and nobody else minds.
+void Stage::add_sign(render::Frame& frame, std::string_view words) {
+    const int pad = frame.size.y / 120;
+    const auto written =
+        writer_.text(std::string(words), static_cast<float>(frame.size.y) / 45.0F, false, frame.size.x * 4 / 10);
+    render::Sign back;
+    back.place = {frame.size.x - written.width - 2 * pad, 0, written.width + 2 * pad, written.height + 2 * pad};
+    back.colour = kPlate;
+    frame.signs.push_back(back);
+    render::Sign sign;
+    sign.texture = written.texture;
+    sign.place = {back.place.x + pad, pad, written.width, written.height};
+    frame.signs.push_back(sign);
 }
 
 // The title large; the lines below it, small enough that all of them are on the screen.

@@ -46,6 +46,7 @@ struct StageView {
     const Asked* asked = nullptr;           // in Describe and Slide
     const staff::Board* board = nullptr;    // over everything, or null
     const mesh::Image* backdrop = nullptr;  // a picture of an earlier landscape in place of what is not there, or null
+    std::string_view sign = {};             // for staff, small in a corner; may be empty
 };
 
 // From the visit's state to a frame: which views, how dim, which words. Holds rasterised words, nothing else.
@@ -62,6 +63,7 @@ class Stage {
     void add_quarter_signs(render::Frame& frame, const StageView& view);
     void add_board(render::Frame& frame, const staff::Board& board);
     void add_strip(render::Frame& frame, const staff::Board& board);
+    void add_sign(render::Frame& frame, std::string_view words);
     void add_backdrop(render::Frame& frame, const mesh::Image& picture);
     void add_plate(render::Frame& frame, const StageView& view);
     void add_progress(render::Frame& frame, const StageView& view, const render::Rect& plate);

@@ -153,9 +153,10 @@ render::Drawn Theatre::draw(const Show& show, float growing_progress, Instant no
     std::optional<Flash> flash;
     if (show.last_press()) flash = Flash{*show.last_press(), show.last_press_at()};
     const std::optional<Asked> asked = show.asked();
-    render::Frame frame = stage_->frame({show.state(), show.timings(), cast, flash, growing_progress, now,
-                                         show.caption(), asked ? &*asked : nullptr, over.board, over.backdrop},
-                                        canvas);
+    render::Frame frame =
+        stage_->frame({show.state(), show.timings(), cast, flash, growing_progress, now, show.caption(),
+                       asked ? &*asked : nullptr, over.board, over.backdrop, over.sign},
+                      canvas);
     frame.is_one_of_many = true;
     if (detail_) frame.detail = *detail_;
     drawn_ = {frame.size, frame.hanging, frame.framebuffer, frame.seconds, {}, {}, frame.detail, {}};

@@ -51,6 +51,7 @@ class Theatre {
     struct Over {
         const staff::Board* board = nullptr;
         const mesh::Image* backdrop = nullptr;
+        std::string sign = {};  // for staff, in a corner; may be empty
     };
     render::Drawn draw(const Show& show, float growing_progress, Instant now, const display::Canvas& canvas,
                        const Over& over);

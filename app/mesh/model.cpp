@@ -11,6 +11,8 @@
 #include <iterator>
 #include <limits>
 
+#include "base/srgb.hpp"
+
 namespace quadrat::mesh {
 namespace {
 
@@ -31,10 +33,11 @@ void append_obj(std::string& out, const Model::Part& part, const Model::Placed& 
                 std::size_t& first_vertex, std::size_t& first_normal) {
     auto to = std::back_inserter(out);
     fmt::format_to(to, "o {}_{}\n", part.name, number);
+    const glm::vec3 colour{base::srgb_from_linear(part.colour.x), base::srgb_from_linear(part.colour.y),
+                           base::srgb_from_linear(part.colour.z)};
     for (const glm::vec3& local : part.mesh.positions_m) {
         const glm::vec3 p = placed.at_m + placed.scale * turned(local, placed.yaw_rad);
-        fmt::format_to(to, "v {} {} {} {:.4g} {:.4g} {:.4g}\n", p.x, p.y, p.z, part.colour.x, part.colour.y,
-                       part.colour.z);
+        fmt::format_to(to, "v {} {} {} {:.4g} {:.4g} {:.4g}\n", p.x, p.y, p.z, colour.x, colour.y, colour.z);
     }
     const bool has_normals = part.mesh.normals.size() == part.mesh.positions_m.size();
     if (has_normals) {
@@ -122,7 +125,7 @@ std::string joined(const std::vector<std::string>& items) { return fmt::format("
 }  // namespace
 
 std::string to_obj(const Model& model) {
-    std::string out = "# quadrat, metres, y up\n";
+    std::string out = "# quadrat, metres, y up; colours after the positions are sRGB, 0 to 1\n";
     std::size_t first_vertex = 1;
     std::size_t first_normal = 1;
     std::size_t number = 0;

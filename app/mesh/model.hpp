@@ -25,7 +25,9 @@ struct Model {
     std::vector<Placed> placed;  // empty: every part once, where it is
 };
 
-std::string to_obj(const Model& model);  // Wavefront OBJ, instances written out; vertex colours after the positions
-std::string to_glb(const Model& model);  // binary glTF 2.0, instances as nodes
+// Wavefront OBJ, instances written out. Vertex colours stand after the positions, in sRGB: nothing standardises them,
+// and Blender, MeshLab and assimp's viewers take them as they would a picture's.
+std::string to_obj(const Model& model);
+std::string to_glb(const Model& model);  // binary glTF 2.0, instances as nodes; colours linear, as it demands
 
 }  // namespace quadrat::mesh

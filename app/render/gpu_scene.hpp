@@ -5,6 +5,7 @@
 
 #include "render/gl/texture.hpp"
 #include "render/light_and_air.hpp"
+#include "render/passes/cover.hpp"
 #include "render/passes/ground.hpp"
 #include "render/passes/plants.hpp"
 #include "render/passes/sky.hpp"
@@ -29,6 +30,7 @@ class GpuScene {
     std::shared_ptr<const passes::FloraOnGpu> flora;
     std::shared_ptr<const passes::SkyOnGpu> sky;
     passes::GroundPictureOnGpu ground;
+    passes::CoverOfScene cover;
     std::shared_ptr<const std::vector<scene::Plant>> plants;  // the grown scene's, which stays for them
     LightAndAir air;
 };

@@ -111,6 +111,10 @@ scene::Scene rehearsal_scene() {
     for (float away_m = 4; away_m < 1000; away_m *= 1.4F)
         scene.plants.push_back({0, {160 - 0.3F * away_m, 15, 160 - away_m}});
     scene.light.ground = picture(4);
+    scene.sward.tufts.resize(1);
+    scene.sward.tufts[0].root_m = {150, 15, 130};
+    scene.sward.cells.push_back({{149, 15, 129}, {151, 16, 131}, 0, {1, 0, 0, 0}});
+    scene.sward.reach_m = 100;
     return scene;
 }
 

@@ -72,6 +72,7 @@ struct Renderer::Parts {
     passes::GroundPass ground;
     passes::SurroundPass surround;
     passes::StonePass stone;
+    passes::CoverPass cover;
     passes::PlantsPass plants;
     passes::WaterPass water;
     passes::SkyPass sky;
@@ -85,6 +86,7 @@ struct Renderer::Parts {
     std::optional<std::size_t> sky_drawn_for;  // of which view the canvas has one that was not taken yet
     std::size_t frames = 0;
     std::vector<gl::StreamBuffer> instances;  // one a view
+    std::vector<gl::StreamBuffer> covers;     // likewise
     std::shared_ptr<Shelves> shelves = std::make_shared<Shelves>();
     bool is_on_processor = is_software();
     gl::ReducedTarget reduced{is_on_processor ? gl::ReducedTarget::SpreadBy::Processor
@@ -180,7 +182,9 @@ void Renderer::Parts::draw_views(const Frame& frame, std::vector<Selection>& sel
     }
     for (std::size_t i = 0; i < frame.views.size(); ++i) {
         look(frame, i, grounds[i], selections[i]);
-        drawn.sent_bytes += passes::kViewBlockBytes + grounds[i].sent_bytes();
+        covers[i].fill<passes::CoverInstance>(selections[i].cover.instances);
+        drawn.sent_bytes += passes::kViewBlockBytes + grounds[i].sent_bytes() +
+                            selections[i].cover.instances.size() * sizeof(passes::CoverInstance);
     }
     if (draws_plants(frame)) step = affordable_step(frame, selections, step);
     for (std::size_t i = 0; i < frame.views.size(); ++i) {
@@ -226,6 +230,7 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
     if (what.ground) {
         gl::bind_uniforms(scene.sky->shadow, passes::kShadowBinding);
         const HeldGround& held = grounds[slot];
+        of(Kind::Cover) += cover.draw(scene.cover, selection.cover, covers[slot], selection.cover_wish);
         of(Kind::Ground) += stone.draw(country.stone, held.indices(), held.stone());
         if (gl::Wires::are_on()) {
             for (const passes::IndexRange& level : held.land_by_level())
@@ -309,6 +314,7 @@ Drawn Renderer::draw(const Frame& frame) {
     Parts& parts = *parts_;
     parts.grounds.resize(frame.views.size());
     while (parts.instances.size() < frame.views.size()) parts.instances.emplace_back(GL_ARRAY_BUFFER);
+    while (parts.covers.size() < frame.views.size()) parts.covers.emplace_back(GL_ARRAY_BUFFER);
     std::vector<Selection> selections;
     for (std::size_t slot = 0; slot < frame.views.size(); ++slot) selections.push_back(outline(frame, slot));
     Drawn drawn;
@@ -367,6 +373,7 @@ Drawn Renderer::rehearse(const Frame& like) {
     parts_->skies.clear();    // of this size they are not needed again
     parts_->sky_drawn_for.reset();
     parts_->instances.clear();
+    parts_->covers.clear();
     frame.views.clear();
     parts_->shelves->grain_textures.trim(0);
     parts_->shelves->cloud_textures.trim(0);

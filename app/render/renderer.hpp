@@ -74,7 +74,7 @@ struct Sign {
 struct Measured {
     bool leaves = true;  // and crowns
     bool wood = true;
-    bool ground = true;  // and stone, and the surround
+    bool ground = true;  // and its cover, stone, and the surround
     bool water = true;
     bool sky = true;          // and what falls from it
     bool is_counted = false;  // plants and ground leave their picture out and add 1 to alpha for every pixel shaded
@@ -99,8 +99,8 @@ struct Frame {
 };
 
 // What a frame asked of the GPU, signs left out.
-enum class Kind : std::size_t { Leaves, Wood, Ground, Water, Sky, Falling };
-inline constexpr std::size_t kKinds = 6;
+enum class Kind : std::size_t { Leaves, Wood, Cover, Ground, Water, Sky, Falling };
+inline constexpr std::size_t kKinds = 7;
 
 struct Drawn {
     std::array<gl::Work, kKinds> of{};  // a Kind

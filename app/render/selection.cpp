@@ -50,6 +50,10 @@ void look(const Frame& frame, std::size_t slot, HeldGround& held, Selection& s) 
                     {alpha, scale, aspect_ratio(view), static_cast<float>(frame.views.size())});
     else
         held.drop();
+    if (frame.measured.ground) {
+        s.cover_wish = {&s.block, &scene.sky->shadow_map, scale, alpha, view.growth};
+        s.cover = passes::look_at_cover(scene.cover, s.frustum, s.cover_wish);
+    }
     if (!draws_plants(frame)) return;
 
     s.gathering.view = s.block;
@@ -60,7 +64,7 @@ void look(const Frame& frame, std::size_t slot, HeldGround& held, Selection& s) 
     s.gathering.fineness = std::sqrt(alpha);  // the budget takes the rest where there is much to see
     s.gathering.horizon = &held.horizon();
     s.plants = passes::look(*scene.plants, scene.flora->kinds, s.frustum, s.gathering);
-    s.other_triangles = held.triangles() +
+    s.other_triangles = held.triangles() + s.cover.triangles +
                         (frame.measured.sky ? passes::FallingPass::triangles(scene.air.sky.precipitation, alpha) : 0);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/held_ground.hpp"
+#include "render/passes/cover.hpp"
 #include "render/passes/crowd.hpp"
 #include "render/passes/frustum.hpp"
 #include "render/passes/view_block.hpp"
@@ -29,6 +30,8 @@ struct Selection {
     passes::Sight plants;
     std::size_t other_triangles = 0;  // than those of plants
     std::vector<passes::Batch> batches;
+    passes::CoverWish cover_wish;
+    passes::CoverSeen cover;
     std::optional<glm::mat3> held_sky_from_view;  // where the sky is a picture of some frames ago
 };
 

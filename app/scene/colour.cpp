@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/srgb.hpp"
+
 namespace quadrat::scene {
 
 glm::vec3 oklab_from_linear(const glm::vec3& c) {
@@ -46,14 +48,9 @@ glm::vec3 shifted_colour(const glm::vec3& colour, float lightness, float chroma)
     return not_negative(linear_from_oklab(lab));
 }
 
-float srgb_from_linear(float linear) {
-    const float c = std::clamp(linear, 0.0F, 1.0F);
-    return c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F;
-}
+float srgb_from_linear(float linear) { return base::srgb_from_linear(linear); }
 
-float linear_from_srgb(float encoded) {
-    return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
-}
+float linear_from_srgb(float encoded) { return base::linear_from_srgb(encoded); }
 
 // A table over the square root of the light: exact to half a step and far cheaper than a power a pixel.
 const std::array<std::uint8_t, 4097>& srgb_bytes_by_root() {

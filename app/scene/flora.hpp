@@ -10,6 +10,7 @@
 
 #include "mesh/image.hpp"
 #include "mesh/mesh.hpp"
+#include "scene/sward.hpp"
 
 namespace quadrat::scene {
 
@@ -113,6 +114,7 @@ struct Flora {
     std::vector<Species> species;  // trees first, then undergrowth
     float spacing_m = 9;           // of trees
     Stand stand;
+    Cover cover;
 };
 
 // One plant standing in the scene.

@@ -8,6 +8,7 @@
 #include "scene/flora.hpp"
 #include "scene/land.hpp"
 #include "scene/sky.hpp"
+#include "scene/sward.hpp"
 
 namespace quadrat::scene {
 
@@ -38,6 +39,7 @@ struct Scene {
     std::shared_ptr<const Land> land;
     std::shared_ptr<const Sky> sky;
     std::vector<Plant> plants;  // sorted by species
+    Sward sward;
     BakedLight light;
     float exposure = 1;  // of all its light, when it is shown
     float floor_m = 0;   // above the sea: the low ground along its flight, on which mist lies

@@ -4,8 +4,10 @@
 #include "synthesis/compose/exposure.hpp"
 #include "synthesis/compose/light.hpp"
 #include "synthesis/compose/low_ground.hpp"
+#include "synthesis/compose/near_shade.hpp"
 #include "synthesis/compose/openness.hpp"
 #include "synthesis/compose/planting.hpp"
+#include "synthesis/compose/sward.hpp"
 #include "synthesis/compose/track.hpp"
 #include "synthesis/land/country.hpp"
 #include "synthesis/sky/firmament.hpp"
@@ -24,8 +26,9 @@ scene::Land grow_land(const scene::LandParameters& parameters, base::Seed seed, 
 scene::Sky grow_sky(const scene::SkyParameters& parameters, base::Seed seed) { return sky::make_sky(parameters, seed); }
 
 Layout lay_out(const scene::Flora& flora, const scene::Land& land, base::Seed planting, base::Seed flight) {
-    const FlightPlan plan = plan_flight(flight);
-    return {fly(plan, land, flight), plant_land(land, flora, plan, planting), sky_openness(land)};
+    const FlightPlan plan = fitted_to(land, plan_flight(flight));
+    return {fly(plan, land, flight), plant_land(land, flora, plan, planting),
+            lay_sward(land, flora, plan, planting.child("sward")), sky_openness(land)};
 }
 
 scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_ptr<const scene::Land> land,
@@ -36,8 +39,11 @@ scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_p
     const LandShadow shadow(*land, sky->sun_direction, sky->shadow_softness);
     light_plants(scene.plants, *flora, *sky, shadow);
     scene.light = bake_light(*land, layout.openness, *sky, *flora, scene.plants, shadow, fineness.light_px);
+    shade_what_is_near(scene.light, scene.plants, scene.track, land->side_m(), sky->is_night);
+    scene.sward = std::move(layout.sward);
+    light_sward(scene.sward, *land, scene.light);
     scene.floor_m = low_ground_m(*land, scene.track);
-    scene.exposure = stopped_down(*land, *sky, scene.light, scene.track);
+    scene.exposure = exposure_for(*land, *sky, scene.light, scene.track);
     scene.flora = std::move(flora);
     scene.land = std::move(land);
     scene.sky = std::move(sky);

@@ -18,6 +18,7 @@ scene::Sky grow_sky(const scene::SkyParameters& parameters, base::Seed seed);
 struct Layout {
     scene::Track track;
     std::vector<scene::Plant> plants;  // sun is left at 1
+    scene::Sward sward;                // its light is left at 0
     mesh::Field openness;              // of the sky, past the land
 };
 // flight names the path over the land, the same for the four scenes of a round; the height follows each land.

@@ -20,14 +20,34 @@ struct LinesOfChip {
     std::vector<Wire> wires;
 };
 
+std::string to_string(const Wire& wire) {
+    std::string text{name_of(wire.button)};
+    return text.append("=").append(to_string(wire.line));
+}
+
+// One line under two names, "0:17" and "GPIO17", is found out only here.
+struct Taken {
+    LinePlace place;
+    const Wire* wire;
+};
+void require_free(std::vector<Taken>& taken, const LinePlace& place, const Wire& wire) {
+    for (const Taken& other : taken)
+        if (other.place == place)
+            throw GpioError{to_string(*other.wire) + " and " + to_string(wire) +
+                            " are the same line; give each button and lamp its own"};
+    taken.push_back({place, &wire});
+}
+
 // Where the wires go, by chip. Those that go nowhere stay in `wires`, and `trouble` says why.
 std::map<std::string, LinesOfChip> take_found(const std::vector<ChipFacts>& chips, std::vector<Wire>& wires,
                                               std::string& trouble) {
     std::map<std::string, LinesOfChip> found;
     std::vector<Wire> missing;
+    std::vector<Taken> taken;
     for (const Wire& wire : wires) {
         try {
             const LinePlace place = find_line(chips, wire.line);
+            require_free(taken, place, wire);
             found[place.chip_path].offsets.push_back(place.offset);
             found[place.chip_path].wires.push_back(wire);
         } catch (const GpioError& error) {
@@ -43,10 +63,37 @@ void append(std::vector<Wire>& wires, const std::vector<Wire>& more) {
     wires.insert(wires.end(), more.begin(), more.end());
 }
 
-std::string to_string(const Wire& wire) {
-    std::string text{name_of(wire.button)};
-    return text.append("=").append(to_string(wire.line));
-}
+// Lines that cannot be had, and why: those with the same trouble in one sentence.
+class Missing {
+  public:
+    void add(const Wire& wire, const std::string& said) {
+        const std::string name = to_string(wire.line);
+        const std::string beginning = "GPIO line " + name;
+        const std::string why = said.substr(said.starts_with(beginning) ? beginning.size() : 0);
+        const auto same = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& kind) { return kind.why == why; });
+        if (same == kinds_.end())
+            kinds_.push_back({why, name, false});
+        else
+            same->names.append(", ").append(name), same->is_many = true;
+    }
+    std::string sentences() const {
+        constexpr std::string_view kIs = " is ";
+        std::string text;
+        for (const auto& [why, names, is_many] : kinds_) {
+            text.append(text.empty() ? "GPIO line" : "; GPIO line").append(is_many ? "s " : " ").append(names);
+            const bool is_singular = is_many && why.starts_with(kIs);
+            text.append(is_singular ? " are " + why.substr(kIs.size()) : why);
+        }
+        return text;
+    }
+
+  private:
+    struct Kind {
+        std::string why, names;
+        bool is_many;
+    };
+    std::vector<Kind> kinds_;
+};
 
 }  // namespace
 
@@ -155,17 +202,20 @@ bool GpioButtons::drive_lamps(Instant now) {
 
 SourceStatus GpioButtons::look() {
     const std::vector<ChipFacts> chips = host_->chips();
-    std::string found, trouble;
+    std::string found;
+    std::vector<Taken> taken;
+    Missing missing;
     const auto look_for = [&](const Wire& wire, const char* what) {
         try {
-            find_line(chips, wire.line, kConsumer);
+            require_free(taken, find_line(chips, wire.line, kConsumer), wire);
             found.append(found.empty() ? "GPIO lines " : ", ").append(what).append(to_string(wire));
         } catch (const GpioError& error) {
-            trouble.append(trouble.empty() ? "" : "; ").append(error.what());
+            missing.add(wire, error.what());
         }
     };
     for (const Wire& wire : wiring_.contacts) look_for(wire, "");
     for (const Wire& wire : wiring_.lamps) look_for(wire, "lamp ");
+    const std::string trouble = missing.sentences();
     return trouble.empty() ? SourceStatus{Presence::Present, found} : SourceStatus{Presence::Absent, trouble};
 }
 

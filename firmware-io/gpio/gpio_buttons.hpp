@@ -5,7 +5,7 @@
 #include "firmware-io/button_source.hpp"
 #include "firmware-io/debounce.hpp"
 #include "firmware-io/gpio/find_line.hpp"
-#include "firmware-io/gpio/kernel_clock.hpp"
+#include "firmware-io/kernel_clock.hpp"
 
 namespace quadrat::firmware_io::gpio {
 

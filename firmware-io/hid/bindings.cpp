@@ -60,7 +60,7 @@ std::vector<Usage> numbered_buttons(const HidLayout& layout, std::uint16_t colle
     for (const Array& array : layout.arrays)
         for (const UsageRange& range : array.usages)
             if (array.collection == collection && page_of(range.first) == page::kButton)
-                for (Usage u = std::max(range.first, usage(page::kButton, 1));
+                for (Usage u = std::max(range.first, usage(page::kButton, array.logical_min == 0 ? 1 : 0));
                      u <= range.last && u - range.first < kButtons.size() + 1; ++u)
                     usages.push_back(u);
     std::sort(usages.begin(), usages.end());

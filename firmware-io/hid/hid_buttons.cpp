@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "firmware-io/hid/hid_interface.hpp"
 #include "firmware-io/text.hpp"
 
 namespace quadrat::firmware_io::hid {
@@ -11,145 +12,137 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Instant kRetryEvery = 1s;
-constexpr Instant kSettling = 200ms;
-constexpr int kMostReportsPerPoll = 256;        // four times the kernel's ring: a flood must not keep the frame waiting
-constexpr int kTaught = 100;                    // likelier than any that was not
-constexpr int kTaughtHere = 101;                // and likelier still than its equal in another port
-constexpr std::size_t kLongestReport = 16'385;  // with its report ID
-
-// " 0079:0006"
-std::string to_string(std::uint16_t vendor, std::uint16_t product) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    std::string text(10, ' ');
-    for (std::size_t i = 0; i < 4; ++i) {
-        text[1 + i] = kDigits[vendor >> (12 - 4 * i) & 0xfu];
-        text[6 + i] = kDigits[product >> (12 - 4 * i) & 0xfu];
-    }
-    text[5] = ':';
-    return text;
-}
-
-std::string describe(const HidDeviceFacts& device) {
-    const HidIdentity& identity = device.identity;
-    return device.path + " (" + identity.name + to_string(identity.vendor, identity.product) + ")";
-}
+constexpr Instant kLookEvery = 1s;
+constexpr int kTaught = 100;      // likelier than any that was not
+constexpr int kTaughtHere = 101;  // and likelier still than its equal in another port
 
 }  // namespace
 
-bool is_meant(const HidSelector& selector, const HidDeviceFacts& device) {
-    const std::string& port = device.identity.port;
-    const bool is_port =
-        selector.port.empty() ||
-        (port.starts_with(selector.port) && (port.size() == selector.port.size() || port[selector.port.size()] == '/'));
-    return is_port && (selector.path.empty() || selector.path == device.path) &&
-           selector.vendor.value_or(device.identity.vendor) == device.identity.vendor &&
-           selector.product.value_or(device.identity.product) == device.identity.product;
-}
-
-std::string to_string(const HidSelector& selector) {
-    std::string text = "HID device";
-    if (selector.vendor && selector.product) text += to_string(*selector.vendor, *selector.product);
-    if (!selector.path.empty()) text += " " + selector.path;
-    if (!selector.port.empty()) text += " at " + selector.port;
-    return text;
-}
-
 HidButtons::HidButtons(std::unique_ptr<HidHost> host, HidSelector selector, DebounceOptions debounce,
-                       std::vector<HidMapping> mappings)
-    : host_{std::move(host)}, selector_{std::move(selector)}, mappings_{std::move(mappings)}, debouncer_{debounce} {
-    status_ = {Presence::Absent, to_string(selector_) + " has not been looked for yet"};
+                       std::vector<HidMapping> mappings, std::shared_ptr<HeardBoards> boards)
+    : host_{std::move(host)},
+      selector_{std::move(selector)},
+      debounce_{debounce},
+      mappings_{std::move(mappings)},
+      boards_{std::move(boards)},
+      status_{Presence::Absent, in_words("HID device", selector_) + " has not been looked for yet"} {}
+
+HidButtons::~HidButtons() = default;
+
+std::vector<HidDeviceFacts> HidButtons::meant() const {
+    std::vector<HidDeviceFacts> all = host_->devices(), found;
+    std::vector<std::string> boards;
+    for (const HidDeviceFacts& device : all)
+        if (is_meant(selector_, device)) boards.push_back(board_of(device.identity));
+    for (HidDeviceFacts& device : all) {
+        const bool is_of_board = !selector_.path.empty() && !device.identity.port.empty() &&
+                                 std::find(boards.begin(), boards.end(), board_of(device.identity)) != boards.end();
+        if (is_of_board || is_meant(selector_, device)) found.push_back(std::move(device));
+    }
+    return found;
 }
 
-std::vector<HidButtons::Candidate> HidButtons::candidates() {
+std::optional<HidButtons::Candidate> HidButtons::candidate(HidDeviceFacts device) const {
+    HidLayout layout = parse_descriptor(device.descriptor);
+    const HidMapping* mapping = mapping_of(mappings_, device.identity);
+    Bindings bindings = mapping != nullptr ? mapping->bindings : Bindings{};
+    std::erase_if(bindings, [&](const Binding& binding) { return !can_send(layout, binding.signal); });
+    const bool is_here = mapping != nullptr && mapping->port == one_word(device.identity.port) &&
+                         mapping->serial == one_word(device.identity.serial);
+    const int is_likely = bindings.empty() ? likelihood(layout) : is_here ? kTaughtHere : kTaught;
+    if (bindings.empty()) bindings = default_bindings(layout);
+    if (bindings.empty()) return std::nullopt;
+    const auto& roles = layout.applications;
+    const bool is_mouse = is_likely == 1 && std::find(roles.begin(), roles.end(), kMouse) != roles.end();
+    return Candidate{std::move(device), std::move(layout), std::move(bindings), is_likely, is_mouse};
+}
+
+std::vector<HidButtons::Candidate> HidButtons::candidates() const {
     std::vector<Candidate> found;
-    for (HidDeviceFacts& device : host_->devices()) {
-        if (!is_meant(selector_, device)) continue;
-        HidLayout layout = parse_descriptor(device.descriptor);
-        const HidMapping* mapping = mapping_of(mappings_, device.identity);
-        Bindings bindings = mapping != nullptr ? mapping->bindings : Bindings{};
-        std::erase_if(bindings, [&](const Binding& binding) { return !can_send(layout, binding.signal); });
-        const bool is_here = mapping != nullptr && mapping->port == one_word(device.identity.port) &&
-                             mapping->serial == one_word(device.identity.serial);
-        const int is_likely = bindings.empty() ? likelihood(layout) : is_here ? kTaughtHere : kTaught;
-        if (bindings.empty()) bindings = default_bindings(layout);
-        if (!bindings.empty()) found.push_back({std::move(device), std::move(layout), std::move(bindings), is_likely});
-    }
+    for (HidDeviceFacts& device : meant())
+        if (auto one = candidate(std::move(device))) found.push_back(std::move(*one));
     std::stable_sort(found.begin(), found.end(),
                      [](const Candidate& a, const Candidate& b) { return a.likelihood > b.likelihood; });
     return found;
 }
 
+bool HidButtons::goes_with(const Candidate& other, const Candidate& first) {
+    const HidIdentity &a = other.device.identity, &b = first.device.identity;
+    if (other.is_mouse && !first.is_mouse) return false;
+    return (a.vendor == b.vendor && a.product == b.product) ||
+           (other.likelihood >= kTaught && first.likelihood >= kTaught);
+}
+
 bool HidButtons::open(Candidate& candidate, Instant now) {
+    if (heard_.has(candidate.device.path)) return true;
     std::string trouble;
-    stream_ = host_->open(candidate.device.path, trouble);
-    if (!stream_) {
-        status_ = {Presence::Absent, describe(candidate.device) + " cannot be opened (" + trouble +
-                                         "); install the udev rule, or give the user read and write access"};
+    auto stream = host_->open(candidate.device.path, trouble);
+    if (!stream) {
+        if (refused_.empty())
+            refused_ = describe(candidate.device.path, candidate.device.identity) + " cannot be opened (" + trouble +
+                       "); install the udev rule, or give the user read and write access";
         return false;
     }
-    reader_ = ReportReader{std::move(candidate.layout)};
-    bindings_ = std::move(candidate.bindings);
-    opened_at_ = now;
-    status_ = {Presence::Present, describe(candidate.device)};
+    HidInterface::Opened opened{candidate.device, std::move(stream), std::move(candidate.layout),
+                                std::move(candidate.bindings), now};
+    heard_.add(std::make_unique<HidInterface>(std::move(opened), debounce_, boards_));
     return true;
 }
 
 SourceStatus HidButtons::nothing_plugged_in() const {
-    return {Presence::Absent, to_string(selector_) + (selector_ == HidSelector{} ? " with buttons" : "") +
-                                  " is not plugged in; plug it in (a gamepad must be switched to D-input or PC mode)"};
+    return {Presence::Absent, in_words("HID device", selector_) + (selector_ == HidSelector{} ? " with buttons" : "") +
+                                  " is not plugged in; plug it in (a gamepad in X-input mode is heard by evdev:)"};
 }
 
 SourceStatus HidButtons::look() {
     const std::vector<Candidate> found = candidates();
     if (found.empty()) return nothing_plugged_in();
-    return {Presence::Present, describe(found.front().device)};
+    std::string who;
+    for (const Candidate& one : found)
+        if (goes_with(one, found.front()))
+            who += (who.empty() ? "" : ", ") + describe(one.device.path, one.device.identity);
+    return {Presence::Present, who};
 }
 
-void HidButtons::open(Instant now) {
-    if (retry_at_ && now < *retry_at_) return;
-    retry_at_ = now + kRetryEvery;
-    status_ = nothing_plugged_in();
-    for (Candidate& candidate : candidates())
-        if (open(candidate, now)) return;
+// The likeliest that can be opened decides who is heard, whichever was plugged in first.
+void HidButtons::look_for(Instant now) {
+    look_at_ = now + kLookEvery;
+    refused_.clear();
+    std::vector<Candidate> found = candidates();
+    const auto first = std::find_if(found.begin(), found.end(), [&](Candidate& one) { return open(one, now); });
+    if (first == found.end()) return;
+    std::vector<std::string> unwanted;  // what is not there any more says so itself, and then counts as unplugged
+    for (Candidate& one : found)
+        if (!goes_with(one, *first) || !open(one, now)) unwanted.push_back(one.device.path);
+    heard_.leave(unwanted, now);
+    unplugged_at_.reset();
 }
 
-void HidButtons::lose(Instant now) {
-    stream_.reset();
-    debouncer_.lost(now);
-    retry_at_ = now + kRetryEvery;
-    status_ = {Presence::Absent, to_string(selector_) + " was unplugged; plug it in again (looked for every second)"};
-}
-
-// Takes over what the reports so far say is pressed.
-void HidButtons::follow(Instant now) {
-    const std::vector<HidSignal> pressed = reader_.pressed();
-    std::array<bool, kButtons.size()> is_closed{};
-    for (const Binding& binding : bindings_)
-        if (std::binary_search(pressed.begin(), pressed.end(), binding.signal))
-            is_closed[index_of(binding.button)] = true;
-    for (const Button button : kButtons) {
-        if (now - opened_at_ < kSettling)
-            debouncer_.found(button, is_closed[index_of(button)], now);
-        else
-            debouncer_.contact(button, is_closed[index_of(button)], now);
-    }
+void HidButtons::tell(Instant now) {
+    const bool has_just_gone = unplugged_at_ && now - *unplugged_at_ < kLookEvery;  // its node may outlive it a little
+    if (!heard_.is_empty())
+        status_ = {Presence::Present, heard_.description() + (refused_.empty() ? "" : "; " + refused_)};
+    else if (!refused_.empty() && !has_just_gone)
+        status_ = {Presence::Absent, refused_};
+    else if (unplugged_at_)
+        status_ = {Presence::Absent,
+                   in_words("HID device", selector_) + " was unplugged; plug it in again (looked for every second)"};
+    else
+        status_ = nothing_plugged_in();
 }
 
 std::vector<ButtonEdge> HidButtons::poll(Instant now) {
-    if (!stream_) open(now);
-    std::array<std::uint8_t, kLongestReport> report;
-    for (int i = 0; stream_ && i < kMostReportsPerPoll; ++i) {
-        const std::ptrdiff_t length = stream_->read(report);
-        if (length == HidStream::kNothing) break;
-        if (length < 0) {
-            lose(now);
-        } else {
-            reader_.read(std::span{report}.first(static_cast<std::size_t>(length)));
-            follow(now);
-        }
+    if (host_->take_news() || !look_at_ || now >= *look_at_) {
+        look_for(now);
+        tell(now);
     }
-    return debouncer_.take(now);
+    const std::size_t before = heard_.count();
+    std::vector<ButtonEdge> edges = heard_.poll(now);
+    if (heard_.count() == before) return edges;
+    look_at_ = now;  // it may be back already
+    if (heard_.is_empty()) unplugged_at_ = now;
+    tell(now);
+    return edges;
 }
 
 }  // namespace quadrat::firmware_io::hid

@@ -7,16 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "firmware-io/device.hpp"
+
 // What we need of the machine's HID devices, and no more: hidraw stands behind it, and so does a fake.
 namespace quadrat::firmware_io::hid {
 
-// Who a device is. Cheap boards share vendor and product and have no serial, so equal ones differ only by the port.
-struct HidIdentity {
-    std::uint16_t vendor = 0, product = 0;
-    std::string name;    // as the device calls itself, for people
-    std::string serial;  // usually ""
-    std::string port;    // where it is plugged in: "usb-0000:00:14.0-1.2/input0"
-};
+using HidIdentity = DeviceIdentity;
 
 struct HidDeviceFacts {
     std::string path;  // "/dev/hidraw3": another one after each plugging
@@ -37,6 +33,8 @@ class HidHost {
   public:
     virtual ~HidHost() = default;
     virtual std::vector<HidDeviceFacts> devices() = 0;  // each path once, in a steady order
+    // Whether something was plugged in or out since the last call, where that is known at once.
+    virtual bool take_news() { return false; }
     // Null if it cannot be opened; `trouble` then says why.
     virtual std::unique_ptr<HidStream> open(const std::string& path, std::string& trouble) = 0;
 };

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "firmware-io/folder_watch.hpp"
 #include "firmware-io/hid/hid_host.hpp"
 
 namespace quadrat::firmware_io::hid {
@@ -17,13 +18,15 @@ HidIdentity parse_uevent(std::string_view uevent);
 class Hidraw final : public HidHost {
   public:
     explicit Hidraw(std::filesystem::path listing = "/sys/class/hidraw", std::filesystem::path nodes = "/dev")
-        : listing_{std::move(listing)}, nodes_{std::move(nodes)} {}
+        : listing_{std::move(listing)}, nodes_{std::move(nodes)}, watch_{nodes_, "hidraw"} {}
 
     std::vector<HidDeviceFacts> devices() override;
+    bool take_news() override { return watch_.take_news(); }
     std::unique_ptr<HidStream> open(const std::string& path, std::string& trouble) override;
 
   private:
     std::filesystem::path listing_, nodes_;
+    FolderWatch watch_;
 };
 
 }  // namespace quadrat::firmware_io::hid

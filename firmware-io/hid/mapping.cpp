@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
+#include "base/error.hpp"
+#include "base/text_file.hpp"
 #include "firmware-io/text.hpp"
 
 namespace quadrat::firmware_io::hid {
@@ -138,14 +138,12 @@ std::vector<HidMapping> parse_mappings(std::string_view text, std::string_view s
 }
 
 std::vector<HidMapping> read_mappings(const std::filesystem::path& file) {
-    constexpr std::uintmax_t kLargest = 1u << 20;
-    std::error_code error;
-    std::ifstream stream{file, std::ios::binary};
-    if (!stream || !std::filesystem::is_regular_file(file, error))
-        refuse(file.string() + ": cannot be read; teach the buttons with quadrat doctor --learn-buttons");
-    if (std::filesystem::file_size(file, error) > kLargest)
-        refuse(file.string() + ": is larger than 1 MB; name the file of the learned buttons");
-    return parse_mappings(std::string{std::istreambuf_iterator<char>{stream}, {}}, file.string());
+    constexpr base::TextLimits kLimits{.bytes = 1u << 20};
+    try {
+        return parse_mappings(base::read_text(file, kLimits), file.string());
+    } catch (const base::InputError& error) {
+        refuse(std::string{error.what()} + "; teach the buttons with quadrat doctor --learn-buttons");
+    }
 }
 
 }  // namespace quadrat::firmware_io::hid

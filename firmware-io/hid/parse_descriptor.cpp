@@ -240,22 +240,33 @@ void DescriptorReader::add_array(std::uint64_t bit) {
 
 std::optional<ControlKind> kind_of(Usage usage, unsigned bits) {
     const unsigned page = page_of(usage);
-    if ((usage & 0xffffu) == 0 || page >= page::kVendorFirst) return std::nullopt;  // undefined, or nobody's business
+    const bool is_undefined = (usage & 0xffffu) == 0 && page != page::kButton;
+    if (is_undefined || page >= page::kVendorFirst) return std::nullopt;  // nobody's business
     if (page == page::kButton) return ControlKind::Button;
     if (page == page::kKeyboard) return ControlKind::Key;
     if (usage == kHatSwitch) return ControlKind::Hat;
     return bits == 1 ? ControlKind::Button : ControlKind::Axis;
 }
 
+// Button 0 means "no button pressed" (HID Usage Tables 1.5, chapter 12), and so it is padding; but home-made boxes
+// number theirs from it, and then there is a button 1 beside it.
+bool has_button(const std::vector<UsageRange>& ranges, unsigned number) {
+    const Usage button = usage(page::kButton, number);
+    return std::any_of(ranges.begin(), ranges.end(),
+                       [&](const UsageRange& range) { return range.first <= button && button <= range.last; });
+}
+
 void DescriptorReader::add_variables(std::uint64_t bit) {
     const std::vector<UsageRange> ranges = usages();
+    const bool is_zero_padding = !has_button(ranges, 1);
     if (ranges.empty()) return;
     const unsigned bits = globals_.report_size;
     std::size_t range = 0;
     Usage usage = ranges.front().first;
     for (std::uint32_t i = 0; i < globals_.report_count; ++i, bit += bits) {
         if (controls_ == kMostControls) return;
-        if (const auto kind = kind_of(usage, bits)) {
+        const bool is_padding = usage == hid::usage(page::kButton, 0) && is_zero_padding;
+        if (const auto kind = is_padding ? std::nullopt : kind_of(usage, bits)) {
             ++controls_;
             Variable variable{*kind,
                               usage,

@@ -104,7 +104,9 @@ void ReportReader::read_array(const Array& array, std::span<const std::uint8_t> 
                          [&](const HidSignal& signal) { return is_among(array, signal); });
             break;
         }
-        if ((usage & 0xffffu) != 0) named.push_back({array.collection, usage, SignalPart::Pressed});
+        // A value of 0 is nothing; where the values begin later, a box that numbers its buttons from 0 means its first.
+        const bool is_first_of_box = page_of(usage) == page::kButton && value != 0;
+        if ((usage & 0xffffu) != 0 || is_first_of_box) named.push_back({array.collection, usage, SignalPart::Pressed});
     }
     after_.insert(after_.end(), named.begin(), named.end());
 }

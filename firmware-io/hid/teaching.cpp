@@ -21,7 +21,8 @@ Teaching::Teaching(HidHost& host, const HidSelector& selector) {
         else
             trouble_ = device.path + " cannot be opened (" + why + "); run this as root, or install the udev rule";
     }
-    if (desks_.empty() && trouble_.empty()) trouble_ = to_string(selector) + " with buttons is not plugged in";
+    if (desks_.empty() && trouble_.empty())
+        trouble_ = in_words("HID device", selector) + " with buttons is not plugged in";
 }
 
 void Teaching::listen(std::size_t desk) {

@@ -2,9 +2,10 @@
 #include "firmware-io/scripted/scripted_buttons.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <utility>
+
+#include "base/error.hpp"
+#include "base/text_file.hpp"
 
 namespace quadrat::firmware_io::scripted {
 
@@ -55,15 +56,16 @@ std::optional<Instant> ScriptedButtons::next_event_at() const {
 bool ScriptedButtons::is_finished() const { return !next_event_at(); }
 
 Script read_script(const std::filesystem::path& file) {
-    constexpr std::uintmax_t kLargest = 8u << 20;
-    std::ifstream stream{file, std::ios::binary};
+    constexpr base::TextLimits kLimits{.bytes = 8u << 20};
     std::error_code error;
-    if (!stream || !std::filesystem::is_regular_file(file, error))
+    // Asked before it is opened: who opens a pipe waits until somebody writes into it.
+    if (!std::filesystem::is_regular_file(file, error))
         throw ScriptError{file.string() + ": cannot be read; name a readable text file"};
-    if (std::filesystem::file_size(file, error) > kLargest)
-        throw ScriptError{file.string() + ": is larger than 8 MB; a script is a short text"};
-    const std::string text{std::istreambuf_iterator<char>{stream}, {}};
-    return parse_script(text, file.string());
+    try {
+        return parse_script(base::read_text(file, kLimits), file.string());
+    } catch (const base::InputError& problem) {
+        throw ScriptError{problem.what()};
+    }
 }
 
 }  // namespace quadrat::firmware_io::scripted

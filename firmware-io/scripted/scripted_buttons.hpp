@@ -31,7 +31,8 @@ class ScriptedButtons final : public ButtonSource {
     Instant now_;
 };
 
-// Reads and parses. Throws ScriptError, naming the file, if it cannot be read or is larger than 8 MB.
+// Reads as base::read_text does, and parses. Throws ScriptError, naming the file, if it cannot be read or is larger
+// than 8 MB.
 Script read_script(const std::filesystem::path& file);
 
 }  // namespace quadrat::firmware_io::scripted

@@ -10,7 +10,7 @@ import sys
 import time
 import zlib
 
-from machine import PATIENCE, Machine
+from machine import BITMAP_KEYBOARD, BOOT_KEYBOARD, BOX_FROM_0, FIVE_BUTTONS, PATIENCE, Machine
 
 image, folder, cuts = sys.argv[1], sys.argv[2], int(sys.argv[3])
 os.makedirs(folder, exist_ok=True)
@@ -79,6 +79,9 @@ class Exhibit(Machine):
 
     def press_hid(self, hid, button):
         self.press('ABCD'[button], lambda: self.press_and_let_go(hid, button), lambda: None)
+
+    def press_by(self, name, hid, *reports):
+        self.press(name, lambda: self.ask('report', hid=hid, reports=list(reports)), lambda: None)
 
     def plug_wired_buttons(self):
         since = self.so_far()
@@ -173,6 +176,55 @@ def loses_its_screen(machine):
     machine.picture('after-replug')
 
 
+def x_input(kind, code, value):
+    return struct.pack('<HHi', kind, code, value).hex()
+
+
+def hears_boards_as_they_are_sold(machine):
+    """A board of three interfaces, a box that counts from 0, a pad in X-input mode, a board in keyboard mode."""
+    since = machine.so_far()
+    inputs = '["hid:d209:0420", "hid:1209:0002", "evdev:045e:028e", "evdev:04d9:a0cd"]'
+    machine.sh('cp /etc/quadrat/quadrat.toml /root/usual.toml')
+    machine.sh(f"sed -i 's/^inputs = .*/inputs = {inputs}/' /etc/quadrat/quadrat.toml && systemctl restart quadrat")
+    machine.shows_round(r'\d+', since)
+    since = machine.so_far()
+    machine.plug('Encoder', 0xd209, 0x420, FIVE_BUTTONS, 'usb-guest-1/input0')
+    keys = machine.plug('Encoder', 0xd209, 0x420, BOOT_KEYBOARD, 'usb-guest-1/input1')
+    bits = machine.plug('Encoder', 0xd209, 0x420, BITMAP_KEYBOARD, 'usb-guest-1/input2')
+    box = machine.plug('Box', 0x1209, 2, BOX_FROM_0, 'usb-guest-2/input0')
+    pad = machine.plug_x_input_pad()
+    board = machine.plug('Keyboard board', 0x4d9, 0xa0cd, BOOT_KEYBOARD, 'usb-guest-4/input0')
+    machine.until('buttons: (.*Encoder d209:0420){3}.*Box.*X-Box 360.*Keyboard board', since)
+    time.sleep(GUARD_S)  # what is pressed while it is plugged in is not a press
+    nothing = '00' * 8
+    machine.press_by('B', keys, '0000050000000000', nothing)
+    machine.press_by('C', bits, '0200' + '40' + '00' * 14, '02' + '00' * 16)
+    say('a board of three interfaces is heard, keys in six bytes and in bits')
+    machine.press_by('A', box, '0100', '0000')
+    machine.press_by('D', box, '0800', '0000')
+    say('a box that counts from 0 has a first button')
+    machine.press_by('B', pad, x_input(1, 0x131, 1), x_input(1, 0x131, 0))
+    machine.press_by('C', pad, x_input(3, 17, 1), x_input(3, 17, 0))
+    machine.press_by('D', pad, x_input(3, 0, -32768), x_input(3, 0, 0))
+    say('a pad in X-input mode is heard: its buttons, hat and stick')
+    machine.press_by('A', board, '0000040000000000', nothing)
+    gone = machine.so_far()
+    machine.ask('unplug', hid=pad)
+    machine.until('buttons: .*045e:028e was unplugged', gone)
+    gone = machine.so_far()
+    pad = machine.plug_x_input_pad()
+    machine.until('buttons: .*X-Box 360', gone)
+    machine.press_by('A', pad, x_input(1, 0x130, 1), x_input(1, 0x130, 0))
+    say('a board in keyboard mode is heard by the kernel\'s own driver; the pad is unplugged and comes back')
+    found = machine.sh('quadrat doctor --only buttons --config /etc/quadrat/quadrat.toml')
+    assert 'X-Box 360' in found and '/dev/input/event' in found, found
+    machine.sh('cp /root/usual.toml /etc/quadrat/quadrat.toml && sync')
+
+
+def last_visit(machine):
+    return int(re.findall(r'taking up visit (\d+) at', machine.said())[-1])
+
+
 def last_shown(machine, visit):
     """That visit, and the round that was last seen of it."""
     return visit, int(re.findall(r'the four of round (\d+) are on the screen', machine.said())[-1])
@@ -187,7 +239,8 @@ def one_day(disk):
         is_unplugged_five_times(machine, hid)
         hangs(machine)
         loses_its_screen(machine)
-        return last_shown(machine, 1)
+        hears_boards_as_they_are_sold(machine)
+        return last_shown(machine, last_visit(machine))
 
 
 def one_evening(machine, shown, chance):

@@ -25,6 +25,16 @@ CP2112 = ('0600ff0901a10115002600ff7508' +
           '85130901953f8102' + '85140901953f9102' + 'c0')
 CP2112_FEATURES = {2: '0200000000', 3: '0300', 5: '050c02', 6: '06000186a0020000ffff01000f00'}
 
+# Six keys at most, as a keyboard sends them to a BIOS; and a bit for each key, in a report with the number 2.
+BOOT_KEYBOARD = ('05010906a101050719e029e71500250175019508810295017508810195067508150025650507190029658100c0')
+BITMAP_KEYBOARD = '05010906a1018502050719e029e715002501750195088102190029771500250175019578' + '8102c0'
+# Sixteen buttons, the first of which has the number that means "none".
+BOX_FROM_0 = '05010904a101050919002910150025017501951081' + '02c0'
+# What xpad makes of a pad in X-input mode.
+XPAD_KEYS = [0x130, 0x131, 0x133, 0x134, 0x136, 0x137, 0x13a, 0x13b, 0x13c, 0x13d, 0x13e]
+XPAD_AXES = {0: (-32768, 32767), 1: (-32768, 32767), 2: (0, 255), 3: (-32768, 32767), 4: (-32768, 32767), 5: (0, 255),
+             16: (-1, 1), 17: (-1, 1)}
+
 
 def connected(path, is_alive):
     while is_alive():
@@ -96,8 +106,9 @@ class Cable:
 
 
 class Machine:
-    def __init__(self, image, folder, disk=None):
-        """Switches it on. With `disk` it keeps what it writes there, as a power cut leaves it."""
+    def __init__(self, image, folder, disk=None, second_disk=None, words=''):
+        """Switches it on. With `disk` it keeps what it writes there, as a power cut leaves it. `words` are added to the
+        kernel's."""
         os.makedirs(folder, exist_ok=True)
         self.folder = folder
         if disk and not os.path.exists(disk):
@@ -116,8 +127,10 @@ class Machine:
              f'{image}/initrd', '-append',
              'console=ttyS0 quiet loglevel=4 mitigations=off nokaslr random.trust_cpu=on panic=-1 tsc=reliable '
              'systemd.show_status=0 vt.global_cursor_default=0 systemd.journald.forward_to_console=1 '
-             'systemd.journald.max_level_console=info',
+             'systemd.journald.max_level_console=info ' + words,
              '-drive', drive + ('' if disk else ',snapshot=on'), '-device', 'virtio-blk-pci,drive=d0',
+             *(['-drive', f'file={second_disk},if=none,id=d1,format=raw,cache=writeback', '-device',
+                'virtio-blk-pci,drive=d1'] if second_disk else []),
              '-device', 'virtio-rng-pci', '-device', 'virtio-serial-pci',
              '-chardev', f'socket,id=agent,path={at["agent"]},server=on,wait=off',
              '-device', 'virtserialport,chardev=agent,name=guest.0',
@@ -213,6 +226,13 @@ class Machine:
 
     def plug_hid(self):
         return self.ask('hid', name='Five buttons', vendor=0x1209, product=1, descriptor=FIVE_BUTTONS)['hid']
+
+    def plug(self, name, vendor, product, descriptor, port):
+        return self.ask('hid', name=name, vendor=vendor, product=product, descriptor=descriptor, port=port)['hid']
+
+    def plug_x_input_pad(self):
+        return self.ask('pad', name='Microsoft X-Box 360 pad', vendor=0x45e, product=0x28e, keys=XPAD_KEYS,
+                        axes=XPAD_AXES, port='usb-guest-3/input0')['hid']
 
     def press_and_let_go(self, hid, button):
         """Both in one breath, so that no stall of the host makes a long press of it."""

@@ -27,8 +27,8 @@ TEST(Bench, RefusesBeforeItMeasuresWhatItCouldNotReportAfterwards) {
     const TemporaryFolder folder;
     folder.write("shaders.json", R"({"compiler": "Mesa", "shaders": [{"vertex": 3}]})");
     const std::vector<std::pair<std::vector<std::string>, std::string>> refused{
-        {{"--report", "no/such/folder/x.html"}, "no/such/folder/x.html: cannot write"},
-        {{"--plot", "no/such/folder/x.svg"}, "no/such/folder/x.svg: cannot write"},
+        {{"--report", "no/such/folder/x.html"}, "no/such/folder/x.html: there is no folder"},
+        {{"--plot", "no/such/folder/x.svg"}, "no/such/folder/x.svg: there is no folder"},
         {{"--report", "."}, ".: is a directory"},
         {{"--report", "x.html", "--shaders", "shaders.json"}, "shaders.json: shaders[0]: vertex is 3"},
         {{"--report", "x.html", "--shaders", "none.json"}, "none.json: cannot read"},

@@ -212,11 +212,22 @@ TEST(Words, AreTrainedExportedAndForgottenFromWhatVisitorsSaid) {
     };
     EXPECT_NE(shown({"--state", "state"}), shown({}));
 
-    const Ended forgotten = run(program({"words", "--state", "state", "forget"}), folder);
+    const Ended unsure = run(program({"words", "--state", "state", "forget"}), folder, "no\n");
+    EXPECT_EQ(unsure.status, 2) << "nobody said so";
+    EXPECT_THAT(unsure.err, testing::HasSubstr("3 answers of visitors"));
+    EXPECT_THAT(unsure.err, testing::HasSubstr("--yes"));
+    EXPECT_NE(shown({"--state", "state"}), shown({})) << "nothing was forgotten";
+    const Ended forgotten = run(program({"words", "--state", "state", "forget", "--yes"}), folder);
     ASSERT_EQ(forgotten.status, 0) << forgotten.err;
     EXPECT_THAT(forgotten.out, testing::HasSubstr("3 answers are forgotten"));
     EXPECT_FALSE(std::filesystem::exists(folder / "state" / "words.previous.json"));
     EXPECT_EQ(shown({"--state", "state"}), shown({}));
+    std::string copy;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "state"))
+        if (entry.path().filename().string().starts_with("words.forgotten-")) copy = entry.path().string();
+    ASSERT_FALSE(copy.empty()) << forgotten.out;
+    EXPECT_EQ(nlohmann::json::parse(contents_of(copy))["visitors"], said["visitors"])
+        << "all of it, under a dated name";
 }
 
 TEST(Words, LearnFromACuratorsFileAndSayWhatIsOddInIt) {

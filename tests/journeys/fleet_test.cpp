@@ -67,7 +67,7 @@ TEST_F(AFleet, SpeaksEncryptedWithItsPasswordAndTrustsNobodyElse) {
 
 TEST(Fleet, IsOffByDefaultAndRefusesWhatIsNoBroker) {
     const TemporaryFolder folder;
-    folder.write("quadrat.toml", "");
+    folder.write("quadrat.toml", "# the defaults\n");
     const Ended off = run(program({"publish", "--config", "quadrat.toml"}), folder);
     EXPECT_EQ(off.status, 0);
     EXPECT_THAT(off.err, HasSubstr("no broker is named"));

@@ -27,7 +27,8 @@ class Machine {
         folder_.write("root/usr/lib/systemd/system/getty@.service", "[Service]\nExecStart=/bin/true\n");
         folder_.write("root/usr/lib/systemd/system/reboot.target", "[Unit]\n[Install]\nAlias=ctrl-alt-del.target\n");
         fs::create_symlink("reboot.target", folder_ / "root/usr/lib/systemd/system/ctrl-alt-del.target");
-        folder_.write("root/etc/fstab", "LABEL=root / ext4 defaults 0 1\n");
+        folder_.write("root/etc/fstab",
+                      "LABEL=root / ext4 defaults 0 1\nLABEL=bootfs  /boot/firmware  vfat  defaults,noatime  0  2\n");
         folder_.write("root/boot/firmware/cmdline.txt", "root=LABEL=root rootwait quiet\n");
         fs::create_symlink("/usr/lib/systemd/system/graphical.target",
                            folder_ / "root/etc/systemd/system/default.target");
@@ -73,9 +74,9 @@ TEST(Install, DryRunSaysEverythingAndDoesNothing) {
     const auto before = machine.files();
     const Ended ended = machine.install({"--dry-run", "--data", "LABEL=quadrat-data", "--read-only"});
     ASSERT_TRUE(succeeds(ended));
-    for (const char* what :
-         {"quadrat.service", "71-quadrat.rules", "journald.conf.d", "user quadrat", "fstab", "quadrat-overlay",
-          "cmdline.txt", "login prompt", "Ctrl+Alt+Del", "logind.conf.d", "/etc/quadrat/quadrat.toml"})
+    for (const char* what : {"quadrat.service", "71-quadrat.rules", "journald.conf.d", "user quadrat", "fstab",
+                             "overlayroot.local.conf", "/boot/firmware", "cmdline.txt", "coredump.conf.d",
+                             "login prompt", "Ctrl+Alt+Del", "logind.conf.d", "/etc/quadrat/quadrat.toml"})
         EXPECT_THAT(ended.out, HasSubstr(what));
     for (const std::string& line : lines_of(ended.out)) EXPECT_TRUE(line.starts_with("would ")) << line;
     EXPECT_EQ(machine.files(), before);
@@ -95,6 +96,10 @@ TEST(Install, DoesNothingTheSecondTimeAndIsTakenBackWhole) {
     EXPECT_THAT(machine.file("etc/systemd/system.conf.d/quadrat.conf"), HasSubstr("\nCtrlAltDelBurstAction=none\n"));
     EXPECT_THAT(installed.at("etc/systemd/system/default.target"), HasSubstr("multi-user"));
     EXPECT_THAT(machine.file("etc/fstab"), HasSubstr("LABEL=quadrat-data /var/lib/quadrat ext4"));
+    EXPECT_THAT(machine.file("etc/fstab"),
+                HasSubstr("LABEL=bootfs  /boot/firmware  vfat  defaults,noatime,ro  0  2\n"));
+    EXPECT_THAT(machine.file("etc/overlayroot.local.conf"), HasSubstr("\noverlayroot=\"tmpfs:swap=0,recurse=0\"\n"));
+    EXPECT_THAT(machine.file("etc/systemd/journald.conf.d/quadrat.conf"), HasSubstr("\nStorage=persistent\n"));
     EXPECT_THAT(machine.file("etc/passwd"), HasSubstr("quadrat:"));
     EXPECT_EQ(count_of(machine.file("boot/firmware/cmdline.txt"), "quiet"), 1U);
     EXPECT_THAT(machine.file("boot/firmware/cmdline.txt"), HasSubstr("vt.global_cursor_default=0"));
@@ -175,14 +180,20 @@ TEST(Install, AFreshPartitionBelongsToTheExhibitOnceItIsMounted) {
         EXPECT_THAT(fstab, HasSubstr(option));
 }
 
-// How much of the machine the service could harm, by systemd's own reckoning: 0 nothing, 10 everything.
-TEST(Install, TheServiceIsShutIn) {
+// How much of the machine each could harm, by systemd's own reckoning: 0 nothing, 10 everything.
+TEST(Install, EveryServiceIsShutIn) {
     const TemporaryFolder folder;
-    const Ended ended = run({"systemd-analyze", "security", "--offline=true", "--no-pager", "--threshold=30",
-                             QUADRAT_SOURCE_DIR "/deploy/system/quadrat.service"},
-                            folder);
-    EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
-    EXPECT_THAT(ended.out, HasSubstr("Overall exposure level for quadrat.service"));
+    int services = 0;
+    for (const auto& entry : fs::directory_iterator(QUADRAT_SOURCE_DIR "/deploy/system")) {
+        if (entry.path().extension() != ".service") continue;
+        ++services;
+        const Ended ended = run(
+            {"systemd-analyze", "security", "--offline=true", "--no-pager", "--threshold=20", entry.path().string()},
+            folder);
+        EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+        EXPECT_THAT(ended.out, HasSubstr("Overall exposure level for " + entry.path().filename().string()));
+    }
+    EXPECT_EQ(services, 4);
     const std::string unit = contents_of(QUADRAT_SOURCE_DIR "/deploy/system/quadrat.service");
     for (const char* line :
          {"ProtectSystem=strict", "NoNewPrivileges=yes", "DevicePolicy=closed", "SystemCallFilter=@system-service",
@@ -197,6 +208,22 @@ TEST(Install, TheServiceMayReadWhetherTheClockIsSynchronisedAndSetNone) {
     EXPECT_THAT(unit, HasSubstr("\nSystemCallFilter=adjtimex clock_adjtime clock_adjtime64\n"));
     EXPECT_THAT(unit, HasSubstr("\nCapabilityBoundingSet=\n"));
     EXPECT_THAT(unit, Not(HasSubstr("DeviceAllow=char-rtc")));
+}
+
+// What the package holds and may run when a newer one is installed: a service that is started once by another is not.
+TEST(Install, ANewerPackageStartsWhatRunsAnew) {
+    const std::string postinst = contents_of(QUADRAT_SOURCE_DIR "/deploy/system/postinst");
+    const std::size_t start = postinst.find("systemctl try-restart ");
+    ASSERT_NE(start, std::string::npos);
+    const std::string restarts = postinst.substr(start, postinst.find('\n', start) - start);
+    for (const std::string& line : lines_of(contents_of(QUADRAT_SOURCE_DIR "/deploy/system/files"))) {
+        const std::string name = fs::path(line.substr(line.rfind(' ') + 1)).filename().string();
+        if (!line.starts_with("program ") || !(name.ends_with(".service") || name.ends_with(".path"))) continue;
+        const std::string unit = contents_of(QUADRAT_SOURCE_DIR "/deploy/system/" + name);
+        if (unit.find("\n[Install]\n") != std::string::npos) {
+            EXPECT_THAT(restarts, HasSubstr(" " + name));
+        }
+    }
 }
 
 }  // namespace

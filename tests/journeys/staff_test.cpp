@@ -165,7 +165,7 @@ TEST(Staff, AMapOfButtonsThatCannotBeUsedIsAWarningAndTheShowGoesOn) {
     Process exhibit(command, service.folder.path());
     service.wait_for_log(exhibit, "press A at");
     EXPECT_THAT(service.log(), HasSubstr("damaged.map:2: "));
-    EXPECT_THAT(service.log(), HasSubstr("/nowhere/buttons.map: cannot be read"));
+    EXPECT_THAT(service.log(), HasSubstr("/nowhere/buttons.map: cannot read"));
     EXPECT_THAT(service.log(), HasSubstr("the usual order of buttons is used"));
     EXPECT_TRUE(exhibit.is_running());
     exhibit.kill(SIGTERM);
@@ -220,7 +220,7 @@ TEST(Staff, ThreeFailuresLeadToSafeModeAndPersistentOnesToOneReboot) {
 TEST(Staff, TheVisitorsGenerationIsBackWithinThreeSecondsOfAKill) {
     const Service service("at 4s press A\nafter 1s press B\nwait 600s\n");
     // The land as fine as the exhibit has it.
-    service.folder.write("quadrat.toml", "");
+    service.folder.write("quadrat.toml", "# the defaults\n");
     Process exhibit(service.command(), service.folder.path());
     service.wait_for_log(exhibit, "press B");
     exhibit.kill(SIGKILL);

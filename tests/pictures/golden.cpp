@@ -27,6 +27,9 @@ OIIO::ImageBuf buffer_of(const mesh::Image& image) {
 void write_png(const OIIO::ImageBuf& buffer, const std::filesystem::path& path) {
     std::filesystem::create_directories(path.parent_path());
     ASSERT_TRUE(buffer.write(path.string())) << path << ": " << buffer.geterror();
+    // OpenImageIO does not tell of a disk that is full.
+    const OIIO::ImageBuf written(path.string());
+    ASSERT_EQ(OIIO::ImageBufAlgo::compare(buffer, written, 0, 0).maxerror, 0) << path << " is not what was drawn";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/markup.hpp"
 #include "breeding/belief/coordinates.hpp"
 
 namespace quadrat::breeding {
@@ -131,7 +132,7 @@ std::string plot_of(const Tournament& t, const std::vector<Standing>& standings)
     std::string svg = fmt::format(
         R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 860 460" font-family="sans-serif" font-size="12">)"
         "\n<rect width=\"860\" height=\"460\" fill=\"white\"/>\n<text x=\"60\" y=\"24\" font-size=\"15\">{}</text>\n",
-        title_of(t));
+        base::escaped(title_of(t)));
     for (int tenth = -1; tenth <= 9; ++tenth)
         svg += fmt::format(
             "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2}\" y2=\"{2}\" stroke=\"#ddd\"/><text x=\"24\" "
@@ -159,7 +160,7 @@ std::string plot_of(const Tournament& t, const std::vector<Standing>& standings)
         svg += fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}/>\n", points,
                            colour, m >= 8 ? " stroke-dasharray=\"5 3\"" : "");
         svg += fmt::format("<text x=\"640\" y=\"{}\" fill=\"{}\">{}</text>\n", kTop + 16 + 20 * static_cast<double>(m),
-                           colour, name_of(standing.method));
+                           colour, base::escaped(name_of(standing.method)));
     }
     return svg + "</svg>\n";
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cerrno>
 
+#include "display/kms/placement.hpp"
+
 namespace quadrat::display {
 namespace {
 
@@ -108,10 +110,11 @@ void AtomicOutput::add_plane(drmModeAtomicReq* request, const drmModeModeInfo& m
     plane_.set(request, "SRC_Y", 0);
     plane_.set(request, "SRC_W", static_cast<std::uint64_t>(draw.width) << 16U);  // 16.16 fixed point
     plane_.set(request, "SRC_H", static_cast<std::uint64_t>(draw.height) << 16U);
-    plane_.set(request, "CRTC_X", 0);
-    plane_.set(request, "CRTC_Y", 0);
-    plane_.set(request, "CRTC_W", mode.hdisplay);
-    plane_.set(request, "CRTC_H", mode.vdisplay);
+    const Placement shown = placed_in({mode.hdisplay, mode.vdisplay}, draw);
+    plane_.set(request, "CRTC_X", static_cast<std::uint64_t>(shown.x));
+    plane_.set(request, "CRTC_Y", static_cast<std::uint64_t>(shown.y));
+    plane_.set(request, "CRTC_W", static_cast<std::uint64_t>(shown.size.width));
+    plane_.set(request, "CRTC_H", static_cast<std::uint64_t>(shown.size.height));
     plane_.set(request, "rotation", kUpright);  // whoever had the plane before may have turned it
 }
 

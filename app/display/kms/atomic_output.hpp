@@ -22,8 +22,9 @@ class AtomicOutput {
     const std::vector<std::uint64_t>& modifiers() const { return modifiers_; }
     std::uint32_t crtc() const { return crtc_.id(); }
 
-    // Shows the framebuffer, scaled from draw to the mode, and switches off everything else on the card: no console
-    // on a second screen, no cursor left behind. Tested first, so that a refusal changes nothing. Waits until done.
+    // Shows the framebuffer, scaled from draw into the mode with its aspect kept, and switches off everything else on
+    // the card: no console on a second screen, no cursor left behind. Tested first, so that a refusal changes nothing.
+    // Waits until done.
     int set_mode(const drmModeModeInfo& mode, Size draw, std::uint32_t framebuffer) const;
     // At the next retrace; the card then sends an event on its descriptor.
     int flip(std::uint32_t framebuffer) const;

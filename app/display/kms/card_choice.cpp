@@ -55,11 +55,10 @@ std::string why_no_screen(const Card& card) {
     return text;
 }
 
-CardChoice choose_named(std::span<const Card> cards, std::string_view wanted) {
-    std::optional<std::size_t> any_card;
+// Nothing: no card has a connector of that name.
+std::optional<CardChoice> choose_named(std::span<const Card> cards, std::string_view wanted) {
     for (std::size_t c = 0; c < cards.size(); ++c) {
         if (!is_usable(cards[c])) continue;
-        if (!any_card) any_card = c;
         for (std::size_t i = 0; i < cards[c].connectors.size(); ++i) {
             const Connector& connector = cards[c].connectors[i];
             if (connector.name != wanted || !can_show(connector)) continue;
@@ -67,14 +66,10 @@ CardChoice choose_named(std::span<const Card> cards, std::string_view wanted) {
             return NoScreen{c, fmt::format("{} has no screen (it is the configured connector)", wanted)};
         }
     }
-    if (!any_card) return NoCard{why_no_card(cards)};
-    return NoScreen{*any_card, fmt::format("there is no connector \"{}\"; there are {}", wanted, listed(cards))};
+    return std::nullopt;
 }
 
-}  // namespace
-
-CardChoice choose_card(std::span<const Card> cards, std::string_view wanted_connector) {
-    if (!wanted_connector.empty()) return choose_named(cards, wanted_connector);
+CardChoice choose_any(std::span<const Card> cards) {
     std::optional<std::size_t> any_card;
     std::optional<int> best_rank;
     ChosenConnector best;
@@ -91,6 +86,18 @@ CardChoice choose_card(std::span<const Card> cards, std::string_view wanted_conn
     if (best_rank) return best;
     if (any_card) return NoScreen{*any_card, why_no_screen(cards[*any_card])};
     return NoCard{why_no_card(cards)};
+}
+
+}  // namespace
+
+CardChoice choose_card(std::span<const Card> cards, std::string_view wanted_connector) {
+    if (wanted_connector.empty()) return choose_any(cards);
+    if (auto named = choose_named(cards, wanted_connector)) return *named;
+    CardChoice choice = choose_any(cards);
+    const std::string why = fmt::format("there is no connector \"{}\"; there are {}", wanted_connector, listed(cards));
+    if (auto* chosen = std::get_if<ChosenConnector>(&choice)) chosen->warning = why;
+    if (auto* none = std::get_if<NoScreen>(&choice)) none->reason = why;
+    return choice;
 }
 
 }  // namespace quadrat::display

@@ -20,11 +20,13 @@ struct NoScreen {
 struct ChosenConnector {
     std::size_t card = 0;
     std::size_t connector = 0;
+    std::string warning = {};  // when it is not the named one; empty otherwise
 };
 using CardChoice = std::variant<NoCard, NoScreen, ChosenConnector>;
 
 // By what a card can do, never by its number: the first with a connected screen, real ones before virtual ones, and a
-// screen that has modes before one that has none yet. A named connector is the only one taken, wherever it is.
+// screen that has modes before one that has none yet. A named connector is the only one taken, wherever it is;
+// a name that no card has, though, is a slip of the pen, and no reason for a dark screen.
 CardChoice choose_card(std::span<const Card> cards, std::string_view wanted_connector);
 
 }  // namespace quadrat::display

@@ -123,7 +123,8 @@ ProbeResult DrmHardware::probe() {
     if (card_) {
         card_->look(Asking::InFull);
         const CardChoice choice = choose_card({&card_->description(), 1}, options_.connector);
-        if (const auto* chosen = std::get_if<ChosenConnector>(&choice))
+        // What this card lacks another may have.
+        if (const auto* chosen = std::get_if<ChosenConnector>(&choice); chosen != nullptr && chosen->warning.empty())
             return remember(card_->description().connectors[chosen->connector]);
     }
     return probe_every_card();
@@ -158,7 +159,10 @@ ProbeResult DrmHardware::probe_every_card() {
         return NothingFound{reason, false};
     }
     if (dark) return CardFound{dark->reason};
-    return remember(cards[index].connectors[std::get<ChosenConnector>(choice).connector]);
+    const auto& chosen = std::get<ChosenConnector>(choice);
+    if (!chosen.warning.empty() && warned_ != chosen.warning) base::log::warn("screen: {}", chosen.warning);
+    warned_ = chosen.warning;
+    return remember(cards[index].connectors[chosen.connector]);
 }
 
 bool DrmHardware::open_target(std::string& why) {

@@ -59,6 +59,7 @@ class DrmHardware final : public ScreenHardware {
     ModeLadder ladder_;
     std::string mode_name_;
     Instant period_{0};
+    std::string warned_;  // of a configured connector that no card has, last
     bool is_denied_ = false;
     bool is_lit_ = false;
     std::optional<Scanout> drawn_;  // offered, and refused as busy

@@ -23,9 +23,11 @@ struct ModeLadder {
     std::string warning;      // when the configured mode is not offered; empty otherwise
 };
 
-// First the configured mode when the screen offers it; else the preferred one when it is within 1920x1080 at 60 Hz;
-// else the largest within that; else, as the screen has nothing so small, its smallest. Then the same without scaling,
-// then two ever smaller modes, for a card that lacks memory or bandwidth. draw 0x0: the mode's size.
+// First the configured mode when the screen offers it; else the preferred size, at up to 60 Hz, within what HDMI and
+// scan-out carry (4096x2160 at 60 Hz); else the largest of the preferred one's shape within that. Another shape only
+// where there is none of it, or no preferred one. What is drawn for it is at most about full HD (placement.hpp), and
+// the plane scales it. Then, for a card that lacks scaling, memory or bandwidth: at half the rate, without scaling, and
+// two ever smaller modes of the panel's shape. draw 0x0: what suits the mode.
 ModeLadder mode_ladder(std::span<const ScreenMode> modes, const std::optional<WantedMode>& wanted, Size draw);
 
 }  // namespace quadrat::display

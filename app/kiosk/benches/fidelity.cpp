@@ -9,6 +9,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "base/srgb.hpp"
 #include "kiosk/benches/benches.hpp"
 #include "kiosk/benches/four_views.hpp"
 
@@ -17,14 +18,11 @@ namespace {
 
 constexpr float kFinest = 100;  // alpha
 
-float linear_of(float encoded) {
-    return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
-}
+float linear_of(std::uint8_t encoded) { return base::linear_from_srgb(static_cast<float>(encoded) / 255); }
 
 // CIE 1976 L*a*b* of a display's pixel, for the white of sRGB (D65).
 glm::vec3 lab_of(const std::uint8_t* pixel) {
-    const glm::vec3 light{linear_of(static_cast<float>(pixel[0]) / 255), linear_of(static_cast<float>(pixel[1]) / 255),
-                          linear_of(static_cast<float>(pixel[2]) / 255)};
+    const glm::vec3 light{linear_of(pixel[0]), linear_of(pixel[1]), linear_of(pixel[2])};
     const glm::mat3 xyz_from_rgb{0.4124F, 0.2126F, 0.0193F, 0.3576F, 0.7152F, 0.1192F, 0.1805F, 0.0722F, 0.9505F};
     glm::vec3 xyz = xyz_from_rgb * light / glm::vec3{0.9505F, 1.0F, 1.089F};
     for (int i = 0; i < 3; ++i) xyz[i] = xyz[i] > 0.008856F ? std::cbrt(xyz[i]) : 7.787F * xyz[i] + 16.0F / 116;

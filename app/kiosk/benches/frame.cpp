@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::array<const char*, render::kKinds> kTrianglesOf{// by render::Kind
                                                                "frame.leaf_triangles",   "frame.wood_triangles",
+                                                               "frame.cover_triangles",
                                                                "frame.ground_triangles", "frame.water_triangles",
                                                                "frame.sky_triangles",    "frame.falling_triangles"};
 

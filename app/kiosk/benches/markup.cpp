@@ -6,36 +6,6 @@
 #include <algorithm>
 
 namespace quadrat::kiosk::benches {
-namespace {
-
-std::string_view entity_of(char c) {
-    switch (c) {
-        case '<':
-            return "&lt;";
-        case '>':
-            return "&gt;";
-        case '&':
-            return "&amp;";
-        case '"':
-            return "&quot;";
-        case '\'':
-            return "&#39;";
-        default:
-            return {};
-    }
-}
-
-}  // namespace
-
-std::string escaped(std::string_view text) {
-    std::string safe;
-    for (const char c : text) {
-        const std::string_view entity = entity_of(c);
-        entity.empty() ? safe.push_back(c) : void(safe.append(entity));
-    }
-    return safe;
-}
-
 std::string bar_of(double solid_share, double pale_share) {
     constexpr double kWidth = 100;
     constexpr double kLeast = 1;  // so that there is something to see

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "kiosk/benches/markup.hpp"
+#include "base/markup.hpp"
 #include "kiosk/benches/report_style.hpp"
 #include "kiosk/benches/rivals.hpp"
 
@@ -52,7 +52,8 @@ std::vector<Section> sections_of(const std::vector<Measurement>& figures) {
 std::string row_of(const Measurement& figure) {
     return fmt::format(
         R"(<tr><th><code>{}</code></th><td class="n value">{}</td><td>{}</td><td class="n">{}</td><td>{}</td></tr>)",
-        escaped(figure.name), figure_text(figure.value), escaped(figure.unit), figure.threads, rivals_html(figure));
+        base::escaped(figure.name), figure_text(figure.value), base::escaped(figure.unit), figure.threads,
+        rivals_html(figure));
 }
 
 // Columns are as wide in each, so that they stand below each other.
@@ -68,7 +69,7 @@ std::string table_of(const Section& section) {
 }
 
 std::string section_of(const Section& section, const std::string& visit_svg) {
-    std::string html = fmt::format("<section id=\"{0}\">\n<h2>{0}</h2>\n", escaped(section.prefix));
+    std::string html = fmt::format("<section id=\"{0}\">\n<h2>{0}</h2>\n", base::escaped(section.prefix));
     const auto* about = std::ranges::find(kAbout, section.prefix, &About::prefix);
     if (about != std::end(kAbout)) html += fmt::format("<p>{}</p>\n", about->text);
     html += table_of(section);
@@ -79,8 +80,8 @@ std::string section_of(const Section& section, const std::string& visit_svg) {
 std::string settings_html(const std::vector<Setting>& settings) {
     std::string html;
     for (const Setting& setting : settings)
-        html += fmt::format("<li><code>{}</code> ({})</li>", escaped(setting.option),
-                            escaped(fmt::format("{}", fmt::join(setting.groups, ", "))));
+        html += fmt::format("<li><code>{}</code> ({})</li>", base::escaped(setting.option),
+                            base::escaped(fmt::format("{}", fmt::join(setting.groups, ", "))));
     return html.empty() ? "none that these groups heed" : "<ul>" + html + "</ul>";
 }
 
@@ -89,10 +90,11 @@ std::string told(std::string_view what, const std::string& html) {
 }
 
 std::string header_of(const Report& report) {
-    return "<h1>Quadrat, measured</h1>\n<dl>\n" + told("machine", escaped(report.machine)) +
-           told("GPU", report.results.gpu.empty() ? "none: nothing was drawn" : escaped(report.results.gpu)) +
-           told("program", "quadrat " + escaped(report.version)) + told("measured", escaped(report.made_at)) +
-           told("groups", escaped(fmt::format("{}", fmt::join(report.groups, ", ")))) +
+    return "<h1>Quadrat, measured</h1>\n<dl>\n" + told("machine", base::escaped(report.machine)) +
+           told("GPU", report.results.gpu.empty() ? "none: nothing was drawn" : base::escaped(report.results.gpu)) +
+           told("program", "quadrat " + base::escaped(report.version)) +
+           told("measured", base::escaped(report.made_at)) +
+           told("groups", base::escaped(fmt::format("{}", fmt::join(report.groups, ", ")))) +
            told("settings", settings_html(report.settings)) + "</dl>\n";
 }
 
@@ -103,7 +105,7 @@ std::string html_of(const Report& report) {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<title>Quadrat, measured: {}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n",
-        escaped(report.made_at), kReportStyle);
+        base::escaped(report.made_at), kReportStyle);
     html += header_of(report);
     for (const Section& section : sections_of(report.results.figures))
         html += section_of(section, report.results.visit_svg);

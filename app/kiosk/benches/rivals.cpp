@@ -7,6 +7,7 @@
 #include <cmath>
 #include <regex>
 
+#include "base/markup.hpp"
 #include "kiosk/benches/markup.hpp"
 
 namespace quadrat::kiosk::benches {
@@ -21,7 +22,7 @@ Rival rival_of(const std::string& text) {
 }
 
 std::string line_of(std::string_view bar, std::string_view text) {
-    return fmt::format("<li>{}{}</li>", bar, escaped(text));
+    return fmt::format("<li>{}{}</li>", bar, base::escaped(text));
 }
 
 }  // namespace

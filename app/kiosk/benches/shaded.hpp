@@ -14,9 +14,9 @@ using ShadedPixels = std::array<double, render::kKinds>;
 ShadedPixels shaded_pixels(Easel& easel, const render::Frame& picture);
 
 // Instructions of the dearest shaders of a kind on a Raspberry Pi, as Mesa 25.0.7 compiles them: for a pixel, and for a
-// vertex in rendering and in binning, which both are done.
+// vertex in rendering and in binning, which both are done. The shader is the one of the pair that no other pair has.
 struct ShaderCosts {
-    const char* fragment_shader;
+    const char* shader;
     int fragment;
     int vertex;
     int binning;

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/markup.hpp"
 #include "kiosk/benches/markup.hpp"
 #include "kiosk/benches/shader_table.hpp"
 
@@ -32,7 +33,7 @@ std::string head_of(const std::set<std::string>& chips) {
     std::string above = R"(<tr><th rowspan="2">pair</th><th rowspan="2">stage</th>)";
     std::string below = "<tr>";
     for (const std::string& chip : chips) {
-        above += fmt::format(R"(<th class="chip" colspan="4">V3D {}</th>)", escaped(chip));
+        above += fmt::format(R"(<th class="chip" colspan="4">V3D {}</th>)", base::escaped(chip));
         below += R"(<th class="chip n">instructions</th><th class="n">threads</th>)"
                  R"(<th class="n">spills</th><th class="n">fills</th>)";
     }
@@ -69,8 +70,8 @@ std::string rows_of(const Pairs::value_type& pair, const std::set<std::string>& 
         if (found == stages.end()) continue;
         html += "<tr>";
         if (is_first)
-            html += fmt::format(R"(<th rowspan="{}"><code>{}<br>{}</code></th>)", stages.size(), escaped(names.first),
-                                escaped(names.second));
+            html += fmt::format(R"(<th rowspan="{}"><code>{}<br>{}</code></th>)", stages.size(),
+                                base::escaped(names.first), base::escaped(names.second));
         is_first = false;
         html += fmt::format("<td>{}</td>", stage);
         for (const std::string& chip : chips) html += cells_of(found->second, chip);
@@ -96,7 +97,7 @@ std::string section_of(const ShaderTable& table) {
         "<section id=\"shaders\">\n<h2>shaders</h2>\n<p>What {} makes of each pair that the program links, for the V3D "
         "4.2 of a Raspberry Pi 4 and the 7.1 of a 5. Budget: instructions that the fragment shader may have on either; "
         "fewer than 4 threads would not hide its fetches. {}</p>\n<div class=\"wide\"><table class=\"shaders\">\n",
-        escaped(table.compiler), verdict_on(table));
+        base::escaped(table.compiler), verdict_on(table));
     html += head_of(chips);
     for (const auto& pair : pairs_of(table)) html += rows_of(pair, chips);
     return html + "</table></div>\n</section>\n";

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kiosk/benches/markup.hpp"
+#include "base/markup.hpp"
 
 namespace quadrat::kiosk::benches {
 namespace {
@@ -59,7 +59,7 @@ std::string marks(const std::vector<RunRecord::Decision>& decisions, const Scale
     std::string svg;
     for (const RunRecord::Decision& decision : decisions)
         svg += fmt::format(R"(<circle cx="{:.1f}" cy="{}" r="4" fill="#c05010"><title>{:.1f} s: {}</title></circle>)",
-                           scale.x(seconds(decision.at)), kTop, seconds(decision.at), escaped(decision.why)) +
+                           scale.x(seconds(decision.at)), kTop, seconds(decision.at), base::escaped(decision.why)) +
                "\n";
     return svg;
 }

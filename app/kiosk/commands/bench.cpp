@@ -8,11 +8,13 @@
 #include <optional>
 
 #include "base/file.hpp"
+#include "base/text_file.hpp"
 #include "display/display.hpp"
 #include "kiosk/benches/benches.hpp"
 #include "kiosk/benches/report.hpp"
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/picture.hpp"
+#include "kiosk/version.hpp"
 
 namespace quadrat::kiosk::commands {
 namespace {
@@ -61,10 +63,10 @@ bool is_asked(const Group& group, const std::vector<std::string>& groups) {
 std::optional<benches::ShaderTable> checked(const Options& options) {
     constexpr std::size_t kLimit_bytes = 4U << 20U;
     display::size_from(options.how.size, "--size");
-    for (const std::string& file : {options.plot, options.report})
-        if (!file.empty()) base::require_writable(file);
+    if (!options.plot.empty()) base::require_ending(options.plot, {".svg"}, "a plot");
+    if (!options.report.empty()) base::require_ending(options.report, {".html", ".htm"}, "a report");
     if (options.shaders.empty()) return std::nullopt;
-    return benches::shader_table_from(base::read_file(options.shaders, kLimit_bytes), options.shaders);
+    return benches::shader_table_from(base::read_text(options.shaders, {kLimit_bytes, kLimit_bytes}), options.shaders);
 }
 
 std::string now_as_text() { return fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr))); }
@@ -79,7 +81,7 @@ void print(const Results& results, bool is_json) {
 
 int bench(const Options& options) {
     const auto shaders = checked(options);
-    benches::Report report{machine_description(), QUADRAT_VERSION, now_as_text(), {}, {}, {}, shaders};
+    benches::Report report{machine_description(), std::string(version()), now_as_text(), {}, {}, {}, shaders};
     Results& results = report.results;
     for (const Group& group : kGroups) {
         if (!is_asked(group, options.groups)) continue;
@@ -114,14 +116,17 @@ void add_bench(CLI::App& app, Action& chosen) {
     command->add_option("--alpha", options->how.alpha, "Detail: 1 is standard")
         ->check(CLI::Range(0.01F, 100.0F))
         ->capture_default_str();
-    command->add_option("--triangles", options->how.triangles,
-                        "frame, fidelity, a profile: no more than so many a frame");
+    command
+        ->add_option("--triangles", options->how.triangles, "frame, fidelity, a profile: no more than so many a frame")
+        ->default_str("no limit");
     command->add_option("--ground", options->how.ground, "frame, fidelity: what draws the land, blocks or roam")
         ->check(CLI::IsMember(ground_names()))
         ->capture_default_str();
-    command->add_option("--pixels", options->how.pixels, "The same for the pixels of the views");
+    command->add_option("--pixels", options->how.pixels, "The same for the pixels of the views")
+        ->default_str("no limit");
     command->add_option("--profile", options->how.profile, "detail: what a frame would take on this machine, estimated")
-        ->check(CLI::IsMember({"pi4", "pi5"}));
+        ->check(CLI::IsMember({"pi4", "pi5"}))
+        ->default_str("none");
     command->add_option("--minutes", options->how.minutes, "visit: how long is played")
         ->check(CLI::Range(0.1, 600.0))
         ->capture_default_str();
@@ -129,16 +134,21 @@ void add_bench(CLI::App& app, Action& chosen) {
         ->check(CLI::Range(1.0, 240.0))
         ->capture_default_str();
     command->add_option("--then-hz", options->how.then_hz, "visit: of the screen in the last third")
-        ->check(CLI::Range(1.0, 240.0));
+        ->check(CLI::Range(1.0, 240.0))
+        ->default_str("the same");
     command->add_flag("--busy", options->how.is_busy,
                       "visit: something else takes a core, and time from uploads, for the middle third");
-    command->add_option("--plot", options->plot, "visit: FILE.svg of the frames and what the governor did");
-    CLI::Option* report = command->add_option(
-        "--report", options->report, "FILE.html with all of it: machine, settings, tables, the plot of a visit");
+    command->add_option("--plot", options->plot, "visit: FILE.svg of the frames and what the governor did")
+        ->default_str("none");
+    CLI::Option* report = command
+                              ->add_option("--report", options->report,
+                                           "FILE.html with all of it: machine, settings, tables, the plot of a visit")
+                              ->default_str("none");
     command
         ->add_option("--shaders", options->shaders,
                      "For the report: FILE.json of what shaders need on a Raspberry Pi, from tests/gpu/run --json")
-        ->needs(report);
+        ->needs(report)
+        ->default_str("none");
     command->callback([options, &chosen] { chosen = [options] { return bench(*options); }; });
 }
 

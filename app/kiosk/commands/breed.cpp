@@ -5,10 +5,11 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "base/file.hpp"
+#include "base/text_file.hpp"
 #include "breeding/stdio_protocol.hpp"
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/school.hpp"
+#include "kiosk/state_folder.hpp"
 
 namespace quadrat::kiosk::commands {
 namespace {
@@ -30,7 +31,7 @@ breeding::Session session_for(const Options& options) {
     breeding::BreederOptions breeder;
     const bool is_classic = options.genome == "classic";
     breeder.kind = breeding::breeder_named(!options.breeder.empty() ? options.breeder : is_classic ? "pbil" : "belief");
-    if (!options.state.empty()) breeder.map = site_words(options.state).map;
+    if (!options.state.empty()) breeder.map = site_words(existing_state_folder(options.state)).map;
     breeder.genome = is_classic ? genome::Genome::Classic : genome::Genome::Full;
     breeder.pbil.learning_rate = options.learning_rate;
     breeder.pbil.mutation = options.mutation;
@@ -59,7 +60,8 @@ int breed(const Options& options) {
     breeding::Session session = session_for(options);
     std::vector<breeding::OwnWord> own;
     for (const std::string& file : options.own_words)
-        own.push_back(breeding::own_word_from(base::read_file(file), file, session.breeder().word_map()));
+        own.push_back(
+            breeding::own_word_from(base::read_text(file, base::kJsonLimits), file, session.breeder().word_map()));
     breeding::StdioProtocol protocol(std::move(session), std::move(own));
     std::cout << protocol.hello() << '\n' << protocol.offer() << std::endl;
     for (std::string line; read_line(line);) {
@@ -86,7 +88,8 @@ void add_breed(CLI::App& app, Action& chosen) {
         ->add_option(
             "--breeder", options->breeder,
             "belief (default in words), pbil (default in the classic genome), pbil-gaussian, random, or sliders")
-        ->check(CLI::IsMember({"belief", "pbil", "pbil-gaussian", "random", "sliders"}));
+        ->check(CLI::IsMember({"belief", "pbil", "pbil-gaussian", "random", "sliders"}))
+        ->default_str("belief in words, pbil in the classic genome");
     command->add_option("--seed", options->seed, "Names all chance")->capture_default_str();
     command->add_option("--learning-rate", options->learning_rate, "Weight of the best candidate's bits, 0 to 1")
         ->check(CLI::Range(0.0, 1.0))
@@ -98,10 +101,14 @@ void add_breed(CLI::App& app, Action& chosen) {
         ->check(CLI::IsMember({"toward-half", "random"}))
         ->capture_default_str();
     command->add_option("--lock", options->locked, "An aspect that keeps what it knows: trees, land, sky; repeatable")
-        ->check(CLI::IsMember({"trees", "land", "sky"}));
-    command->add_option("--own-word", options->own_words,
-                        "A word of one's own that scenes may be described with: FILE.json, see words own; repeatable");
-    command->add_option("--state", options->state, "The exhibit's state folder, for the map that its site has trained");
+        ->check(CLI::IsMember({"trees", "land", "sky"}))
+        ->default_str("none");
+    command
+        ->add_option("--own-word", options->own_words,
+                     "A word of one's own that scenes may be described with: FILE.json, see words own; repeatable")
+        ->default_str("none");
+    command->add_option("--state", options->state, "The exhibit's state folder, for the map that its site has trained")
+        ->default_str("the map that comes along");
     command->callback([options, &chosen] { chosen = [options] { return breed(*options); }; });
 }
 

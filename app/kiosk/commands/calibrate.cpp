@@ -14,6 +14,7 @@
 #include "kiosk/easel.hpp"
 #include "kiosk/growing.hpp"
 #include "kiosk/screen.hpp"
+#include "kiosk/state_hold.hpp"
 
 namespace quadrat::kiosk::commands {
 namespace {
@@ -29,6 +30,9 @@ double ms_since(Clock::time_point began) {
 }  // namespace
 
 int calibrate(const Configuration& configuration, const std::filesystem::path& state) {
+    std::error_code ignored;  // where it cannot be made, the lock says so
+    std::filesystem::create_directories(state, ignored);
+    const auto lock = hold_state(state, "quadrat doctor --calibrate");
     const auto screen = display::open_display(display_options(configuration));
     const display::Canvas canvas = screen->begin_frame();
     if (canvas.context == 0) throw base::InputError("calibrate: there is no GPU to measure: " + screen->description());

@@ -2,6 +2,7 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
 
 // One file a subcommand. Each adds itself to the command line and sets what to do when it was chosen; that returns the
 // exit status, and throws InputError for bad input.
@@ -22,5 +23,11 @@ void add_doctor(CLI::App& app, Action& chosen);
 void add_shot(CLI::App& app, Action& chosen);
 void add_state(CLI::App& app, Action& chosen);
 void add_publish(CLI::App& app, Action& chosen);
+void add_man(CLI::App& app, Action& chosen);
+void add_completion(CLI::App& app, Action& chosen);
+
+// All of them. Every option that takes a value, and need not be given, says what it is without: capture_default_str, or
+// default_str in words.
+void add_all(CLI::App& app, Action& chosen);
 
 }  // namespace quadrat::kiosk::commands

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -8,6 +9,9 @@
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/commands/learn_buttons.hpp"
 #include "kiosk/diagnosis.hpp"
+#include "kiosk/diagnosis_crash.hpp"
+#include "kiosk/settings.hpp"
+#include "kiosk/staff/machine.hpp"
 #include "kiosk/staff/wall_clock.hpp"
 #include "kiosk/state_folder.hpp"
 
@@ -20,6 +24,7 @@ struct Options {
     std::vector<std::string> only;
     bool learns_buttons = false;
     bool calibrates = false;
+    bool is_json = false;
     std::string device;
     std::string map;
 };
@@ -32,19 +37,37 @@ std::vector<Finding> service_findings(const std::string& state) {
     if (!is_the_services(state)) return findings;
     const std::vector<Finding> unit = examine_unit(read_unit_state("quadrat.service"));
     findings.insert(findings.begin(), unit.begin(), unit.end());
+    const auto now = std::chrono::system_clock::now();
+    const std::vector<Finding> crash = examine_crashes(kCrashFolder, account_named("quadrat"), now);
+    findings.insert(findings.end(), crash.begin(), crash.end());
+    return findings;
+}
+
+std::vector<Finding> button_findings(const Configuration& configuration, const std::optional<Account>& user) {
+    std::vector<Finding> findings = examine_buttons(configuration, user);
+    const std::vector<Finding> boards = examine_boards(configuration);
+    findings.insert(findings.end(), boards.begin(), boards.end());
+    return findings;
+}
+
+std::vector<Finding> screen_findings(const Configuration& configuration, const std::optional<Account>& user) {
+    std::vector<Finding> findings = examine_screen(user);
+    const std::vector<Finding> wanted = examine_wanted_screen(configuration);
+    findings.insert(findings.end(), wanted.begin(), wanted.end());
     return findings;
 }
 
 std::vector<Finding> examine_parts(const Options& options) {
-    const Examined examined = examine_configuration(options.configuration);
+    const Examined examined = examine_configuration(tended_configuration(options.configuration, options.state),
+                                                    tended_state_folder(options.state));
     const Configuration& configuration = examined.configuration;
     // Who names another state folder has an exhibit of their own, and runs it themselves.
     const auto user = is_the_services(options.state) ? account_named("quadrat") : std::nullopt;
     const std::pair<const char*, std::function<std::vector<Finding>()>> parts[] = {
         {"settings", [&] { return examined.findings; }},
         {"gpu", [] { return examine_gpu(); }},
-        {"screen", [&] { return examine_screen(user); }},
-        {"buttons", [&] { return examine_buttons(configuration, user); }},
+        {"screen", [&] { return screen_findings(configuration, user); }},
+        {"buttons", [&] { return button_findings(configuration, user); }},
         {"state", [&] { return examine_state(tended_state_folder(options.state), user); }},
         {"clock",
          [&] {
@@ -69,12 +92,10 @@ int examine(const Options& options) {
         return learn_buttons(options.device, map);
     }
     if (options.calibrates) {
-        const Configuration configuration =
-            options.configuration.empty() ? Configuration{} : read_configuration(options.configuration);
-        return calibrate(configuration, state_folder(options.state));
+        return calibrate(settings_for_people(options.configuration).configuration, state_folder(options.state));
     }
     const std::vector<Finding> all = examine_parts(options);
-    std::fputs(report_of(all).c_str(), stdout);
+    std::fputs((options.is_json ? json_of(all) : report_of(all)).c_str(), stdout);
     return kStatus[static_cast<std::size_t>(worst_of(all))];
 }
 
@@ -86,23 +107,32 @@ void add_doctor(CLI::App& app, Action& chosen) {
         "doctor",
         "Look at settings, GPU, screen, buttons, state, clock and service, and say what is wrong and what mends it.\n"
         "Ends with 0 when all is good, 3 when something is doubtful, 4 when something is bad");
-    command->add_option("--config", options->configuration, "The site's settings, which are checked too");
-    command->add_option("--state", options->state,
-                        "Folder of what is kept between runs; without it, the service's where it is installed");
+    command->add_option("--config", options->configuration, "The site's settings, which are checked too; without it, the service's where it is installed")
+        ->default_str("the service's, else none");
+    command
+        ->add_option("--state", options->state,
+                     "Folder of what is kept between runs; without it, the service's where it is installed")
+        ->default_str("the service's, else ~/.local/state/quadrat");
     command
         ->add_option("--only", options->only,
                      "Look at this part alone, repeatable: settings, gpu, screen, buttons, state, clock, service")
         ->check(CLI::IsMember({"settings", "gpu", "screen", "buttons", "state", "clock", "service"}))
         ->expected(1)
-        ->take_all();
+        ->take_all()
+        ->default_str("all");
+    command->add_flag("--json", options->is_json,
+                      "Findings for other programs: part, verdict, what, remedy, file and line of each");
     command->add_flag("--learn-buttons", options->learns_buttons,
                       "Instead: learn what the buttons of a HID device are, by asking for them one after the other");
     command->add_flag("--calibrate", options->calibrates,
                       "Instead, with the exhibit stopped: measure in some ten seconds what this GPU draws, and keep\n"
                       "where the exhibit is to start");
-    command->add_option("--device", options->device,
-                        "Which one learns, as after hid: (0079:0006, port=usb-…); any, without it");
-    command->add_option("--map", options->map, "Where what was learned is kept (the state folder's buttons.map)");
+    command
+        ->add_option("--device", options->device,
+                     "Which one learns, as after hid: (0079:0006, port=usb-…); any, without it")
+        ->default_str("any");
+    command->add_option("--map", options->map, "Where what was learned is kept (the state folder's buttons.map)")
+        ->default_str("the state folder's buttons.map");
     command->callback([options, &chosen] { chosen = [options] { return examine(*options); }; });
 }
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <filesystem>
-
-#include "base/error.hpp"
 #include "base/file.hpp"
 #include "kiosk/clamped_scene.hpp"
 #include "kiosk/commands/commands.hpp"
@@ -65,11 +62,12 @@ mesh::Model scene_model(const scene::Scene& scene, bool writes_instances_out) {
 }
 
 int write(const Options& options) {
-    const std::string ending = std::filesystem::path(options.output).extension().string();
-    const bool is_heights = options.what == "land" && (ending == ".exr" || ending == ".tif" || ending == ".tiff");
-    if (ending != ".obj" && ending != ".glb" && !is_heights)
-        throw base::InputError(fmt::format("{}: --what {} is written as .obj or .glb{}", options.output, options.what,
-                                           options.what == "land" ? ", or as heights in .exr or .tif" : ""));
+    const std::string ending = base::ending_of(options.output);
+    const bool is_heights = options.what == "land" && ending != ".obj" && ending != ".glb";
+    if (options.what == "land")
+        base::require_ending(options.output, {".obj", ".glb", ".exr", ".tif", ".tiff"}, "land, or its heights,");
+    else
+        base::require_ending(options.output, {".obj", ".glb"}, "a " + options.what);
     const Picture picture = read_scene_clamped(options.scene);
     const auto in_format = [&](const mesh::Model& model) {
         return ending == ".obj" ? mesh::to_obj(model) : mesh::to_glb(model);
@@ -80,9 +78,7 @@ int write(const Options& options) {
     }
     const auto scene = grow(picture.scenes.front());
     if (is_heights) {
-        base::write_file_by(options.output, [&](const std::filesystem::path& temporary) {
-            write_field_file(temporary, options.output, scene->land->height_m);
-        });
+        base::write_file(options.output, encoded_field(options.output, scene->land->height_m));
         return 0;
     }
     mesh::Model model;

@@ -11,11 +11,14 @@
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/text_file.hpp"
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/image_file.hpp"
+#include "kiosk/mask.hpp"
 #include "kiosk/picture.hpp"
 #include "kiosk/relief.hpp"
 #include "synthesis/land/constraint_text.hpp"
@@ -41,6 +44,8 @@ struct Options {
     std::string fix_file;
     std::string line_file;
     std::string mask_file;
+    std::string mask_range;
+    std::optional<float> mask_nodata;
     std::vector<float> mask_heights{-1, 1};
     int mask_reach = 0;  // 0: a thirty-second of the size
     std::vector<float> range{-2, 2};
@@ -151,9 +156,9 @@ land::FieldRequest request_from(const Options& options) {
     request.gain = options.gain;
     request.window = window_from(options.window, options.size);
     if (!options.fix_file.empty())
-        request.fixed = land::fixed_points_from(base::read_file(options.fix_file), options.fix_file);
+        request.fixed = land::fixed_points_from(base::read_text(options.fix_file), options.fix_file);
     if (!options.line_file.empty())
-        request.lines = land::lines_from(base::read_file(options.line_file), options.line_file);
+        request.lines = land::lines_from(base::read_text(options.line_file), options.line_file);
     land::check(request);
     return request;
 }
@@ -189,8 +194,21 @@ void condition(mesh::Field& field, const Window& window, const land::Conditions&
     }
 }
 
+mesh::Field mask_for(const Options& options) {
+    std::optional<MaskRange> range;
+    if (!options.mask_range.empty()) range = mask_range_from(options.mask_range);
+    Mask mask = mask_from(read_grey_picture(options.mask_file), options.mask_file, range, options.mask_nodata);
+    if (mask.holes > 0)
+        std::fprintf(stderr, "%s: %zu of %zu samples are holes; they have what is around them\n",
+                     options.mask_file.c_str(), mask.holes, mask.share.samples.size());
+    if (mask.cut > 0)
+        std::fprintf(stderr, "%s: %zu samples beyond --mask-range %s were cut\n", options.mask_file.c_str(), mask.cut,
+                     options.mask_range.c_str());
+    return std::move(mask.share);
+}
+
 void follow(mesh::Field& field, const Options& options) {
-    mesh::Field mask = read_mask_file(options.mask_file);
+    mesh::Field mask = mask_for(options);
     for (float& h : mask.samples) h = options.mask_heights[0] + h * (options.mask_heights[1] - options.mask_heights[0]);
     const int reach = options.mask_reach > 0 ? options.mask_reach : std::max(1, options.size / 32);
     const float left = land::follow_mask(field, mask, reach);
@@ -250,20 +268,17 @@ mesh::Field make(const land::FieldMethod& method, const Options& options, const 
 }
 
 void write(const mesh::Field& field, const Options& options) {
-    const bool is_png = std::filesystem::path(options.output).extension() == ".png";
-    base::write_file_by(options.output, [&](const std::filesystem::path& temporary) {
-        if (is_png) {
-            const std::size_t cut =
-                write_height_picture(temporary, options.output, field, options.range[0], options.range[1]);
-            if (cut > 0)
-                std::fprintf(stderr, "%s: %zu heights beyond %g to %g were cut; --range LOW HIGH sets it\n",
-                             options.output.c_str(), cut, static_cast<double>(options.range[0]),
-                             static_cast<double>(options.range[1]));
-        } else {
-            write_field_file(temporary, options.output, field);
-        }
-        obey_interrupts();
-    });
+    const float low = options.range[0];
+    const float high = options.range[1];
+    const bool is_png = base::ending_of(options.output) == ".png";
+    const std::string bytes =
+        is_png ? encoded_heights(options.output, field, low, high) : encoded_field(options.output, field);
+    obey_interrupts();
+    base::write_file(options.output, bytes);
+    const auto cut = std::ranges::count_if(field.samples, [&](float h) { return h < low || h > high; });
+    if (is_png && cut > 0)
+        std::fprintf(stderr, "%s: %td heights beyond %g to %g were cut; --range LOW HIGH sets it\n",
+                     options.output.c_str(), cut, static_cast<double>(low), static_cast<double>(high));
 }
 
 void draw_side_by_side(const std::vector<const land::FieldMethod*>& methods, const Options& options,
@@ -278,13 +293,11 @@ void draw_side_by_side(const std::vector<const land::FieldMethod*>& methods, con
 }
 
 void check(const Options& options) {
-    const std::string ending = std::filesystem::path(options.output).extension().string();
-    const bool is_field = ending == ".exr" || ending == ".tif" || ending == ".tiff";
-    if (ending != ".png" && (!is_field || options.is_relief))
-        throw base::InputError(fmt::format("{}: {}", options.output,
-                                           options.is_relief ? "a relief is written as .png"
-                                                             : "a field is written as .exr or .tif (32-bit floats) "
-                                                               "or .png (16-bit)"));
+    if (options.is_relief)
+        base::require_ending(options.output, {".png"}, "a relief");
+    else
+        base::require_ending(options.output, {".exr", ".tif", ".tiff", ".png"}, "a field");
+    if (!options.mask_range.empty()) mask_range_from(options.mask_range);
     if (!(options.range[0] < options.range[1]))
         throw base::InputError("--range: the first height is black and lower than the second, which is white");
     constexpr int kLargestEroded = 4097;
@@ -311,25 +324,45 @@ int run(const Options& options) {
 }
 
 void add_constraints(CLI::App& command, Options& options) {
-    command.add_option("--fix", options.fix_file, "Known heights: a file of lines, column row height");
-    command.add_option("--lines", options.line_file,
-                       "Known crests and beds: a file of lines, ridge|river and three numbers a corner");
-    command.add_option("--mask", options.mask_file, "A grey picture whose broad course the field follows");
+    command.add_option("--fix", options.fix_file, "Known heights: a file of lines, column row height")
+        ->default_str("none");
+    command
+        .add_option("--lines", options.line_file,
+                    "Known crests and beds: a file of lines, ridge|river and three numbers a corner")
+        ->default_str("none");
+    CLI::Option* mask =
+        command.add_option("--mask", options.mask_file, "A grey picture whose broad course the field follows")
+            ->default_str("none");
+    command
+        .add_option("--mask-range", options.mask_range,
+                    "LOW:HIGH, which of its own numbers are its black and white: metres of an elevation model, say")
+        ->default_str("0:1 of floats, all of whole numbers")
+        ->needs(mask);
+    command
+        .add_option("--mask-nodata", options.mask_nodata, "A number that stands for a hole, besides -9999 and its like")
+        ->default_str("none")
+        ->needs(mask);
     command.add_option("--mask-heights", options.mask_heights, "Heights of its black and its white")
         ->expected(2)
         ->capture_default_str();
     command.add_option("--mask-reach", options.mask_reach, "How broad that is, samples; 0: a 32nd of the size")
-        ->check(CLI::Range(0, 1024));
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
 }
 
 void add_filters(CLI::App& command, Options& options) {
     command.add_option("--burrs", options.burrs, "Take off burrs that stand higher over their neighbours than this")
-        ->check(CLI::Range(0.0F, 10.0F));
+        ->check(CLI::Range(0.0F, 10.0F))
+        ->capture_default_str();
     command.add_option("--smooth", options.smooth, "Mean over this many samples to each side")
-        ->check(CLI::Range(0, 256));
-    command.add_option("--erode", options.erode, "Steps of erosion by streams")->check(CLI::Range(0, 200));
+        ->check(CLI::Range(0, 256))
+        ->capture_default_str();
+    command.add_option("--erode", options.erode, "Steps of erosion by streams")
+        ->check(CLI::Range(0, 200))
+        ->capture_default_str();
     command.add_option("--repose", options.repose_deg, "Let slopes slide to this angle, degrees")
-        ->check(CLI::Range(0.0F, 80.0F));
+        ->check(CLI::Range(0.0F, 80.0F))
+        ->default_str("0: none slides");
 }
 
 }  // namespace
@@ -348,7 +381,8 @@ void add_field(CLI::App& app, Action& chosen) {
     command->add_option("--octaves", options->octaves, "1 to 16")->capture_default_str();
     command->add_option("--gain", options->gain, "Of each octave to the one before; H = -log2 of it")
         ->capture_default_str();
-    command->add_option("--window", options->window, "COLUMN,ROW,WIDTH,HEIGHT: this part alone, the same to the bit");
+    command->add_option("--window", options->window, "COLUMN,ROW,WIDTH,HEIGHT: this part alone, the same to the bit")
+        ->default_str("all of it");
     command->add_option("--range", options->range, "Heights that are black and white in a PNG")
         ->expected(2)
         ->capture_default_str();

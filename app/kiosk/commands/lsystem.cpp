@@ -9,6 +9,8 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
+#include "base/markup.hpp"
+#include "base/text_file.hpp"
 #include "kiosk/commands/commands.hpp"
 #include "mesh/model.hpp"
 #include "synthesis/trees/grammar.hpp"
@@ -31,7 +33,7 @@ struct Options {
 };
 
 Grammar grammar_from(const std::string& name) {
-    if (std::filesystem::exists(name)) return read_grammar(base::read_file(name), name);
+    if (std::filesystem::exists(name)) return read_grammar(base::read_text(name), name);
     const auto& library = grammar_library();
     const bool is_known = std::ranges::find(library, name, &NamedGrammar::name) != library.end();
     if (!is_known && name.find_first_of("./") != std::string::npos)
@@ -74,7 +76,7 @@ std::string svg_of(const TreeSkeleton& skeleton, const std::string& name) {
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\">\n<title>{}</title>\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"#f6f3ea\"/>\n<g stroke=\"#4a3a2c\" stroke-linecap=\"round\">\n",
-        width, height, name);
+        width, height, base::escaped(name));
     for (const Limb& limb : skeleton.limbs)
         for (std::size_t i = 1; i < limb.nodes.size(); ++i) {
             const auto& a = limb.nodes[i - 1];
@@ -114,9 +116,9 @@ int derive_and_draw(const Options& options) {
     }
     if (options.grammar.empty())
         throw base::InputError("lsystem: name a grammar: a file, or one of quadrat lsystem --list");
-    const std::string ending = std::filesystem::path(options.output).extension().string();
-    if (!options.output.empty() && ending != ".svg" && ending != ".obj" && ending != ".glb" && ending != ".txt")
-        throw base::InputError(fmt::format("{}: a grammar is written as .txt, .svg, .obj or .glb", options.output));
+    const std::string ending = base::ending_of(options.output);
+    if (!options.output.empty())
+        base::require_ending(options.output, {".txt", ".svg", ".obj", ".glb"}, "a grammar's word");
     const Grammar grammar = grammar_from(options.grammar);
     DeriveOptions how;
     how.steps = options.steps;
@@ -154,12 +156,17 @@ int derive_and_draw(const Options& options) {
 void add_lsystem(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("lsystem", "Derive a grammar and print, draw or mesh its word");
-    command->add_option("grammar", options->grammar, "A grammar file, or the name of one that comes along");
-    command->add_option("-o,--output", options->output,
-                        "NAME.txt, .svg, .obj or .glb; the word on standard output otherwise");
+    command->add_option("grammar", options->grammar, "A grammar file, or the name of one that comes along")
+        ->default_str("none: needed unless --list is");
+    command
+        ->add_option("-o,--output", options->output,
+                     "NAME.txt, .svg, .obj or .glb; the word on standard output otherwise")
+        ->default_str("standard output");
     command->add_option("--steps", options->steps, "Derivation steps instead of the grammar's own")
-        ->check(CLI::Range(0, 10'000));
-    command->add_option("--seed", options->seed, "Names the chance of productions that are drawn");
+        ->check(CLI::Range(0, 10'000))
+        ->default_str("the grammar's");
+    command->add_option("--seed", options->seed, "Names the chance of productions that are drawn")
+        ->capture_default_str();
     command->add_option("--limbs", options->limbs, "Of a mesh: swept, smooth or cylinders")
         ->check(CLI::IsMember({"swept", "smooth", "cylinders"}))
         ->capture_default_str();

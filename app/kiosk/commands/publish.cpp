@@ -5,6 +5,7 @@
 #include "base/log.hpp"
 #include "kiosk/commands/commands.hpp"
 #include "kiosk/fleet/publisher.hpp"
+#include "kiosk/settings.hpp"
 #include "kiosk/staff/machine.hpp"
 #include "kiosk/state_folder.hpp"
 
@@ -15,6 +16,7 @@ struct Options {
     std::string configuration;
     std::string state;
     std::string runtime;
+    bool is_service = false;
 };
 
 std::atomic<bool>& stop_flag() {
@@ -22,8 +24,20 @@ std::atomic<bool>& stop_flag() {
     return stop;
 }
 
+// Above all when there is something wrong with the settings a fleet wants to hear of it. Without any that worked there
+// is no broker to tell.
+Settings settings_for(const Options& options, const std::filesystem::path& state) {
+    if (!options.is_service) return settings_for_people(options.configuration);
+    Settings settings = settings_for_service(options.configuration, state);
+    if (settings.from == SettingsFrom::Defaults) throw SettingsError(std::move(settings.mistakes));
+    tell(settings);
+    return settings;
+}
+
 int publish(const Options& options) {
-    const Configuration configuration = read_configuration(options.configuration);
+    const auto state = state_folder(options.state);
+    const Settings settings = settings_for(options, state);
+    const Configuration& configuration = settings.configuration;
     if (configuration.fleet.broker.empty()) {
         base::log::info("fleet: no broker is named in {}, so nothing is published", options.configuration);
         return 0;
@@ -34,7 +48,6 @@ int publish(const Options& options) {
     ::sigaction(SIGINT, &action, nullptr);
     // A broker that hangs up while we write is no reason to end.
     ::signal(SIGPIPE, SIG_IGN);
-    const auto state = state_folder(options.state);
     fleet::Publisher publisher(
         configuration.fleet, state,
         options.runtime.empty() ? staff::runtime_folder(state) : std::filesystem::path(options.runtime));
@@ -50,8 +63,12 @@ void add_publish(CLI::App& app, Action& chosen) {
         "publish", "Tell a broker by MQTT how the exhibit beside us is and what visitors did, until told to stop");
     command->add_option("--config", options->configuration, "The site's settings; [fleet] names the broker")
         ->required();
-    command->add_option("--state", options->state, "The exhibit's state folder");
-    command->add_option("--runtime", options->runtime, "Where the exhibit writes its health, as /run/quadrat");
+    command->add_flag("--service", options->is_service,
+                      "With a mistake in the settings, publish by the last with which the exhibit worked");
+    command->add_option("--state", options->state, "The exhibit's state folder")
+        ->default_str("the service's, else ~/.local/state/quadrat");
+    command->add_option("--runtime", options->runtime, "Where the exhibit writes its health, as /run/quadrat")
+        ->default_str("the service's, else the state folder");
     command->callback([options, &chosen] { chosen = [options] { return publish(*options); }; });
 }
 

@@ -22,9 +22,11 @@
 #include "kiosk/run_loop.hpp"
 #include "kiosk/screen.hpp"
 #include "kiosk/service.hpp"
+#include "kiosk/settings.hpp"
 #include "kiosk/staff/machine.hpp"
 #include "kiosk/staff/presence.hpp"
 #include "kiosk/state_folder.hpp"
+#include "kiosk/state_hold.hpp"
 #include "kiosk/visitor.hpp"
 
 namespace quadrat::kiosk::commands {
@@ -43,6 +45,7 @@ struct Options {
     std::string log_file;
     double speed = 1;
     Budget budget;
+    bool is_service = false;
 };
 
 namespace fs = std::filesystem;
@@ -65,15 +68,13 @@ void stop_on_signals() {
     ::sigaction(SIGINT, &action, nullptr);
 }
 
-Configuration configuration_for(const Options& options) {
-    Configuration configuration =
-        options.configuration.empty() ? Configuration{} : read_configuration(options.configuration);
+// What the command line says, whatever the settings do.
+void override_by(const Options& options, Configuration& configuration) {
     if (!options.display.empty()) configuration.screen.display = options.display;
     if (!options.size.empty()) configuration.screen.size = options.size;
     if (!options.inputs.empty()) configuration.inputs = options.inputs;
     if (options.rounds) configuration.visit.rounds = *options.rounds;
     if (!options.ground.empty()) configuration.picture.ground = options.ground;
-    return configuration;
 }
 
 struct Buttons {
@@ -84,9 +85,10 @@ struct Buttons {
 Buttons open_buttons(const std::vector<std::string>& specs) {
     Buttons buttons;
     std::vector<std::unique_ptr<firmware_io::ButtonSource>> sources;
+    const auto boards = std::make_shared<firmware_io::HeardBoards>();
     for (const std::string& spec : specs) {
         try {
-            auto opened = firmware_io::open_buttons(spec);
+            auto opened = firmware_io::open_buttons_beside(spec, boards);
             sources.push_back(std::move(opened.source));
             if (!opened.map_trouble.empty())
                 base::log::warn("buttons: {}; until then the usual order of buttons is used", opened.map_trouble);
@@ -102,11 +104,6 @@ Buttons open_buttons(const std::vector<std::string>& specs) {
 // Nobody can press where there is neither a screen nor a named button: a visitor is played, and pictures are left.
 bool needs_a_visitor(const Configuration& configuration, const display::Display& display) {
     return configuration.inputs.empty() && display.kind() == "headless";
-}
-
-std::vector<std::string> default_inputs(const display::Display& display) {
-    if (display.kind() == "window") return {"keyboard", "hid:"};
-    return {"hid:"};
 }
 
 base::Seed seed_for(const Options& options) {
@@ -140,18 +137,29 @@ void wait_unless_stopped(std::chrono::seconds span) {
 }
 
 // Where the service keeps what a reboot forgets; "" when we are not its.
-fs::path service_folder() {
-    const char* folder = std::getenv("RUNTIME_DIRECTORY");
-    return folder != nullptr ? folder : "";
+fs::path service_folder() { return staff::folder_in("RUNTIME_DIRECTORY"); }
+
+// The service's, or that of whoever sits at a terminal: only people can be told to correct a line before anything runs.
+bool is_service(const Options& options) { return options.is_service || !service_folder().empty(); }
+
+bool has_desktop() { return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr; }
+
+// What holds over any settings of this run.
+void adjust(const Options& options, staff::Mode mode, Configuration& configuration) {
+    override_by(options, configuration);
+    // A service waits for its screen; it does not play to nobody because none is there yet.
+    if (is_service(options) && configuration.screen.display == "auto" && !has_desktop())
+        configuration.screen.display = "kms";
+    if (mode != staff::Mode::Safe) return;
+    configuration.picture.alpha = std::min(configuration.picture.alpha, kSafeAlpha);
+    configuration.picture.land_samples = std::min(configuration.picture.land_samples, kSafeLand);
 }
 
 // What the failures so far call for, before anything is opened.
-void climb(staff::Ladder& ladder, Configuration& configuration) {
+void climb(staff::Ladder& ladder) {
     const staff::Rung& rung = ladder.rung();
     if (rung.mode == staff::Mode::Usual) return;
     base::log::error("safe mode: {} failures in ten minutes; low detail, no pictures are kept", rung.failures);
-    configuration.picture.alpha = std::min(configuration.picture.alpha, kSafeAlpha);
-    configuration.picture.land_samples = std::min(configuration.picture.land_samples, kSafeLand);
     if (rung.remedy == staff::Remedy::Reboot) {
         if (ladder.note_reboot()) {
             base::log::error("safe mode: it goes on failing; asking for a reboot");
@@ -169,15 +177,55 @@ std::unique_ptr<Clock> clock_for(const Options& options, bool is_simulated) {
     return std::make_unique<SteadyClock>();
 }
 
-Buttons buttons_for(Configuration& configuration, const display::Display& screen, base::Seed seed,
+Buttons buttons_for(const Configuration& configuration, const display::Display& screen, base::Seed seed,
                     bool is_demonstration) {
     Buttons buttons;
     if (is_demonstration) {
         buttons.source = scripted_visitor(configuration.visit.rounds, seed);
         return buttons;
     }
-    if (configuration.inputs.empty()) configuration.inputs = default_inputs(screen);
-    return open_buttons(configuration.inputs);
+    return open_buttons(configuration.inputs.empty() ? default_inputs(screen.kind()) : configuration.inputs);
+}
+
+// Settings, and what they name, opened.
+struct Opened {
+    Settings settings;
+    std::unique_ptr<display::Display> screen;
+    bool is_demonstration = false;
+    Buttons buttons;
+};
+
+Opened open_with(Settings settings, const Options& options, staff::Mode mode, base::Seed seed) {
+    adjust(options, mode, settings.configuration);
+    Opened opened;
+    opened.screen = display::open_display(display_options(settings.configuration));
+    opened.is_demonstration = needs_a_visitor(settings.configuration, *opened.screen);
+    opened.buttons = buttons_for(settings.configuration, *opened.screen, seed, opened.is_demonstration);
+    opened.settings = std::move(settings);
+    return opened;
+}
+
+Settings settings_for(const Options& options, const fs::path& state, const staff::Rung& rung) {
+    if (!is_service(options)) return settings_for_people(options.configuration);
+    Settings settings = settings_for_service(options.configuration, state);
+    return rung.mode == staff::Mode::Safe ? safe_settings(std::move(settings), state, rung.failures) : settings;
+}
+
+// For a service, settings that cannot be opened give way to others until some can.
+Opened open_what_works(Settings settings, const Options& options, const fs::path& state, staff::Mode mode,
+                       base::Seed seed) {
+    for (;;) {
+        try {
+            Opened opened = open_with(settings, options, mode, seed);
+            tell(opened.settings);
+            return opened;
+        } catch (const base::InputError& error) {
+            if (!is_service(options)) throw;
+            auto next = next_settings(settings, state, mistake_from(options.configuration, 0, error.what()));
+            if (!next) throw;
+            settings = std::move(*next);
+        }
+    }
 }
 
 exhibit::Archive open_archive(const fs::path& state, const exhibit::TellKept& tell) {
@@ -198,15 +246,18 @@ exhibit::Kept kept_by(Keeper& keeper, const Clock& clock) {
 }
 
 int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const fs::path& state) {
-    Configuration configuration = configuration_for(options);
-    climb(ladder, configuration);
-    const bool is_safe = ladder.rung().mode == staff::Mode::Safe;
+    climb(ladder);
+    const staff::Mode mode = ladder.rung().mode;
+    const bool is_safe = mode == staff::Mode::Safe;
+    Settings settings = settings_for(options, state, ladder.rung());
     auto keeper =
         std::make_unique<Keeper>([state](const exhibit::TellKept& tell) { return open_archive(state, tell); });
-    const auto screen = display::open_display(display_options(configuration));
-    const bool is_demonstration = needs_a_visitor(configuration, *screen);
     const base::Seed seed = seed_for(options);
-    Buttons buttons = buttons_for(configuration, *screen, seed, is_demonstration);
+    Opened opened = open_what_works(std::move(settings), options, state, mode, seed);
+    Configuration& configuration = opened.settings.configuration;
+    const auto& screen = opened.screen;
+    Buttons& buttons = opened.buttons;
+    const bool is_demonstration = opened.is_demonstration;
 
     const std::string folder = options.capture.empty() && is_demonstration ? "quadrat-pictures" : options.capture;
     std::unique_ptr<Album> album;
@@ -226,8 +277,11 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
     if (!clock->is_simulated()) {
         presence.emplace(staff::runtime_folder(state));
         keepsakes.emplace(state);
-        caretaker.emplace(staff::CaretakerParts{configuration, options.configuration, staff::runtime_folder(state),
-                                                state, ladder, *screen});
+        staff::CaretakerParts parts{configuration, opened.settings, staff::runtime_folder(state),
+                                    state,         ladder,          *screen};
+        parts.adjust = [&options, mode](Configuration& changed) { adjust(options, mode, changed); };
+        parts.keeps_settings = is_service(options);
+        caretaker.emplace(parts);
     }
     std::optional<DetailGovernor> governor;
     if (!clock->is_simulated() && !options.budget.is_bound())
@@ -259,16 +313,19 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
 
 int run(const Options& options) {
     hold_memory();  // until the first landscapes are on the screen
-    if (!options.log_file.empty()) base::open_log(base::LogDetail::Normal, options.log_file);
+    if (!options.log_file.empty()) base::log_to_file_too(options.log_file);
     stop_on_signals();
     const fs::path state = state_folder(options.state);
+    const Starter starter = is_service(options) ? Starter::Service : Starter::Hand;
+    const ExhibitsHold hold = hold_state_for_the_exhibit(state, starter, stop_flag());
+    if (hold.was_stopped) return 0;
     staff::Ladder ladder(service_folder(), state, staff::uptime());
     try {
         return exhibit_until_the_end(options, ladder, state);
     } catch (const base::InputError&) {
-        // A wrong configuration is no failure of the machine; and a service that starts us at once again need not spin.
+        // What is asked for is wrong, not the machine; and a service that starts us at once again need not spin.
         ladder.note_end();
-        if (!service_folder().empty()) wait_unless_stopped(kBreather);
+        if (is_service(options)) wait_unless_stopped(kBreather);
         throw;
     }
 }
@@ -279,26 +336,46 @@ void add_run(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("run", "The exhibit");
     command->add_option("--display", options->display, "auto, kms, window or headless")
-        ->check(CLI::IsMember({"auto", "kms", "window", "headless"}));
-    command->add_option("--size", options->size, "Pixels to draw, as 1280x720; without it, the screen's");
-    command->add_option("--input", options->inputs,
-                        "Where presses come from, repeatable: gpio:A=GPIO17,…  hid:  keyboard  script:FILE");
-    command->add_option("--config", options->configuration, "The site's settings (deploy/quadrat.toml shows all)");
-    command->add_option("--state", options->state, "Folder of what is kept between runs");
+        ->check(CLI::IsMember({"auto", "kms", "window", "headless"}))
+        ->default_str("the settings', else auto");
+    command->add_option("--size", options->size, "Pixels to draw, as 1280x720; without it, the screen's")
+        ->default_str("the settings', else the screen's");
+    command
+        ->add_option("--input", options->inputs,
+                     "Where presses come from, repeatable: gpio:A=GPIO17,…  hid:  evdev:  keyboard  script:FILE")
+        ->default_str("the settings', else hid:, and the keyboard in a window");
+    command->add_option("--config", options->configuration, "The site's settings (deploy/quadrat.toml shows all)")
+        ->default_str("none");
+    command->add_flag("--service", options->is_service,
+                      "Start whatever the settings are: with a mistake in them, with the last that worked or the\n"
+                      "defaults, and say so. Without it, as in $RUNTIME_DIRECTORY's absence, mistakes end with 2");
+    command->add_option("--state", options->state, "Folder of what is kept between runs")
+        ->default_str("the service's, else ~/.local/state/quadrat");
     command->add_option("--rounds", options->rounds, "Rounds of a visit; the program ends after one visit")
-        ->check(CLI::Range(1, 50));
+        ->check(CLI::Range(1, 50))
+        ->default_str("the settings', without an end");
     command->add_option("--ground", options->ground, "What draws the land: blocks (standard) or roam")
-        ->check(CLI::IsMember(ground_names()));
-    command->add_option("--capture", options->capture,
-                        "Folder for one PNG a generation, the finale and a contact sheet");
-    command->add_option("--seed", options->seed, "Names all chance; without it, every start is another");
-    command->add_option("--triangles", options->budget.triangles,
-                        "No more a frame, whatever this machine could draw: for tests");
-    command->add_option("--pixels", options->budget.pixels, "The same for the pixels of the landscapes");
-    command->add_option("--log-file", options->log_file, "Write the log there too");
+        ->check(CLI::IsMember(ground_names()))
+        ->default_str("the settings', else blocks");
+    command
+        ->add_option("--capture", options->capture, "Folder for one PNG a generation, the finale and a contact sheet")
+        ->default_str("none");
+    command->add_option("--seed", options->seed, "Names all chance; without it, every start is another")
+        ->default_str("another every start");
+    command
+        ->add_option("--triangles", options->budget.triangles,
+                     "No more a frame, whatever this machine could draw: for tests")
+        ->default_str("no limit");
+    command->add_option("--pixels", options->budget.pixels, "The same for the pixels of the landscapes")
+        ->default_str("no limit");
+    command
+        ->add_option("--log-file", options->log_file,
+                     "Write the log there too: appended; three files of before, 4 MB each, are kept")
+        ->default_str("none");
     command
         ->add_option("--speed", options->speed, "How many times as fast the clock runs, 1 to 100: for endurance tests")
-        ->check(CLI::Range(1.0, 100.0));
+        ->check(CLI::Range(1.0, 100.0))
+        ->capture_default_str();
     command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

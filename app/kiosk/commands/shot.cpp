@@ -41,6 +41,7 @@ std::string refusal_in(const fs::path& folder) {
 }
 
 int shoot(const Options& options) {
+    base::require_ending(options.output, {".png"}, "a shot");
     const fs::path folder = watched_folder(options.state);
     const fs::path asked = folder / staff::kPictureAsked;
     require_exhibit(folder);
@@ -73,8 +74,9 @@ int shoot(const Options& options) {
 void add_shot(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("shot", "A picture of what a running exhibit shows just now, as PNG");
-    command->add_option("-o,--output", options->output, "Where to")->required();
-    command->add_option("--state", options->state, "The exhibit's state folder, when it is not the service");
+    command->add_option("-o,--output", options->output, "Where to: NAME.png")->required();
+    command->add_option("--state", options->state, "The exhibit's state folder, when it is not the service")
+        ->default_str("the service's");
     command->callback([options, &chosen] { chosen = [options] { return shoot(*options); }; });
 }
 

@@ -82,6 +82,7 @@ std::vector<breeding::Tournament> tournaments_of(const Options& options) {
 }
 
 int simulate(const Options& options) {
+    if (!options.plot.empty()) base::require_ending(options.plot, {".svg"}, "a plot");
     const auto tournaments = tournaments_of(options);
     Progress progress(tournaments.size() * breeding::all_methods().size() * static_cast<std::size_t>(options.visitors));
     for (std::size_t i = 0; i < tournaments.size(); ++i) {
@@ -115,10 +116,14 @@ void add_simulate(CLI::App& app, Action& chosen) {
     command->add_option("--noise", options->noise, "How badly visitors see: none, mild, strong")
         ->check(CLI::IsMember({"none", "mild", "strong"}))
         ->capture_default_str();
-    command->add_option("--visitors", options->visitors)->check(CLI::Range(2, 100000))->capture_default_str();
-    command->add_option("--rounds", options->rounds)->check(CLI::Range(1, 200))->capture_default_str();
+    command->add_option("--visitors", options->visitors, "How many play each method")
+        ->check(CLI::Range(2, 100000))
+        ->capture_default_str();
+    command->add_option("--rounds", options->rounds, "How many each plays")
+        ->check(CLI::Range(1, 200))
+        ->capture_default_str();
     command->add_option("--seed", options->seed, "Names all chance")->capture_default_str();
-    command->add_option("--plot", options->plot, "An SVG file; with --all, one a table, numbered");
+    command->add_option("--plot", options->plot, "An SVG file; with --all, one a table, numbered")->default_str("none");
     command->callback([options, &chosen] { chosen = [options] { return simulate(*options); }; });
 }
 

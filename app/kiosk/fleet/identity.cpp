@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/text_file.hpp"
 
 namespace quadrat::kiosk::fleet {
 namespace {
@@ -85,17 +86,12 @@ std::string read_named(std::string_view key, const fs::path& file, std::size_t l
 
 std::string password_in(const fs::path& file) {
     constexpr std::size_t kLargest = 1U << 12U;
-    const std::string bytes = read_named("fleet.password_file", file, kLargest);
-    std::string_view text = bytes;
-    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-        throw base::InputError(fmt::format("fleet.password_file: {} is UTF-16; save it as UTF-8", file.string()));
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-    const std::string password(text.substr(0, text.find_first_of("\r\n")));
+    const std::string text = base::text_from(read_named("fleet.password_file", file, kLargest),
+                                             "fleet.password_file: " + file.string(), {kLargest, kLargest});
+    const std::string password = text.substr(0, text.find('\n'));
     if (password.empty())
         throw base::InputError(
             fmt::format("fleet.password_file: the first line of {} is empty; write the password there", file.string()));
-    if (password.find('\0') != std::string::npos)
-        throw base::InputError(fmt::format("fleet.password_file: {} is no text; save it as UTF-8", file.string()));
     return password;
 }
 

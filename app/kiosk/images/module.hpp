@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string>
 
-#include "mesh/field.hpp"
-#include "mesh/image.hpp"
+#include "kiosk/image_file.hpp"
 
 // What lib/quadrat/images.so offers: image_file.hpp, through OpenImageIO. Debian's brings some 250 libraries with it,
 // which cost a third of a second and 100 MB at every start; most of the time no picture is read or written.
 namespace quadrat::kiosk {
 
+struct PictureName {
+    std::string whole;   // for messages
+    std::string ending;  // in small letters, with its dot: decides the format
+};
+
 struct ImageFiles {
-    void (*write)(const std::filesystem::path& path, const std::string& name, const mesh::Image& pixels,
-                  const std::string& json);
-    void (*write_field)(const std::filesystem::path& path, const std::string& name, const mesh::Field& field);
-    std::size_t (*write_heights)(const std::filesystem::path& path, const std::string& name, const mesh::Field& field,
-                                 float low, float high);
-    mesh::Field (*read_mask)(const std::filesystem::path& path);
-    mesh::Image (*read)(const std::filesystem::path& path);
-    std::optional<std::string> (*scene_inside)(const std::filesystem::path& path);
+    std::string (*encode_picture)(const PictureName& name, const mesh::Image& pixels, const std::string& json);
+    std::string (*encode_field)(const PictureName& name, const mesh::Field& field);
+    std::string (*encode_heights)(const PictureName& name, const mesh::Field& field, float low, float high);
+    GreyPicture (*read_grey)(std::string bytes, const std::string& name);
+    mesh::Image (*read)(std::string bytes, const std::string& name);
+    std::optional<std::string> (*scene_inside)(std::string bytes, const std::string& name);
 };
 
 }  // namespace quadrat::kiosk

@@ -10,6 +10,7 @@
 #include "base/log.hpp"
 #include "kiosk/heap.hpp"
 #include "kiosk/png_picture.hpp"
+#include "kiosk/version.hpp"
 
 namespace quadrat::kiosk::staff {
 namespace {
@@ -23,6 +24,9 @@ constexpr Instant kRememberEvery = 1h;
 constexpr Instant kServiceEvery = 250ms;  // the service screen's figures
 constexpr Instant kFaultPictureEvery = 600s;
 constexpr int kFaultPictures = 4;
+constexpr std::string_view kFaultPicture = "fault-";
+
+bool is_of_a_fault(const std::filesystem::path& file) { return file.string().starts_with(kFaultPicture); }
 
 bool is_due(std::optional<Instant>& last, Instant every, Instant now) {
     if (last && now - *last < every) return false;
@@ -42,7 +46,10 @@ void write_quietly(const std::filesystem::path& file, const std::string& text) {
 }  // namespace
 
 Caretaker::Caretaker(const CaretakerParts& parts)
-    : parts_(parts), watch_(parts.configuration_file, parts.runtime, parts.state) {
+    : parts_(parts),
+      watch_(parts.settings.file, parts.settings.held, parts.runtime, parts.state),
+      evidence_(parts.state),
+      settings_(parts.settings) {
     doorkeeper_.follow(parts_.configuration.hours, parts_.configuration.closing);
     seen_.wall.is_trusted = false;  // until it was looked at
     faults_ = base::recent_warnings().count;
@@ -61,6 +68,7 @@ void Caretaker::look(Panel& panel, Show& show, Instant now) {
     }
     raise_curtain(show, now);
     watch_faults(now);
+    keep_proved_settings(now);
     const bool has_news = has_looked_ && shown_since_ && now >= *shown_since_ + kFirstReport;
     const bool is_reporting = has_news && is_due(reported_at_, kReportEvery, now);
     const bool is_drawing =
@@ -83,11 +91,13 @@ void Caretaker::look(Panel& panel, Show& show, Instant now) {
 
 void Caretaker::look_outside(Instant now) {
     if (!is_due(looked_at_, kLookEvery, now)) return;
-    errands_.send([this] {
+    errands_.send([this, now] {
         Seen seen = watch_.look();
+        evidence_.look(base::recent_warnings(), now);
+        seen.earlier_faults = evidence_.earlier();
         const std::scoped_lock lock(mutex_);
         // A look that nobody has taken up yet may have seen what this one does not see any more.
-        if (fresh_ && !seen.configuration) seen.configuration = std::move(fresh_->configuration);
+        if (fresh_ && !seen.settings) seen.settings = std::move(fresh_->settings);
         fresh_ = std::move(seen);
     });
 }
@@ -97,14 +107,37 @@ void Caretaker::take_over(Seen seen, Show& show) {
     seen_ = std::move(seen);
     has_looked_ = true;
     if (seen_.is_picture_asked) answer_picture_wish();
-    if (!seen_.configuration_trouble.empty())
-        base::log::error("configuration: {}; the exhibit goes on as it was", seen_.configuration_trouble);
-    if (!seen_.configuration) return;
-    const std::string later = apply(*seen_.configuration, parts_.configuration);
-    seen_.configuration.reset();
+    if (auto changed = std::exchange(seen_.settings, std::nullopt)) take_over(std::move(*changed), show);
+}
+
+void Caretaker::take_over(Seen::Changed changed, Show& show) {
+    if (!changed.checked.is_usable()) {
+        for (const Mistake& mistake : changed.checked.mistakes)
+            base::log::error("configuration: {}; the exhibit goes on as it was", to_text(mistake));
+        settings_.refuse(std::move(changed.checked.mistakes));
+        return;
+    }
+    if (parts_.adjust) parts_.adjust(changed.checked.configuration);
+    const std::string later = apply(changed.checked.configuration, parts_.configuration);
+    settings_.follow(std::move(changed.toml), later);
     show.follow(parts_.configuration);
     doorkeeper_.follow(parts_.configuration.hours, parts_.configuration.closing);
     base::log::info("configuration: read anew{}", later.empty() ? "" : "; after a restart also: " + later);
+    reported_at_.reset();
+}
+
+void Caretaker::keep_proved_settings(Instant now) {
+    const bool is_shown = shown_since_ && screen_trouble_.empty() && curtain_ != Curtain::Dark;
+    auto proved = settings_.take_proved(now, is_shown);
+    if (!proved || !parts_.keeps_settings) return;
+    errands_.send([state = parts_.state, toml = std::move(*proved)] {
+        try {
+            keep_last_good(state, toml);
+            base::log::info("configuration: kept as the last that worked");
+        } catch (const base::InputError& error) {
+            base::log::warn("configuration: it cannot be kept as the last that worked: {}", error.what());
+        }
+    });
 }
 
 // Staff ask for the log when an exhibit was dark, or was not: what it took for the time is there.
@@ -197,7 +230,7 @@ void Caretaker::watch_faults(Instant now) {
     reported_at_.reset();
     if (faulted_at_ && now - *faulted_at_ < kFaultPictureEvery) return;
     faulted_at_ = now;
-    picture_wishes_.push_back(fmt::format("fault-{}.png", fault_pictures_++ % kFaultPictures + 1));
+    picture_wishes_.push_back(fmt::format("{}{}.png", kFaultPicture, fault_pictures_++ % kFaultPictures + 1));
 }
 
 std::string Caretaker::take_picture_wish() {
@@ -208,11 +241,12 @@ std::string Caretaker::take_picture_wish() {
 }
 
 void Caretaker::keep_picture(mesh::Image picture, const std::filesystem::path& file) {
-    errands_.send([runtime = parts_.runtime, file, picture = std::move(picture)] {
+    errands_.send([this, runtime = parts_.runtime, file, picture = std::move(picture)] {
         try {
             std::error_code exists;
             std::filesystem::create_directories((runtime / file).parent_path(), exists);
             write_png_quickly(runtime / file, picture);
+            if (is_of_a_fault(file)) evidence_.keep_picture(picture, std::chrono::system_clock::now());
         } catch (const base::InputError& error) {
             base::log::info("picture: {}", error.what());
         }
@@ -223,7 +257,7 @@ void Caretaker::keep_picture(mesh::Image picture, const std::filesystem::path& f
 
 Vitals Caretaker::vitals(const Panel& panel, const Show& show, Instant now) const {
     Vitals vitals;
-    vitals.version = QUADRAT_VERSION;
+    vitals.version = version();
     vitals.mode = parts_.ladder.rung().mode;
     vitals.failures = parts_.ladder.rung().failures;
     vitals.running = std::chrono::duration_cast<std::chrono::seconds>(now);
@@ -253,6 +287,8 @@ Vitals Caretaker::vitals(const Panel& panel, const Show& show, Instant now) cons
     vitals.state_trouble = show.state_trouble();
     vitals.free_mb = seen_.free_mb;
     vitals.faults = base::recent_warnings().lines;
+    vitals.settings = settings_.news();
+    vitals.earlier_faults = seen_.earlier_faults;
     return vitals;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <optional>
 
@@ -10,9 +11,11 @@
 #include "kiosk/panel.hpp"
 #include "kiosk/show.hpp"
 #include "kiosk/staff/errands.hpp"
+#include "kiosk/staff/evidence.hpp"
 #include "kiosk/staff/hours.hpp"
 #include "kiosk/staff/ladder.hpp"
 #include "kiosk/staff/service_screen.hpp"
+#include "kiosk/staff/settings_in_use.hpp"
 #include "kiosk/staff/vitals.hpp"
 #include "kiosk/staff/watch.hpp"
 #include "mesh/image.hpp"
@@ -20,12 +23,14 @@
 namespace quadrat::kiosk::staff {
 
 struct CaretakerParts {
-    Configuration& configuration;              // follows its file, as far as a running exhibit can
-    std::filesystem::path configuration_file;  // "" for none
+    Configuration& configuration;   // follows its file, as far as a running exhibit can
+    Settings settings;              // that it began with, and the file it follows
     std::filesystem::path runtime;  // health, requests and pictures; memory, not disk, where there is a service
     std::filesystem::path state;
     Ladder& ladder;
     const display::Display& screen;  // which GPU and mode that is, is asked when it is told: they come and go
+    std::function<void(Configuration&)> adjust = {};  // to what the command line says, whatever the file does; or null
+    bool keeps_settings = false;                      // that have proved themselves, for starts with worse ones
 };
 
 // Everything about the exhibit that is not the visit: opening hours, the service screen, health, requests, a changed
@@ -55,6 +60,8 @@ class Caretaker {
     Curtain curtain() const { return curtain_; }
     const Board* board() const { return board_ ? &*board_ : nullptr; }  // what lies over the picture, or null
     std::optional<firmware_io::Lamps> lamps(Instant now) const;         // instead of the visit's
+    // For staff, in a corner of the picture: that it has not the site's settings; or "".
+    std::string sign() const { return settings_.needs_sign() ? text(parts_.configuration, "settings") : ""; }
     bool wants_restart() const { return wants_restart_; }
 
     // The file that a picture of the screen is wished for in, or "".
@@ -67,6 +74,8 @@ class Caretaker {
     void take_over(Seen seen, Show& show);
     void tell_clock(const WallClock& wall);
     void answer_picture_wish();
+    void take_over(Seen::Changed changed, Show& show);
+    void keep_proved_settings(Instant now);
     void raise_curtain(const Show& show, Instant now);
     void watch_faults(Instant now);
     void report(Instant now);
@@ -76,9 +85,11 @@ class Caretaker {
     void ask_for_power(const char* what);
 
     CaretakerParts parts_;
-    Watch watch_;  // used by the errands' thread alone
+    Watch watch_;        // used by the errands' thread alone
+    Evidence evidence_;  // likewise
     Doorkeeper doorkeeper_;
     ServiceScreen service_;
+    SettingsInUse settings_;
     FrameCount frames_;
     display::ShownFrames shown_frames_;
     bool screen_tells_ = false;

@@ -124,9 +124,17 @@ std::chrono::seconds uptime() {
     return std::chrono::seconds{now.tv_sec};
 }
 
+fs::path folder_in(const char* variable) {
+    const char* const value = std::getenv(variable);
+    if (value == nullptr) return {};
+    const std::string folders = value;
+    const fs::path first = folders.substr(0, folders.find(':'));  // systemd names several that way
+    return first.is_absolute() ? first : fs::path();
+}
+
 fs::path runtime_folder(const fs::path& state) {
-    if (const char* directory = std::getenv("RUNTIME_DIRECTORY")) return directory;
-    return state;
+    const fs::path service = folder_in("RUNTIME_DIRECTORY");
+    return service.empty() ? state : service;
 }
 
 }  // namespace quadrat::kiosk::staff

@@ -26,6 +26,10 @@ std::optional<double> free_mb(const std::filesystem::path& folder);
 // Seconds since the machine was switched on, asleep or awake.
 std::chrono::seconds uptime();
 
+// The folder that a variable of the environment names: of several between colons the first. "" where the variable is
+// missing, empty, or names no absolute path.
+std::filesystem::path folder_in(const char* variable);
+
 // Where requests, health and pictures of faults lie, gone with the power: the service's runtime folder, else `state`.
 std::filesystem::path runtime_folder(const std::filesystem::path& state);
 

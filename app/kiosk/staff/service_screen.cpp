@@ -71,6 +71,17 @@ std::string frames_line(const Vitals& vitals) {
         (vitals.triangles + 500) / 1000, vitals.draws, 100 * vitals.scale, vitals.samples > 1 ? " · smooth edges" : "");
 }
 
+// Those of this run, and where there are few, the last ones of before: a reboot forgets none.
+std::vector<std::string> last_faults(const Vitals& vitals) {
+    const std::size_t now = std::min(kFaultsShown, vitals.faults.size());
+    const std::size_t before = std::min(kFaultsShown - now, vitals.earlier_faults.size());
+    std::vector<std::string> faults;
+    for (std::size_t i = vitals.earlier_faults.size() - before; i < vitals.earlier_faults.size(); ++i)
+        faults.push_back("earlier: " + vitals.earlier_faults[i]);
+    faults.insert(faults.end(), vitals.faults.end() - static_cast<std::ptrdiff_t>(now), vitals.faults.end());
+    return faults;
+}
+
 }  // namespace
 
 void ServiceScreen::open(Instant now) {
@@ -154,8 +165,9 @@ Board ServiceScreen::board(const Vitals& vitals, Instant now) const {
     if (is_absent) lines.push_back("BUTTONS MISSING: " + vitals.buttons.reason);
     for (const auto& finding : vitals.findings)
         lines.push_back(fmt::format("button {} is {}", name_of(finding.button), name_of(finding.ailment)));
-    const std::size_t first = vitals.faults.size() - std::min(kFaultsShown, vitals.faults.size());
-    for (std::size_t i = first; i < vitals.faults.size(); ++i) lines.push_back(vitals.faults[i]);
+    const auto settings = lines_for_staff(vitals.settings);
+    lines.insert(lines.end(), settings.begin(), settings.end());
+    for (std::string& fault : last_faults(vitals)) lines.push_back(std::move(fault));
     lines.emplace_back();
     lines.emplace_back(is_testing_lamps_ ? "A: end the lamp test   B: restart   C: picture   D: shut down   Back: leave"
                                          : "A: lamp test   B: restart   C: picture   D: shut down   Back: leave");

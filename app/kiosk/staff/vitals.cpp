@@ -57,6 +57,25 @@ std::string clock_metrics(const Vitals& vitals) {
                       fmt::format("quadrat_clock_source{{source=\"{}\"}} 1\n", source));
 }
 
+nlohmann::json settings_json(const SettingsNews& news) {
+    constexpr const char* kFrom[] = {"file", "last good", "defaults"};
+    nlohmann::json json;
+    json["from"] = kFrom[static_cast<std::size_t>(news.from)];
+    json["after_restart"] = news.after_restart;
+    auto& mistakes = json["mistakes"] = nlohmann::json::array();
+    for (const Mistake& mistake : news.mistakes)
+        mistakes.push_back(
+            {{"file", mistake.file}, {"line", mistake.line}, {"what", mistake.what}, {"remedy", mistake.remedy}});
+    return json;
+}
+
+std::string settings_metrics(const SettingsNews& news) {
+    return metric("settings_up", "gauge", "1 while the settings file is followed", news.mistakes.empty() ? 1 : 0) +
+           metric("settings_mistakes", "gauge", "Mistakes in the settings file", news.mistakes.size()) +
+           metric("settings_from", "gauge", "Settings in use: 0 the file's, 1 the last that worked, 2 the defaults",
+                  static_cast<int>(news.from));
+}
+
 }  // namespace
 
 void FrameCount::frame(std::chrono::nanoseconds now, std::chrono::nanoseconds period, int periods) {
@@ -91,8 +110,8 @@ ScreenState screen_state(const Vitals& vitals) {
 Verdict verdict_of(const Vitals& vitals) {
     if (vitals.buttons.presence == Presence::Absent || !vitals.screen_trouble.empty()) return Verdict::Bad;
     const bool is_doubtful = vitals.mode == Mode::Safe || !vitals.state_trouble.empty() ||
-                             vitals.machine.is_throttled.value_or(false) || vitals.free_mb.value_or(1000) < 20 ||
-                             (vitals.has_hours && !vitals.wall.is_trusted) ||
+                             !vitals.settings.mistakes.empty() || vitals.machine.is_throttled.value_or(false) ||
+                             vitals.free_mb.value_or(1000) < 20 || (vitals.has_hours && !vitals.wall.is_trusted) ||
                              std::any_of(vitals.findings.begin(), vitals.findings.end(), is_serious);
     return is_doubtful ? Verdict::Doubtful : Verdict::Good;
 }
@@ -141,6 +160,8 @@ std::string to_json(const Vitals& vitals) {
     json["written_bytes"] = vitals.machine.written_bytes;
     json["descriptors"] = vitals.machine.descriptors;
     json["faults"] = vitals.faults;
+    json["settings"] = settings_json(vitals.settings);
+    json["earlier_faults"] = vitals.earlier_faults;
     // A device may call itself anything: bytes that are no UTF-8 are replaced.
     return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
@@ -174,6 +195,7 @@ std::string to_prometheus(const Vitals& vitals) {
         text += metric("throttled", "gauge", "1 while heat or low voltage slow the machine",
                        *vitals.machine.is_throttled ? 1 : 0);
     text += metric("memory_megabytes", "gauge", "Resident", vitals.machine.memory_mb);
+    text += settings_metrics(vitals.settings);
     text += metric("written_bytes_total", "counter", "Written to disk by the program", vitals.machine.written_bytes);
     return text;
 }

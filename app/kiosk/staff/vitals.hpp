@@ -11,6 +11,7 @@
 #include "kiosk/staff/hours.hpp"
 #include "kiosk/staff/ladder.hpp"
 #include "kiosk/staff/machine.hpp"
+#include "kiosk/staff/settings_in_use.hpp"
 
 // How the exhibit is: what staff see on the screen, and what a fleet collects.
 namespace quadrat::kiosk::staff {
@@ -65,7 +66,9 @@ struct Vitals {
     int visits = 0;
     std::string state_trouble;  // "" while everything is kept
     std::optional<double> free_mb;
-    std::vector<std::string> faults;  // the last warnings, oldest first
+    std::vector<std::string> faults;          // the last warnings, oldest first
+    std::vector<std::string> earlier_faults;  // those of the runs before this one, with their dates
+    SettingsNews settings;
 };
 
 // A screen that is dark because the house is closed has not failed.

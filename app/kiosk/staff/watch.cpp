@@ -1,29 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kiosk/staff/watch.hpp"
 
+#include <sys/stat.h>
+
+#include <ctime>
 #include <utility>
 
-#include "base/error.hpp"
+#include "kiosk/settings.hpp"
 
 namespace quadrat::kiosk::staff {
-namespace {
 
 namespace fs = std::filesystem;
 
-fs::file_time_type written_at(const fs::path& file) {
-    std::error_code error;
-    const auto at = fs::last_write_time(file, error);
-    return error ? fs::file_time_type{} : at;
-}
-
-}  // namespace
-
-Watch::Watch(fs::path configuration_file, fs::path runtime, fs::path state)
+Watch::Watch(fs::path configuration_file, std::optional<std::string> held, fs::path runtime, fs::path state)
     : configuration_file_(std::move(configuration_file)),
       runtime_(std::move(runtime)),
       state_(std::move(state)),
-      last_time_(state_) {
-    if (!configuration_file_.empty()) configured_at_ = written_at(configuration_file_);
+      last_time_(state_),
+      held_(std::move(held)),
+      worked_(held_.value_or("")) {}
+
+Watch::Stamp Watch::stamp_of(const fs::path& file) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) return {};
+    return {status.st_ino, static_cast<std::uint64_t>(status.st_size),
+            status.st_mtim.tv_sec * std::int64_t{1'000'000'000} + status.st_mtim.tv_nsec};
+}
+
+std::optional<Seen::Changed> Watch::changed_settings() {
+    const Stamp stamp = stamp_of(configuration_file_);
+    const bool is_settled = seen_ == stamp;
+    seen_ = stamp;
+    if (!is_settled || read_ == stamp) return std::nullopt;
+    read_ = stamp;
+    std::optional<std::string> holds;
+    CheckedConfiguration checked = check_configuration_file(configuration_file_, &holds);
+    if (holds == std::exchange(held_, holds)) return std::nullopt;
+    if (auto cut = cut_off(holds.value_or(""), worked_, configuration_file_.string()); cut && checked.is_usable())
+        checked.mistakes.push_back(std::move(*cut));
+    if (checked.is_usable()) worked_ = *holds;
+    return Seen::Changed{std::move(checked), std::move(holds).value_or("")};
 }
 
 Seen Watch::look() {
@@ -35,15 +51,7 @@ Seen Watch::look() {
     seen.free_mb = free_mb(state_);
     std::error_code ignored;
     seen.is_picture_asked = fs::exists(runtime_ / kPictureAsked, ignored);
-    if (configuration_file_.empty()) return seen;
-    const auto at = written_at(configuration_file_);
-    if (at == configured_at_ || at == fs::file_time_type{}) return seen;
-    configured_at_ = at;
-    try {
-        seen.configuration = read_configuration(configuration_file_);
-    } catch (const base::InputError& error) {
-        seen.configuration_trouble = error.what();
-    }
+    if (!configuration_file_.empty()) seen.settings = changed_settings();
     return seen;
 }
 

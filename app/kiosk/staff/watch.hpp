@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "kiosk/configuration.hpp"
 #include "kiosk/staff/machine.hpp"
@@ -12,26 +14,44 @@ namespace quadrat::kiosk::staff {
 
 // What lies outside of the program and may change while it runs. Looking can wait for a disk: done by an errand.
 struct Seen {
+    // A file of settings that is another than it was, can be used or not.
+    struct Changed {
+        CheckedConfiguration checked;
+        std::string toml;
+    };
     MachineFacts machine;
     WallClock wall;
     std::optional<double> free_mb;
     bool is_picture_asked = false;
-    std::optional<Configuration> configuration;  // if its file has changed, and can be used
-    std::string configuration_trouble;           // if it has changed, and cannot
+    std::optional<Changed> settings;
+    std::vector<std::string> earlier_faults;     // of the runs before this one, oldest first
 };
 
 class Watch {
   public:
-    // `configuration_file` may be empty.
-    Watch(std::filesystem::path configuration_file, std::filesystem::path runtime, std::filesystem::path state);
+    // `configuration_file` may be empty; `held` is what it held when it was read last, nothing where it could not be.
+    Watch(std::filesystem::path configuration_file, std::optional<std::string> held, std::filesystem::path runtime,
+          std::filesystem::path state);
 
+    // Settings are read once their file has been the same for two looks: who saves one may not be through.
     Seen look();
 
   private:
+    // Which file lies there, and since when. All zero: none.
+    struct Stamp {
+        std::uint64_t node = 0, size = 0;
+        std::int64_t written_ns = 0;
+        friend bool operator==(const Stamp&, const Stamp&) = default;
+    };
+    static Stamp stamp_of(const std::filesystem::path& file);
+    std::optional<Seen::Changed> changed_settings();
+
     std::filesystem::path configuration_file_, runtime_, state_;
-    std::filesystem::file_time_type configured_at_{};
     LastTimeSeen last_time_;
     ZoneWatch zone_;
+    std::optional<std::string> held_;
+    std::string worked_;  // what it held last that could be used
+    std::optional<Stamp> seen_, read_;
 };
 
 // Who asks for a picture makes this file in the runtime folder, and finds it gone when the picture lies beside it.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <vector>
 
 #include "scene/colour.hpp"
 #include "synthesis/compose/view_rays.hpp"
@@ -13,6 +14,10 @@ namespace {
 
 constexpr float kBrightest = 0.67F;     // that a picture may be, shown, on the mean
 constexpr float kLeast = 0.72F;         // of what would be shown
+constexpr float kLit = 0.60F;           // that the lit parts of a picture are, shown, at least,
+constexpr float kLitByNight = 0.50F;    // and by night, which is to stay one,
+constexpr float kMost = 2.1F;           // unless they would have to be shown so many times brighter
+constexpr float kLitShare = 0.93F;      // of the picture is no brighter than its lit parts
 constexpr float kShownByLight = 0.45F;  // shown brightness follows light to about this power
 
 // Nearly as the renderer's tone curve does.
@@ -64,22 +69,28 @@ struct Seen {
 
 }  // namespace
 
-float stopped_down(const scene::Land& land, const scene::Sky& sky, const scene::BakedLight& light,
+float exposure_for(const scene::Land& land, const scene::Sky& sky, const scene::BakedLight& light,
                    const scene::Track& track) {
     if (land.albedo.is_empty() || light.ground.bytes.empty()) return 1;
     const Seen seen{land, sky, light};
+    std::vector<float> values;
     float sum = 0;
-    float count = 0;
     for (const float share : {0.0F, 0.33F, 0.67F}) {
         const scene::Camera camera = scene::camera_at(track, share * track.period_s);
         for (const glm::vec3& ray : view_rays(camera)) {
-            sum += seen.along(camera.eye_m, ray);
-            ++count;
+            values.push_back(seen.along(camera.eye_m, ray));
+            sum += values.back();
         }
     }
-    const float bright = sum / count;
-    if (bright <= kBrightest) return 1;
-    return std::pow(std::max(kBrightest / bright, kLeast), 1 / kShownByLight);
+    const float bright = sum / static_cast<float>(values.size());
+    if (bright > kBrightest) return std::pow(std::max(kBrightest / bright, kLeast), 1 / kShownByLight);
+    const auto lit = values.begin() + static_cast<std::ptrdiff_t>(kLitShare * static_cast<float>(values.size() - 1));
+    std::nth_element(values.begin(), lit, values.end());
+    const float wanted = sky.is_night ? kLitByNight : kLit;
+    if (*lit >= wanted) return 1;
+    // Something is lit in every picture, by night and under storms too.
+    const float more = std::min({wanted / std::max(*lit, 1.0e-3F), kMost, kBrightest / std::max(bright, 1.0e-3F)});
+    return std::pow(more, 1 / kShownByLight);
 }
 
 }  // namespace quadrat::synthesis

@@ -91,8 +91,9 @@ class Planter {
         std::vector<Candidate> trees;
         if (!kinds_.trees.empty()) {
             trees = grow_trees();
-            keep_most_seen(trees, budget_.trees - std::min<std::size_t>(budget_.trees, 2));
+            keep_most_seen(trees, budget_.trees - std::min<std::size_t>(budget_.trees, 3));
             frame_view(trees);
+            set_hero(trees);
         }
         const Shade shade(flora_, trees, half_m_);
         const Near near(trees, half_m_);
@@ -237,6 +238,35 @@ class Planter {
                 trees.push_back(c);
                 break;
             }
+        }
+    }
+
+    // One grown tree on a third of the picture as the flight begins, with room about it: what the eye comes to rest on.
+    void set_hero(std::vector<Candidate>& trees) const {
+        const FlightPlan& flight = sight_.flight();
+        const FlightPlan::Station& early = flight.stations[flight.stations.size() / 5];
+        const glm::vec2 right{-early.ahead.y, early.ahead.x};
+        base::RandomStream random{seed_.child("hero")};
+        const float side = random.unit_f() < 0.5F ? -1.0F : 1.0F;
+        for (int attempt = 0; attempt < 30; ++attempt) {
+            Candidate c;
+            const float turn = attempt < 15 ? side : -side;
+            const float along_m = random.between(26.0F, 46.0F);
+            c.at_m = early.at_m + along_m * early.ahead + turn * along_m * random.between(0.17F, 0.29F) * right;
+            c.scale = random.between(1.25F, 1.5F);
+            c.species = kinds_.trees.front();
+            c.mark = 0;
+            if (!ground_.is_on_land(c.at_m) || !ground_.is_free(c.at_m, 1.5F)) continue;
+            if (welfare(flora_.species[c.species], ground_.soil(c.at_m)) <= 0.2F) continue;
+            const bool is_flown_into = std::ranges::any_of(flight.stations, [&](const FlightPlan::Station& station) {
+                return glm::length(station.at_m - c.at_m) < crown_m(c) + 6.0F;
+            });
+            if (is_flown_into) continue;
+            std::erase_if(trees, [&](const Candidate& t) {
+                return glm::length(t.at_m - c.at_m) < 1.15F * crown_m(c) + 0.6F * crown_m(t);
+            });
+            trees.push_back(c);
+            return;
         }
     }
 

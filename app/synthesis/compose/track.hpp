@@ -22,6 +22,10 @@ struct FlightPlan {
 // the north, and moves rather past things than into them.
 FlightPlan plan_flight(base::Seed flight);
 
+// The same path over this land, moved by at most some eighty metres to where more is to be seen: ground near by, not
+// water alone. It looks and turns as before, so that the four of a round stay comparable.
+FlightPlan fitted_to(const scene::Land& land, FlightPlan plan);
+
 // The flight at heights that suit this land: never lower than 1.7 m over ground or 2.5 m over water, high enough to see
 // over the nearest rise, and pitched so that the far heights stand in the picture; of some heights and pitches those
 // that show the most of what a painter would look for (view_merit.hpp).

@@ -29,7 +29,7 @@ Outlook outlook(const scene::Land& land, const scene::Camera& camera) {
 float view_merit(const Outlook& seen) {
     const auto up_to = [](float share, float enough) { return std::min(share / enough, 1.0F); };
     const float off_sky = (seen.sky - 0.36F) / 0.25F;
-    const float too_much = std::max(seen.near - 0.42F, 0.0F) + std::max(seen.water - 0.45F, 0.0F);
+    const float too_much = std::max(seen.near - 0.42F, 0.0F) + std::max(seen.water - 0.30F, 0.0F);
     return up_to(seen.near, 0.16F) + 0.9F * up_to(seen.far, 0.10F) + 0.8F * up_to(seen.water, 0.10F) -
            0.8F * off_sky * off_sky - 3 * too_much - 4 * std::max(seen.walled - 0.10F, 0.0F);
 }

@@ -20,6 +20,7 @@ namespace quadrat::synthesis::land {
 namespace {
 
 constexpr int kGrainSide = 256;  // pixels of the repeating fine variation
+constexpr int kTussocks = 84;    // of it, from side to side
 
 // The kernels for the processor at hand.
 struct Kernels {
@@ -49,9 +50,9 @@ GroundLook look_of(const scene::LandParameters& p, const Palette& palette) {
     look.rock_dark = material(palette.rock_dark, 0, 1);
     look.rock_light = material(palette.rock_light, 0, 1);
     look.mud = material(scene::shifted_colour(palette.soil, 0.72F, 0.8F), 0.25F, 0);
-    look.sand = material(palette.sand, 0.25F, 0);
+    look.sand = material(palette.sand, 0.25F, 0.35F);
     look.gravel = material(scene::mix_colours(palette.sand, palette.scree, 0.5F), 0.3F, 0.35F);
-    look.snow = material(palette.snow, 0.12F, 0);
+    look.snow = material(palette.snow, 0.2F, 0.1F);
     look.lushness = 1.1F * p.ground_lushness - 0.35F * p.ground_moisture;
     look.thirst = 2.0F * p.ground_moisture;
     look.heath_share = p.ground_heath;
@@ -68,7 +69,7 @@ GroundLook look_of(const scene::LandParameters& p, const Palette& palette) {
     look.snow_line_m = snow_line_m(p);
     look.snow_broken = p.ground_snow_patchiness;
     look.snow_aspect_m = 26.0F * p.ground_snow_aspect;
-    look.grain = 0.035F * p.ground_grain;
+    look.grain = 0.11F * p.ground_grain;
     look.wet_top_m = p.ground_wet_shore_m;
     return look;
 }
@@ -106,10 +107,10 @@ mesh::Field grain_tile(base::Seed seed) {
     mesh::Field tile(kGrainSide, kGrainSide);
     const noise::Key key(seed.child("grain"));
     std::vector<float> us(kGrainSide);
-    for (int x = 0; x < kGrainSide; ++x) us[x] = 42.0F * static_cast<float>(x) / kGrainSide;
+    for (int x = 0; x < kGrainSide; ++x) us[x] = kTussocks * static_cast<float>(x) / kGrainSide;
     for (int y = 0; y < kGrainSide; ++y) {
         const std::vector<float> vs(kGrainSide, us[y]);
-        noise::fbm_tiled(key, us, vs, std::span(tile.samples).subspan(tile.index(0, y), us.size()), 42, {.count = 2});
+        noise::fbm_tiled(key, us, vs, std::span(tile.samples).subspan(tile.index(0, y), us.size()), kTussocks, {.count = 2, .gain = 0.7F});
     }
     for (float& g : tile.samples) g *= 1.6F;
     return tile;

@@ -82,7 +82,7 @@ struct GroundKernel {
         // What grows: dry ground, greener where it is moist or hollow, heath in patches.
         Lain m{F(k.dry.l), F(k.dry.a), F(k.dry.b), F(k.dry.soft), F(k.dry.hard)};
         lay(m, k.lush,
-            smooth(-0.9F, 0.9F, F(1.2F) * hollow + F(0.9F) * p + F(0.2F) * g + F(k.thirst) * moist + F(k.lushness)));
+            smooth(-0.9F, 0.9F, F(1.2F) * hollow + F(0.9F) * p + F(0.55F) * g + F(k.thirst) * moist + F(k.lushness)));
         lay(m, k.heath,
             F(k.heath_share) * smooth(0.25F, 0.7F, F(0.3F) * g - p) *
                 (F(1.0F) - F(0.8F) * unit(F(1.6F) * moist - F(0.4F))));
@@ -94,7 +94,7 @@ struct GroundKernel {
         lay(m, k.scree, smooth(k.scree_slope, k.scree_slope + 0.22F, steep + F(0.12F) * wander));
         const F rock = smooth(k.rock_slope, k.rock_slope + 0.31F, steep + F(0.10F) * wander);
         lay(m, k.rock_dark, rock);
-        lay(m, k.rock_light, rock * (F(0.5F) + F(k.contrast) * wave(F(k.beds_per_m) * h + p + F(0.25F) * g)));
+        lay(m, k.rock_light, rock * (F(0.5F) + F(k.contrast) * wave(F(k.beds_per_m) * h + p + F(0.6F) * g)));
         // What lies on it: mud and sand by the water, a road's gravel, snow.
         lay(m, k.mud, F(k.mud_share) * smooth(0.75F, 1.0F, moist + F(0.15F) * p) * (F(1.0F) - smooth(0.12F, 0.3F, s)));
         const F beach_m = shore - F(k.beach_top_m) * (F(1.0F) + F(0.7F) * p + F(0.15F) * g);

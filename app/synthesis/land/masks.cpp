@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "synthesis/land/erosion.hpp"
 
@@ -19,6 +20,27 @@ mesh::Field resampled(const mesh::Field& field, int columns, int rows) {
         for (int x = 0; x < columns; ++x)
             out.at(x, y) = mesh::sample(field, static_cast<float>(x) * across, static_cast<float>(y) * down);
     return out;
+}
+
+// The pull-push of Gortler et al., "The Lumigraph", 1996, section 3.4: a half as large field knows more.
+void fill_holes(mesh::Field& field) {
+    const auto is_hole = [](float value) { return std::isnan(value); };
+    if (std::ranges::none_of(field.samples, is_hole) || std::ranges::all_of(field.samples, is_hole)) return;
+    mesh::Field half((field.columns + 1) / 2, (field.rows + 1) / 2);
+    std::vector<float> known(half.samples.size());
+    for (int y = 0; y < field.rows; ++y)
+        for (int x = 0; x < field.columns; ++x) {
+            if (is_hole(field.at(x, y))) continue;
+            half.at(x / 2, y / 2) += field.at(x, y);
+            ++known[half.index(x / 2, y / 2)];
+        }
+    for (std::size_t i = 0; i < known.size(); ++i) half.samples[i] /= known[i];  // nothing known: no number
+    fill_holes(half);
+    for (int y = 0; y < field.rows; ++y)
+        for (int x = 0; x < field.columns; ++x)
+            if (is_hole(field.at(x, y)))
+                field.at(x, y) =
+                    mesh::sample(half, 0.5F * static_cast<float>(x) - 0.25F, 0.5F * static_cast<float>(y) - 0.25F);
 }
 
 float follow_mask(mesh::Field& height, const mesh::Field& mask, int reach) {

@@ -189,7 +189,7 @@ Sums write_row(std::span<const float> here, std::span<float> through, std::uint8
         const F before = F::load_unaligned(&through[x]) * F(1.0F / kLightSteps);
         const F own = xsimd::exp(F(-0.5F) * depth);
         const F rim = xsimd::min(xsimd::max(depth - before, F(-0.6F)), F(0.8F));
-        const F sunlit = F(0.55F) * xsimd::exp(F(-0.75F) * before) + F(0.45F) * own + F(0.25F) * rim;
+        const F sunlit = F(0.62F) * xsimd::exp(F(-0.95F) * before) + F(0.34F) * own + F(0.34F) * rim;
         const F opaque = F(255.0F) * (F(1.0F) - own * own) + F(0.5F);
         const F bright = xsimd::min(xsimd::max(F(255.0F) * sunlit, F(0.0F)), F(255.0F)) + F(0.4F);
         opaque.store_aligned(dense.data());

@@ -65,6 +65,15 @@ glm::vec3 in_the_tile(const glm::vec3& sun, const glm::vec2& along) {
     return {glm::dot(flat, glm::vec2{-along.y, along.x}), sun.y, glm::dot(flat, along)};
 }
 
+// A flat layer has no tops. Flights look north, so the side of a heap that is nearest to the eye is where its top would
+// be seen: it is lit as if the sun stood a little behind the eye, and the far side becomes its base.
+glm::vec3 heap_light(const glm::vec3& sun) {
+    const float flat = std::max(std::hypot(sun.x, sun.z), 0.05F);
+    const glm::vec3 lit{0.55F * sun.x / flat, 0, 0.55F * sun.z / flat + 0.85F};
+    const float length = std::max(std::hypot(lit.x, lit.z), 0.05F);
+    return {lit.x * flat / length, sun.y, lit.z * flat / length};
+}
+
 void add_clouds(scene::Sky& sky, const Parameters& p, const Daylight& day, const Lights& lights, base::Seed seed) {
     const glm::vec3 sun = lights.is_night && lights.sun_height_deg < -6.0F ? lights.moon : lights.sun;
     const glm::vec2 wind = p.cloud_wind_m_s * way(p.cloud_wind_deg);
@@ -84,7 +93,7 @@ void add_clouds(scene::Sky& sky, const Parameters& p, const Daylight& day, const
                            p.cloud_cover,
                            p.cloud_sharpness,
                            p.cloud_thickness};
-    paint_layer(low, make_clouds(heaps, in_the_tile(sun, low.along), seed.child("lower clouds")), p, day, lights,
+    paint_layer(low, make_clouds(heaps, in_the_tile(heap_light(sun), low.along), seed.child("lower clouds")), p, day, lights,
                 p.cloud_thickness * (0.55F + 0.45F * overcast(p)));
     scene::CloudLayer& high = sky.clouds[1];
     high.tile_m = 2.0F * p.cirrus_scale_m / std::sqrt(p.cirrus_stretch);

@@ -45,7 +45,7 @@ glm::vec3 yellower(const glm::vec3& colour, float by) {
 
 void add_shrubs(scene::Flora& flora, const scene::TreeParameters& p, const Wear& wear, base::Seed seed) {
     ShrubOptions o;
-    o.leaf = yellower(scene::mix_colours(wear.leaf, wear.grass, 0.3F), p.shrub_yellowness);
+    o.leaf = yellower(scene::mix_colours(wear.leaf, wear.grass, 0.5F), p.shrub_yellowness);
     o.second = yellower(wear.second, p.shrub_yellowness);
     o.bark = wear.bark;
     o.blossom = blossom_colour(p.shrub_blossom_hue);
@@ -60,10 +60,7 @@ void add_shrubs(scene::Flora& flora, const scene::TreeParameters& p, const Wear&
 
 void add_herbs(scene::Flora& flora, const scene::TreeParameters& p, const Wear& wear, base::Seed seed) {
     const glm::vec3 grass = scene::shifted_colour(wear.grass, 0.86F, 0.78F);
-    scene::Species tuft = grass_tuft({grass, p.grass_height_m, p.grass_spread}, seed.child("grass"));
-    tuft.share = p.grass_share;
-    tuft.moisture_width = 1.2F;
-    scene::Species ferns = fern(scene::mix_colours(wear.leaf, wear.grass, 0.4F), p.fern_height_m, seed.child("fern"));
+    scene::Species ferns = fern(scene::shifted_colour(scene::mix_colours(wear.leaf, wear.grass, 0.6F), 0.86F), p.fern_height_m, seed.child("fern"));
     ferns.share = p.fern_share;
     FlowerOptions o;
     o.leaf = wear.grass;
@@ -75,11 +72,25 @@ void add_herbs(scene::Flora& flora, const scene::TreeParameters& p, const Wear& 
     scene::Species reed =
         reeds({scene::mix_colours(grass, wear.leaf, 0.3F), p.reed_height_m, 0.2F}, seed.child("reed"));
     reed.share = 2.5F * p.reed_share;
-    for (scene::Species* species : {&tuft, &ferns, &flowers, &reed}) {
+    for (scene::Species* species : {&ferns, &flowers, &reed}) {
         species->density = p.herb_density;
         species->shade_liking *= 2 * p.herb_shade;
         if (species->share > 0) flora.species.push_back(std::move(*species));
     }
+}
+
+// Grass is no species among others: it covers the ground between all of them.
+scene::Cover cover_of(const scene::TreeParameters& p, const Wear& wear) {
+    scene::Cover cover;
+    cover.density = std::clamp(0.25F + 0.85F * p.grass_share, 0.0F, 1.0F);
+    cover.height_m = 0.14F + 0.9F * p.grass_height_m;
+    cover.spread = p.grass_spread;
+    cover.cushions = std::clamp(0.45F * (1.2F - p.grass_share), 0.05F, 0.5F);
+    cover.flowers = 0.35F * p.flower_share;
+    cover.patch_m = p.herb_patch_m;
+    cover.grass = wear.grass;
+    cover.blossom = scene::mix_colours(blossom_colour(p.flower_hue), wear.blossom, 0.2F);
+    return cover;
 }
 
 }  // namespace
@@ -93,6 +104,7 @@ scene::Flora make_flora(const scene::TreeParameters& p, base::Seed seed) {
     add_trees(flora, p, seed);
     add_shrubs(flora, p, wear, seed);
     add_herbs(flora, p, wear, seed);
+    flora.cover = cover_of(p, wear);
     return flora;
 }
 

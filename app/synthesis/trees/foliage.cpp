@@ -51,7 +51,7 @@ class CrownLight {
     float at(const glm::vec3& point) const {
         const auto i = index(point);
         const float depth = 0.5F * density_[flat(i[0], i[1], i[2])] + above_[flat(i[0], i[1], i[2])];
-        return 0.30F + 0.70F * std::exp(-0.30F * depth);
+        return 0.24F + 0.76F * std::exp(-0.36F * depth);
     }
 
   private:
@@ -166,7 +166,7 @@ class Palette {
 
 BladeShape blade_at(const Place& place, const FoliageOptions& o, const glm::vec3& out_unit,
                     base::RandomStream& random) {
-    const LeafShape& shape = leaf_shape(o.kind);
+    const LeafShape& shape = spray_shape(o.kind);
     BladeShape blade;
     blade.site_m = place.at_m;
     const glm::vec3 chance = any_direction(random);
@@ -225,14 +225,14 @@ void add_cone(scene::Leaves& leaves, const Place& place, const FoliageOptions& o
         scale.fold_m = 0.3F * scale.half_width_m;
         common.normal = unit_or(0.7F * scale.face + out_unit, {0, 1, 0});
         common.colour = colour * (0.8F + 0.4F * at.y);
-        add_blade(leaves, o.kind, scale, common);
+        add_blade(leaves, spray_shape(o.kind), scale, common);
     }
 }
 
 }  // namespace
 
-void add_blade(scene::Leaves& leaves, LeafKind kind, const BladeShape& b, const scene::Leaves::Vertex& common) {
-    const LeafShape& shape = leaf_shape(kind);
+void add_blade(scene::Leaves& leaves, const LeafShape& shape, const BladeShape& b,
+               const scene::Leaves::Vertex& common) {
     const auto first = static_cast<std::uint32_t>(leaves.vertices.size());
     const glm::vec3 side = glm::cross(b.along, b.face);
     const auto count = shape.outline.size();
@@ -240,18 +240,18 @@ void add_blade(scene::Leaves& leaves, LeafKind kind, const BladeShape& b, const 
         scene::Leaves::Vertex vertex = common;
         vertex.site_m = b.site_m;
         if (b.is_disc) {
-            const float turn = 6.2831853F * static_cast<float>(k) / static_cast<float>(count);
-            const float up = k == 0 || k == shape.tip ? 1.0F : 0.2F;
+            const glm::vec2 p = shape.disc[k];
             vertex.on_blade = {0.8F, static_cast<float>(k) / static_cast<float>(count)};
-            vertex.corner_m =
-                b.half_width_m * (std::cos(turn) * b.along + std::sin(turn) * side) + up * b.fold_m * b.face;
+            // Domed: the middle stands out.
+            const float up = 1.0F - 0.8F * glm::dot(p, p);
+            vertex.corner_m = b.half_width_m * (p.x * b.along + p.y * side) + up * b.fold_m * b.face;
         } else {
             const glm::vec2 p = shape.outline[k];
             const float fold = b.fold_m * 2 * std::abs(p.y);
             vertex.corner_m =
                 b.length_m * p.x * b.along + 2 * b.half_width_m * p.y * side + (fold + b.bow_m * p.x * p.x) * b.face;
             vertex.colour *= shape.lightness[k];
-            vertex.on_blade = {2 * std::abs(p.y), p.x};
+            vertex.on_blade = shape.on_blade[k];
         }
         leaves.vertices.push_back(vertex);
     }
@@ -281,7 +281,7 @@ scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& o
     for (const Place& place : places) at.push_back(place.at_m);
     const CrownLight light(crown, at);
     const Palette palette(options.colours);
-    const LeafShape& shape = leaf_shape(options.kind);
+    const LeafShape& shape = spray_shape(options.kind);
     leaves.vertices.reserve(shape.outline.size() * places.size());
     leaves.indices.reserve(shape.triangles.size() * places.size());
     leaves.plain_indices.reserve(shape.plain.size() * places.size());
@@ -293,8 +293,10 @@ scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& o
         const glm::vec3 out_unit = unit_or(outward, {0, 1, 0});
         const BladeShape blade = blade_at(place, options, out_unit, random);
         scene::Leaves::Vertex vertex;
-        vertex.normal = unit_or(0.35F * blade.face + out_unit + glm::vec3{0, 0.25F, 0}, {0, 1, 0});
-        vertex.shade = light.at(place.at_m) * (0.72F + 0.28F * std::min(out, 1.0F));
+        // Mostly the crown's own: leaves that are lit each for itself read as paper, not as a mass.
+        vertex.normal = unit_or(0.22F * blade.face + out_unit + glm::vec3{0, 0.25F, 0}, {0, 1, 0});
+        const float depth = 1.0F - std::min(out, 1.0F);
+        vertex.shade = light.at(place.at_m) * (1.0F - 0.55F * depth);
         vertex.colour = palette.pick(*place.site, out, random);
         const float share = std::min(place.site->path_m / std::max(skeleton.longest_path_m, 1.0e-3F), 1.0F);
         vertex.age = std::min(0.12F + 0.83F * share, 1.0F);
@@ -305,7 +307,7 @@ scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& o
                 add_cone(leaves, place, options, out_unit, vertex, random);
             continue;
         }
-        add_blade(leaves, options.kind, blade, vertex);
+        add_blade(leaves, shape, blade, vertex);
     }
     return leaves;
 }

@@ -55,6 +55,7 @@ struct BladeShape {
     float bow_m = 0;       // the tip bends toward face by so much
     bool is_disc = false;  // a flower or a fruit: round, about its site
 };
-void add_blade(scene::Leaves& leaves, LeafKind kind, const BladeShape& blade, const scene::Leaves::Vertex& common);
+void add_blade(scene::Leaves& leaves, const LeafShape& shape, const BladeShape& blade,
+               const scene::Leaves::Vertex& common);
 
 }  // namespace quadrat::synthesis::trees

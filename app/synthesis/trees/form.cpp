@@ -62,12 +62,12 @@ constexpr std::array<Dress, 10> kDresses{{
     {0x4C7038, 0x7C9448, 0x5A4A3C, 0x7F9A4A, 0xE8C25A},  // summer oak
     {0x3E6248, 0x5F8458, 0x6C4F3C, 0x7A9458, 0xDFA6B8},  // deep green
     {0x7F8A58, 0xA3A878, 0x7C7064, 0xA7A468, 0xB59AC8},  // olive
-    {0xC88A3C, 0xB9552F, 0x54463C, 0xB09A58, 0xC8573F},  // autumn
+    {0xD2963C, 0xCB6434, 0x54463C, 0xA89E58, 0xC8573F},  // autumn
     {0xD0A94A, 0xA7AE52, 0xC9C2B4, 0x9DA058, 0xE3B04B},  // birch
     {0x4F7470, 0x7A9A8C, 0x6A5A50, 0x8A9A68, 0xD8D4E6},  // blue conifer
     {0x5E8C3E, 0x8FB048, 0x8A6A50, 0x88AC48, 0xE2604A},  // bright south
     {0x93A65C, 0xE3B9C2, 0x5E4A42, 0x90A860, 0xF0CDD4},  // blossom
-    {0x8C4A3A, 0xA86A44, 0x5C4C44, 0x94985C, 0xD9C46A},  // copper
+    {0xA8603E, 0xC48A4C, 0x5C4C44, 0x94985C, 0xD9C46A},  // copper
 }};
 
 int choice(float gene, int count) { return std::clamp(static_cast<int>(std::lround(gene)), 0, count - 1); }
@@ -92,7 +92,7 @@ glm::vec3 yellower(const glm::vec3& colour, float by) {
 glm::vec3 warmer(const glm::vec3& colour, float by) {
     glm::vec3 lab = scene::oklab_from_linear(colour);
     lab.z += 0.022F * by;
-    lab.y += 0.016F * by;
+    lab.y += 0.016F * std::max(by, -0.4F);  // no bark is violet
     return glm::max(scene::linear_from_oklab(lab), glm::vec3{0});
 }
 
@@ -162,7 +162,7 @@ void set_shared(Form& f, const scene::TreeParameters& p) {
     f.wind_from_deg = p.tree_wind_from_deg;
     f.crowding = p.tree_crowding;
     f.root_flare = p.tree_root_flare;
-    f.bareness = p.tree_bareness * p.tree_bareness;
+    f.bareness = std::pow(p.tree_bareness, 3.0F);
     f.leaf_width = p.tree_leaf_width;
     f.leaf_fold = p.tree_leaf_fold;
     f.leaf_droop = p.tree_leaf_droop;

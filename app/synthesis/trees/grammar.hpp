@@ -58,6 +58,7 @@ struct Grammar {
     Word axiom;
     std::vector<Production> productions;  // among those without weights the first that matches counts
     std::bitset<256> ignored;             // letters that contexts do not see
+    std::bitset<256> organs;              // letters that are leaves or flowers though productions change them
     std::uint8_t outside = 0;  // what contexts see beyond an axis's ends; 0: nothing, so that they do not match
     std::vector<std::string> tables;
     std::vector<int> schedule;  // which table each step uses, over and over
@@ -76,6 +77,8 @@ struct Grammar {
 //   # ABOP figure 1.25; a comment lasts to the end of its line
 //   name: …         steps: 7        angle: 22.5     length: 1    width: 1    width ratio: 0.7
 //   tropism: 0 -1 0 0.2             define: r = 0.9*0.8          ignore: + - F     outside: 0
+//   organs: L K                      leaves and flowers as long as nothing has become of them; without it, letters that
+//                                    have productions draw none
 //   axiom: A(1,10)
 //   A(l,w) : l > 0.1 -> !(w)F(l)[&(a)B(l*r,w)]/(137.5)A(l*r,w)
 //   B(x) < C(y) > D(z)F -> E(x+y+z)                              contexts; * is any symbol

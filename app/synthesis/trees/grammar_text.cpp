@@ -84,6 +84,10 @@ class GrammarReader {
             while (!line.is_over()) grammar_.ignored.set(static_cast<std::uint8_t>(line.symbol()));
             return;
         }
+        if (key == "organs") {
+            while (!line.is_over()) grammar_.organs.set(organ(line));
+            return;
+        }
         if (key == "outside") {
             grammar_.outside = static_cast<std::uint8_t>(line.symbol());
         } else if (key == "steps") {
@@ -106,10 +110,17 @@ class GrammarReader {
             line.jump_to(0);
             line.fail(fmt::format(
                 "{}: is not known; there are name, axiom, steps, angle, length, width, width ratio, tropism, "
-                "define, ignore, outside, table and tables",
+                "define, ignore, organs, outside, table and tables",
                 key));
         }
         if (!line.is_over()) line.fail(line.seen() + " after the value");
+    }
+
+    std::uint8_t organ(Line& line) {
+        const char letter = line.symbol();
+        if (letter != 'L' && letter != '~' && letter != 'K')
+            line.fail(fmt::format("{} is no organ; L and ~ are leaves, K is a flower", letter));
+        return static_cast<std::uint8_t>(letter);
     }
 
     void axiom(Line& line) {

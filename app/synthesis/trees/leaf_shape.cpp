@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/trees/leaf_shape.hpp"
 
+#include <algorithm>
 #include <array>
-#include <span>
+#include <cmath>
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -17,12 +18,22 @@ struct Half {
     float arch = 0.1F;
 };
 
+// Around the rim, in the order of the outline.
+void set_single(LeafShape& shape) {
+    const auto count = static_cast<float>(shape.outline.size());
+    for (std::size_t k = 0; k < shape.outline.size(); ++k) {
+        const glm::vec2 p = shape.outline[k];
+        const float turn = 6.2831853F * static_cast<float>(k) / count;
+        shape.on_blade.push_back({2 * std::abs(p.y), p.x});
+        shape.disc.push_back({std::cos(turn), std::sin(turn)});
+    }
+}
+
 LeafShape unfold(const Half& half) {
     LeafShape shape;
     const auto n = static_cast<std::uint32_t>(half.points.size());
     shape.width = half.width;
     shape.arch = half.arch;
-    shape.tip = n + 1;
     shape.outline.push_back({0, 0});
     for (const glm::vec2& p : half.points) shape.outline.push_back(p);
     shape.outline.push_back({1, 0});
@@ -36,7 +47,139 @@ LeafShape unfold(const Half& half) {
     };
     for (const auto& t : half.triangles) add(shape.triangles, t);
     add(shape.plain, {0, half.widest[0], n + 1});
+    set_single(shape);
     return shape;
+}
+
+// Leaves of two triangles along a twig, a pair at a time, and one at its tip.
+struct Twig {
+    int pairs = 2;
+    float first = 0.10F;       // where the lowest pair stands, of the twig's length
+    float leaf_length = 0.5F;  // of a leaf, to the spray's
+    float leaf_width = 0.24F;  // likewise
+    float widest = 0.45F;      // where a leaf is widest, of its length
+    float angle_rad = 0.95F;   // between a leaf and the twig
+    float width = 0.8F;        // of the spray, to its length
+    float arch = 0.14F;
+};
+
+void add_leaflet(LeafShape& shape, const Twig& twig, glm::vec2 foot, float angle_rad, float length, float turn_rad) {
+    const auto first = static_cast<std::uint32_t>(shape.outline.size());
+    const glm::vec2 along{std::cos(angle_rad), std::sin(angle_rad)};
+    const glm::vec2 aside{-along.y, along.x};
+    const float half = 0.5F * twig.leaf_width * length / twig.leaf_length;
+    const glm::vec2 middle = foot + twig.widest * length * along;
+    for (const glm::vec2& p : {foot, middle - half * aside, foot + length * along, middle + half * aside})
+        shape.outline.push_back({p.x, p.y / twig.width});
+    shape.on_blade.insert(shape.on_blade.end(), {{0, 0}, {1, twig.widest}, {0, 1}, {1, twig.widest}});
+    const float half_turn = 3.14159265F / static_cast<float>(2 * twig.pairs + 1);
+    shape.disc.push_back({0, 0});
+    for (const float off : {-half_turn, 0.0F, half_turn})
+        shape.disc.push_back({std::cos(turn_rad + off), std::sin(turn_rad + off)});
+    const float light = 0.92F + 0.14F * foot.x;  // the youngest leaves are the lightest
+    shape.lightness.insert(shape.lightness.end(), {0.86F * light, light, 1.12F * light, light});
+    for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U}) shape.triangles.push_back(first + k);
+}
+
+LeafShape spray_of(const Twig& twig) {
+    LeafShape shape;
+    shape.width = twig.width;
+    shape.arch = twig.arch;
+    const int leaves = 2 * twig.pairs + 1;
+    int number = 0;
+    const auto turn = [&] { return 6.2831853F * static_cast<float>(number++) / static_cast<float>(leaves); };
+    const float reach = 1 - twig.leaf_length;
+    add_leaflet(shape, twig, {reach, 0}, 0, twig.leaf_length, turn());
+    for (int pair = 0; pair < twig.pairs; ++pair) {
+        const float share = static_cast<float>(pair) / static_cast<float>(twig.pairs);
+        const float at = twig.first + share * (reach - twig.first) + 0.04F;
+        for (const float side : {-1.0F, 1.0F}) {
+            // The two of a pair stand a little apart, as most leaves do.
+            const glm::vec2 foot{at + 0.05F * side, 0};
+            add_leaflet(shape, twig, foot, side * (twig.angle_rad - 0.25F * share),
+                        twig.leaf_length * (1.0F - 0.12F * share), turn());
+        }
+    }
+    return shape;
+}
+
+// From afar a spray is three leaves of a triangle each that cover as much, by vertices of their own.
+LeafShape with_plain_form(LeafShape shape) {
+    const auto area = [&shape](const std::vector<std::uint32_t>& triangles) {
+        float sum = 0;
+        for (std::size_t t = 0; t < triangles.size(); t += 3) {
+            const glm::vec2 a = shape.outline[triangles[t + 1]] - shape.outline[triangles[t]];
+            const glm::vec2 b = shape.outline[triangles[t + 2]] - shape.outline[triangles[t]];
+            sum += 0.5F * std::abs(a.x * b.y - a.y * b.x);
+        }
+        return sum;
+    };
+    struct Leaf {
+        float foot, angle_rad, length;
+    };
+    constexpr std::array<Leaf, 3> kLeaves{{{0.42F, 0.0F, 0.56F}, {0.14F, 0.8F, 0.58F}, {0.20F, -0.8F, 0.58F}}};
+    constexpr float kLengths = 0.56F + 0.58F + 0.58F;
+    const float half = area(shape.triangles) * shape.width / kLengths;  // of the width of each
+    shape.plain.clear();
+    for (const Leaf& leaf : kLeaves) {
+        const auto first = static_cast<std::uint32_t>(shape.outline.size());
+        const glm::vec2 along{std::cos(leaf.angle_rad), std::sin(leaf.angle_rad)};
+        const glm::vec2 aside{-along.y, along.x};
+        const glm::vec2 foot = glm::vec2{leaf.foot, 0} + 0.12F * leaf.length * along;
+        for (const glm::vec2& p : {foot - half * aside, foot + leaf.length * along, foot + half * aside})
+            shape.outline.push_back({p.x, p.y / shape.width});
+        shape.on_blade.insert(shape.on_blade.end(), {{1, 0.1F}, {0, 1}, {1, 0.1F}});
+        shape.lightness.insert(shape.lightness.end(), {0.9F, 1.12F, 0.9F});
+        shape.plain.insert(shape.plain.end(), {first, first + 1, first + 2});
+    }
+    // A disc's is a triangle about it, and two of no size.
+    shape.disc.insert(shape.disc.end(), {{1.2F, 0}, {-0.6F, 1.04F}, {-0.6F, -1.04F}});
+    shape.disc.insert(shape.disc.end(), 6, glm::vec2{0});
+    return shape;
+}
+
+// A bough of needles: teeth along a rib, each a triangle.
+LeafShape bough_of(int teeth, float width, float arch) {
+    LeafShape shape;
+    shape.width = width;
+    shape.arch = arch;
+    const auto n = static_cast<std::uint32_t>(teeth);
+    for (std::uint32_t k = 0; k <= n; ++k) {
+        shape.outline.push_back({static_cast<float>(k) / static_cast<float>(n), 0});
+        shape.lightness.push_back(0.80F + 0.05F * static_cast<float>(k));
+    }
+    for (std::uint32_t k = 0; k < n; ++k) {
+        const float x = (static_cast<float>(k) + 0.5F) / static_cast<float>(n);
+        const float reach = 0.5F * std::sqrt(1.05F - x * x * 0.9F) * (k == 0 ? 0.8F : 1.0F);
+        for (const float side : {1.0F, -1.0F}) {
+            const auto v = static_cast<std::uint32_t>(shape.outline.size());
+            shape.outline.push_back({std::min(x + 0.22F, 1.02F), side * reach});
+            shape.lightness.push_back(1.16F);
+            if (side > 0)
+                shape.triangles.insert(shape.triangles.end(), {k, k + 1, v});
+            else
+                shape.triangles.insert(shape.triangles.end(), {k, v, k + 1});
+        }
+    }
+    const std::uint32_t wide = n + 1 + 2 * (n / 3);
+    shape.plain = {0, n, wide, 0, wide + 1, n};
+    set_single(shape);
+    return shape;
+}
+
+std::vector<LeafShape> make_sprays() {
+    const auto spray = [](const Twig& twig) { return with_plain_form(spray_of(twig)); };
+    std::vector<LeafShape> sprays;
+    for (int kind = 0; kind < kLeafKinds; ++kind) sprays.push_back(leaf_shape(static_cast<LeafKind>(kind)));
+    const auto at = [&sprays](LeafKind kind) -> LeafShape& { return sprays[static_cast<std::size_t>(kind)]; };
+    at(LeafKind::Ovate) = spray({});
+    at(LeafKind::Lance) = spray({2, 0.06F, 0.56F, 0.13F, 0.42F, 0.62F, 0.62F, 0.18F});
+    at(LeafKind::Round) = spray({2, 0.12F, 0.42F, 0.33F, 0.5F, 1.05F, 0.8F, 0.10F});
+    at(LeafKind::Lobed) = spray({2, 0.14F, 0.46F, 0.30F, 0.6F, 0.85F, 0.8F, 0.12F});
+    at(LeafKind::Palmate) = spray({2, 0.34F, 0.58F, 0.24F, 0.6F, 1.2F, 1.05F, 0.12F});
+    at(LeafKind::Heart) = spray({2, 0.14F, 0.44F, 0.34F, 0.34F, 0.95F, 0.82F, 0.16F});
+    at(LeafKind::Needles) = bough_of(5, 0.44F, 0.16F);
+    return sprays;
 }
 
 std::vector<LeafShape> make_shapes() {
@@ -63,7 +206,6 @@ std::vector<LeafShape> make_shapes() {
         frond.outline.push_back({static_cast<float>(k) / static_cast<float>(kLeaflets), 0});
         frond.lightness.push_back(0.86F + 0.03F * static_cast<float>(k));
     }
-    frond.tip = kLeaflets;
     for (std::uint32_t k = 0; k < kLeaflets; ++k) {
         const float x = (static_cast<float>(k) + 0.9F) / static_cast<float>(kLeaflets);
         const float reach = 0.5F * (1.0F - 0.55F * x * x) * (k == 0 ? 0.7F : 1.0F);
@@ -80,6 +222,7 @@ std::vector<LeafShape> make_shapes() {
     const std::uint32_t wide = kLeaflets + 1 + 2 * 2;
     frond.plain = {0, kLeaflets / 2, wide,          kLeaflets / 2, kLeaflets, wide,
                    0, wide + 1,      kLeaflets / 2, kLeaflets / 2, wide + 1,  kLeaflets};
+    set_single(frond);
     shapes.push_back(frond);
     LeafShape spines =
         unfold({{{0.30F, 0.50F}, {0.26F, 0.10F}, {0.62F, 0.34F}, {0.50F, 0.06F}}, comb, {1}, 0.7F, -0.05F});
@@ -92,6 +235,11 @@ std::vector<LeafShape> make_shapes() {
 const LeafShape& leaf_shape(LeafKind kind) {
     static const std::vector<LeafShape> kShapes = make_shapes();
     return kShapes[static_cast<std::size_t>(kind)];
+}
+
+const LeafShape& spray_shape(LeafKind kind) {
+    static const std::vector<LeafShape> kSprays = make_sprays();
+    return kSprays[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace quadrat::synthesis::trees

@@ -9,17 +9,22 @@ namespace quadrat::synthesis::trees {
 enum class LeafKind { Ovate, Lance, Round, Lobed, Palmate, Needles, Heart, Feather, Frond, Spines };
 inline constexpr int kLeafKinds = 10;
 
-// An outline folded along its midrib, of length 1 and width 1: x along, y across. The vertices run from the foot along
-// one side to the tip and back along the other; the foot and the tip are the ends of the fold.
+// An outline folded along its midrib, of length 1 and width 1: x along, y across. A single leaf's vertices run from its
+// foot along one side to its tip and back along the other.
 struct LeafShape {
     std::vector<glm::vec2> outline;
-    std::vector<float> lightness;  // a vertex: veins and rims
+    std::vector<glm::vec2> on_blade;  // per vertex: midrib 0 to rim 1; foot 0 to tip 1, of the leaf that it belongs to
+    std::vector<glm::vec2> disc;      // per vertex: where it lies when the shape is rounded to a disc of radius 1
+    std::vector<float> lightness;     // per vertex: veins and rims
     std::vector<std::uint32_t> triangles;
     std::vector<std::uint32_t> plain;  // the same in two triangles, or in a few
-    std::size_t tip = 0;
-    float width = 0.5F;  // what is usual, to the length
-    float arch = 0.1F;   // how far the tip bends down, to the length
+    float width = 0.5F;                // what is usual, to the length
+    float arch = 0.1F;                 // how far the tip bends down, to the length
 };
 const LeafShape& leaf_shape(LeafKind kind);
+
+// A twig with several leaves of this kind, as trees and shrubs bear them: of the size of one large leaf, but with the
+// outline and the texture of many small ones. Fronds, feathers and spines are sprays already.
+const LeafShape& spray_shape(LeafKind kind);
 
 }  // namespace quadrat::synthesis::trees

@@ -16,7 +16,7 @@ constexpr int kBarkSide = 128;
 
 FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
     const HabitTraits& t = traits(f.habit);
-    const LeafShape& shape = leaf_shape(f.leaf);
+    const LeafShape& shape = spray_shape(f.leaf);
     FoliageOptions o;
     o.kind = f.leaf;
     // Leaves of a large tree are seen from farther away: sprays of them.
@@ -52,7 +52,9 @@ FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
         if (missing > 1) o.length_m *= std::min(std::sqrt(missing), 1.8F);
     }
     o.blades = std::min(o.blades, most);
-    o.blades = static_cast<std::size_t>(static_cast<float>(o.blades) * (1 - 0.92F * f.bareness));
+    // What still hangs on a bare tree are single leaves, not sprays of them.
+    o.blades = static_cast<std::size_t>(static_cast<float>(o.blades) * (1 - 0.88F * f.bareness));
+    o.length_m *= 1 - 0.5F * f.bareness;
     return o;
 }
 
@@ -92,6 +94,8 @@ scene::Species make_species(const Form& f, base::Seed seed) {
     if (f.habit != Habit::Palm) species.masses = crown_masses(species.leaves);
     if (species.leaves.blades > 0) add_spindle(species.wood, species.height_m, species.trunk_radius_m);
     set_coarser(species.wood);
+    // Twigs are all the crown that a bare tree has: they are left out later.
+    for (scene::Wood& wood : species.wood) wood.left_out_m *= 1 + 2.5F * f.bareness;
     if (f.habit == Habit::Palm) {
         species.crown_radius_m = std::max(species.crown_radius_m, 0.8F * foliage.length_m);
         species.height_m += 0.3F * foliage.length_m;

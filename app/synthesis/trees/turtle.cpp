@@ -114,10 +114,10 @@ class Reader {
                 break;
             case 'L':
             case '~':
-                bear(Organ::Leaf);
+                if (!options_.no_organs[symbol.letter]) bear(Organ::Leaf);
                 break;
             case 'K':
-                bear(Organ::Flower);
+                if (!options_.no_organs[symbol.letter]) bear(Organ::Flower);
                 break;
             case '[':
                 push();
@@ -246,6 +246,8 @@ TurtleOptions options_of(const Grammar& grammar) {
     options.width_ratio = grammar.width_ratio;
     options.tropism = grammar.tropism;
     options.elasticity = grammar.elasticity;
+    for (const Production& production : grammar.productions) options.no_organs.set(production.predecessor.letter);
+    options.no_organs &= ~grammar.organs;
     return options;
 }
 

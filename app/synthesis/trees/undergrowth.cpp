@@ -184,7 +184,7 @@ scene::Species fern(const glm::vec3& colour, float height_m, base::Seed seed) {
         const float shade = random.between(0.75F, 1.0F);
         const float age = 0.5F + 0.4F * random.unit_f();
         add_blade(
-            species.leaves, LeafKind::Feather, blade,
+            species.leaves, leaf_shape(LeafKind::Feather), blade,
             vertex_of(scene::shifted_colour(colour, random.between(0.9F, 1.1F)), blade.face + 0.4F * out, age, shade));
     }
     species.shade_liking = 0.9F;
@@ -212,7 +212,7 @@ scene::Species flower(const FlowerOptions& o, base::Seed seed) {
         stem.side = glm::cross(stem.along, stem.face);
         const float stem_m = o.height_m * random.between(0.7F, 1.0F);
         stem.top_m = stem_m * stem.along;
-        add_blade(species.leaves, LeafKind::Lance,
+        add_blade(species.leaves, leaf_shape(LeafKind::Lance),
                   {glm::vec3{0}, stem.along, stem.face, stem_m, 0.025F * o.height_m, 0.01F * o.height_m, 0, false},
                   vertex_of(o.leaf, {0, 1, 0}, 0.6F, 0.85F));
         stems.push_back(stem);
@@ -242,7 +242,7 @@ scene::Species flower(const FlowerOptions& o, base::Seed seed) {
                 petal.half_width_m = 0.30F * head_m;
                 petal.fold_m = 0.05F * head_m;
             }
-            add_blade(species.leaves, LeafKind::Lance, petal,
+            add_blade(species.leaves, leaf_shape(LeafKind::Lance), petal,
                       vertex_of(scene::shifted_colour(o.blossom, random.between(0.94F, 1.06F)), normal, 0.92F, 1.0F));
         }
     }

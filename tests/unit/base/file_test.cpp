@@ -3,9 +3,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <fstream>
+#include <csignal>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 
@@ -43,16 +46,70 @@ TEST_F(File, ReadsBackWhatWasWrittenByteForByte) {
     EXPECT_EQ(files(), 1U);
 }
 
+// While it lives, no file grows beyond 4 KiB: what a full disk does, without one.
+class SmallFilesOnly {
+  public:
+    SmallFilesOnly() {
+        before_signal_ = std::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit small{4096, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &small);
+    }
+    ~SmallFilesOnly() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, before_signal_);
+    }
+    SmallFilesOnly(const SmallFilesOnly&) = delete;
+    SmallFilesOnly& operator=(const SmallFilesOnly&) = delete;
+
+  private:
+    rlimit before_{};
+    void (*before_signal_)(int);
+};
+
 TEST_F(File, LeavesTheOldFileWholeWhenWritingFails) {
     write_file(directory_ / "a.png", "old");
-    const auto failing = [](const fs::path& temporary) {
-        EXPECT_EQ(temporary.extension(), ".png");
-        std::ofstream(temporary) << "half";
-        throw std::runtime_error("disk full");
-    };
-    EXPECT_THROW(write_file_by(directory_ / "a.png", failing), std::runtime_error);
+    {
+        const SmallFilesOnly full_disk;
+        EXPECT_THROW(write_file(directory_ / "a.png", std::string(10'000, 'x')), InputError);
+    }
     EXPECT_EQ(read_file(directory_ / "a.png"), "old");
     EXPECT_EQ(files(), 1U) << "the half-written file is left behind";
+}
+
+TEST_F(File, TakesEveryNameThatTheSystemTakes) {
+    for (const std::string& name :
+         {std::string("what?.png"), std::string("100%d.png"),
+          std::string("Gr\xC3\xB6\xC3\x9F"
+                      "e.png"),
+          std::string("no UTF-8 \xF6.png"), std::string("two\nlines.png"), std::string(251, 'x') + ".png"}) {
+        write_file(directory_ / name, name);
+        EXPECT_EQ(read_file(directory_ / name), name);
+    }
+    EXPECT_EQ(files(), 6U);
+}
+
+TEST_F(File, NeverTakesThePlaceOfWhatIsNoFile) {
+    const fs::path pipe = directory_ / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THROW(write_file(pipe, "x"), InputError);
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    EXPECT_THROW(write_file("/dev/null", "x"), InputError);
+}
+
+TEST_F(File, ItsEndingIsKnownBeforeWorkBegins) {
+    EXPECT_EQ(ending_of("a/Now.PNG"), ".png");
+    EXPECT_EQ(ending_of(".png"), "");
+    require_ending(directory_ / "now.PNG", {".png", ".exr"}, "a picture");
+    for (const char* name : {"now.jpg", "now", "png", ".png", "now.png.bak"})
+        EXPECT_THAT(
+            [&] {
+                require_ending(directory_ / name, {".png", ".exr"}, "a picture");
+            },
+            testing::ThrowsMessage<InputError>(testing::HasSubstr("a picture is written as .png or .exr")));
+    EXPECT_THAT([&] { require_ending(directory_ / "no" / "now.png", {".png"}, "a picture"); },
+                testing::ThrowsMessage<InputError>(testing::HasSubstr("there is no folder")));
+    EXPECT_EQ(files(), 0U);
 }
 
 TEST_F(File, IsKnownToBeWritableBeforeItIsWritten) {

@@ -50,10 +50,19 @@ TEST(ChooseCard, FindsTheConfiguredConnectorOnTheSecondCard) {
     EXPECT_EQ(chosen({vc4("card0", kIn, kIn), nuc}, "DP-1"), "card1 DP-1");
 }
 
-TEST(ChooseCard, NamesTheConnectorsThereAreWhenTheConfiguredOneIsNone) {
-    EXPECT_THAT(chosen({vc4("card0", kIn, kOut)}, "HDMI-1"),
+TEST(ChooseCard, AConnectorThatNoCardHasLeavesNoScreenDark) {
+    const std::vector<Card> cards{vc4("card0", kIn, kOut)};
+    EXPECT_EQ(chosen(cards, "HDMI-1"), "card0 HDMI-A-1");
+    const CardChoice choice = choose_card(cards, "HDMI-1");
+    EXPECT_THAT(std::get<ChosenConnector>(choice).warning,
                 AllOf(HasSubstr("\"HDMI-1\""), HasSubstr("HDMI-A-1, HDMI-A-2")));
-    EXPECT_THAT(chosen({vc4("card0", kIn, kOut)}, "Writeback-1"), HasSubstr("no connector")) << "nobody sees that one";
+    EXPECT_EQ(std::get<ChosenConnector>(choose_card(cards, "HDMI-A-1")).warning, "");
+    EXPECT_EQ(chosen(cards, "Writeback-1"), "card0 HDMI-A-1") << "nobody sees the recorder";
+}
+
+TEST(ChooseCard, NamesTheConnectorsThereAreWhenTheConfiguredOneIsNoneAndNoneHasAScreen) {
+    EXPECT_THAT(chosen({vc4("card0", kOut, kOut)}, "HDMI-1"),
+                AllOf(HasSubstr("\"HDMI-1\""), HasSubstr("HDMI-A-1, HDMI-A-2")));
 }
 
 TEST(ChooseCard, NeverTakesARecorderForAScreen) {

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 
 #include "fake_gpio.hpp"
 #include "firmware-io/gpio/gpio_buttons.hpp"
@@ -46,6 +50,43 @@ TEST(FindLine, RefusesWhatIsAmbiguousMissingOrHeldAndSaysTheRemedy) {
     EXPECT_THAT(refusal({held}, {"GPIO17", {}}), HasSubstr("GPIO17 is held by spi0 CS1;"));
 }
 
+TEST(FindLine, KnowsAChipByPathLinkNameNumberAndLabel) {
+    const auto folder = std::filesystem::temp_directory_path() / ("quadrat-chips-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    std::ofstream{folder / "gpiochip7"};
+    std::filesystem::create_symlink("gpiochip7", folder / "panel");
+    std::filesystem::create_symlink("panel", folder / "panel-of-old");
+    gpio::ChipFacts linked = kExpander;
+    linked.path = (std::filesystem::canonical(folder) / "gpiochip7").string();
+    const std::vector chips{kExpander, kHeader, linked};
+    for (const std::string chip : {"/dev/gpiochip4", "gpiochip4", "4", "pinctrl-rp1"})
+        EXPECT_EQ(gpio::find_line(chips, {"", {chip, 1}}), (gpio::LinePlace{"/dev/gpiochip4", 1})) << chip;
+    for (const char* link : {"panel", "panel-of-old", "gpiochip7"})
+        EXPECT_EQ(gpio::find_line(chips, {"", {(folder / link).string(), 1}}), (gpio::LinePlace{linked.path, 1}))
+            << link;
+    EXPECT_THAT(refusal(chips, {"", {"mcp2221", 0}}),
+                AllOf(HasSubstr("mcp2221:0: both /dev/gpiochip0 and "), HasSubstr("write the path")));
+    EXPECT_THAT(refusal(chips, {"", {"gpiochip9", 0}}), HasSubstr("gpiochip9:0 is on no GPIO chip"));
+    EXPECT_THAT(refusal(chips, {"", {"gpiochip4", 99}}), HasSubstr("gpiochip4:99 is on no GPIO chip"));
+    std::filesystem::remove_all(folder);
+}
+
+TEST(FindLine, ALinesNameMayEndLikeAPlace) {
+    const std::vector chips{chip_of("/dev/gpiochip0", "soc", {"a", "SPI:0"})};
+    EXPECT_EQ(gpio::find_line(chips, {"", {"SPI", 0}}), (gpio::LinePlace{"/dev/gpiochip0", 1}));
+}
+
+TEST(GpioButtons, OneLineUnderTwoNamesIsRefusedByBoth) {
+    const auto machine = std::make_shared<FakeGpioMachine>();
+    machine->chips = {kHeader};
+    gpio::Wiring wiring;
+    wiring.contacts = {{Button::A, {"GPIO17", {}}}, {Button::B, {"", {"4", 1}}}};
+    gpio::GpioButtons buttons{std::make_unique<FakeGpioHost>(machine), wiring};
+    EXPECT_THAT(buttons.look().reason, HasSubstr("A=GPIO17 and B=4:1 are the same line; give each"));
+    buttons.poll(1s);
+    EXPECT_THAT(buttons.status().reason, HasSubstr("are the same line"));
+}
+
 TEST(FindLine, TakesWhatWeHoldForFreeWhereItIsOnlyLookedAt) {
     gpio::ChipFacts held = kHeader;
     held.lines[1].holder = gpio::kConsumer;
@@ -55,7 +96,7 @@ TEST(FindLine, TakesWhatWeHoldForFreeWhereItIsOnlyLookedAt) {
 }
 
 TEST(KernelClock, IsNeverLaterThanNowAndKeepsTheDistancesOfTheKernel) {
-    gpio::KernelClock clock;
+    KernelClock clock;
     clock.saw(100s, 7s);  // waited 3 ms, which nobody knows yet
     EXPECT_EQ(clock.moment_of(100s), 7s);
     clock.saw(100s + 10ms, 7s + 7ms);  // was read at once: now we do
@@ -171,6 +212,20 @@ TEST(GpioButtons, GoesOnWithTheLinesThatCanBeHadAndTakesTheOthersWhenTheyAreFree
     machine->move({"/dev/gpiochip0", 1}, true, 13s);
     EXPECT_EQ(buttons.poll(13s).size(), 1U);
     EXPECT_THAT(buttons.status().reason, HasSubstr("GPIO lines A=GPIO17, B=GPIO27"));
+}
+
+TEST(GpioButtons, WhatIsWrongWithAllLinesIsSaidOnce) {
+    auto machine = std::make_shared<FakeGpioMachine>();
+    gpio::Wiring wiring;
+    wiring.contacts = {{Button::A, {"GPIO17", {}}}, {Button::B, {"GPIO27", {}}}};
+    wiring.lamps = {{Button::A, {"GPIO5", {}}}};
+    EXPECT_EQ((gpio::GpioButtons{std::make_unique<FakeGpioHost>(machine), wiring}.look().reason),
+              "GPIO lines GPIO17, GPIO27, GPIO5: this machine has no GPIO chip; use hid: or load the chip's driver");
+    machine->chips = {chip_of("/dev/gpiochip0", "pinctrl-fake", {"GPIO17"})};
+    machine->chips[0].lines[0].holder = "spi0 CS1";
+    EXPECT_EQ((gpio::GpioButtons{std::make_unique<FakeGpioHost>(machine), wiring}.look().reason),
+              "GPIO line GPIO17 is held by spi0 CS1; stop that, or wire the button to another line; "
+              "GPIO lines GPIO27, GPIO5 are on no GPIO chip; the command gpioinfo lists the lines");
 }
 
 TEST(GpioButtons, ALineThatCannotBeHadAloneIsAbsentWithTheReason) {

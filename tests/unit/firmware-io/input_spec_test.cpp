@@ -48,6 +48,40 @@ TEST(InputSpec, ReadsEveryWayToNameAHidDevice) {
     EXPECT_EQ(spec.debounce.form, DebounceForm::Integrator);
 }
 
+TEST(InputSpec, ReadsEveryWayToNameAGpioChip) {
+    const auto wiring = std::get<gpio::Wiring>(
+        parse_input_spec("gpio:A=/dev/panel:1,B=gpiochip4:2,C=4:3,D=pinctrl-rp1:4,Back=0-0020:5"));
+    std::vector<gpio::LinePlace> places;
+    for (const gpio::Wire& wire : wiring.contacts) places.push_back(wire.line.place);
+    EXPECT_EQ(places, (std::vector<gpio::LinePlace>{
+                          {"/dev/panel", 1}, {"gpiochip4", 2}, {"4", 3}, {"pinctrl-rp1", 4}, {"0-0020", 5}}));
+}
+
+TEST(InputSpec, TellsEqualBoardsApartBySerialAndByPort) {
+    const auto hid = std::get<HidSpec>(parse_input_spec("hid:0079:0006,serial=4711")).selector;
+    EXPECT_EQ(hid.serial, "4711");
+    const auto evdev = std::get<EvdevSpec>(parse_input_spec("evdev:045e:028e,serial=7,port=usb-1,name=X-Box 360"));
+    EXPECT_EQ(evdev.selector, (DeviceSelector{0x45e, 0x28e, "", "usb-1", "7", "X-Box 360"}));
+}
+
+TEST(InputSpec, ReadsWhatIsHeardThroughTheKernelsDrivers) {
+    const auto any = std::get<EvdevSpec>(parse_input_spec("evdev:"));
+    EXPECT_EQ(any.selector, DeviceSelector{});
+    EXPECT_TRUE(any.grabs);
+    const auto spec = std::get<EvdevSpec>(
+        parse_input_spec("evdev:path=/dev/input/event3,A=BTN_SOUTH,b=ABS_Z+,Back=ABS_HAT0X-,grab=no,debounce=8ms"));
+    EXPECT_EQ(spec.selector.path, "/dev/input/event3");
+    EXPECT_FALSE(spec.grabs);
+    EXPECT_EQ(spec.debounce.period, 8ms);
+    EXPECT_EQ(spec.controls, (std::vector<NamedControl>{
+                                 {Button::A, "BTN_SOUTH"}, {Button::B, "ABS_Z+"}, {Button::Back, "ABS_HAT0X-"}}));
+    EXPECT_THAT(error_of("evdev:45e"), HasSubstr("evdev:0079:0006"));
+    EXPECT_THAT(error_of("evdev:A=SOUTH"), HasSubstr("BTN_SOUTH, KEY_A"));
+    EXPECT_THAT(error_of("evdev:A=ABS_Z"), HasSubstr("ABS_Z+"));
+    EXPECT_THAT(error_of("evdev:grab=maybe"), HasSubstr("yes or no"));
+    EXPECT_THAT(error_of("evdev:map=x"), HasSubstr("\"map\" is not a setting"));
+}
+
 TEST(InputSpec, ErrorsNameTheSpecTheTroubleAndTheRemedy) {
     EXPECT_THAT(error_of("mouse"), AllOf(StartsWith("input \"mouse\": no such input;"), HasSubstr("script:FILE")));
     EXPECT_THAT(error_of("gpio"), HasSubstr("no such input"));
@@ -60,18 +94,23 @@ TEST(InputSpec, ErrorsNameTheSpecTheTroubleAndTheRemedy) {
     EXPECT_THAT(error_of("gpio:A=GPIO17,pull=sideways"), HasSubstr("up, down or none"));
     EXPECT_THAT(error_of("hid:79"), HasSubstr("hid:0079:0006"));
     EXPECT_THAT(error_of("hid:12345:1"), HasSubstr("hid:0079:0006"));
-    EXPECT_THAT(error_of("hid:0079:0006,speed=3"), HasSubstr("path, port, map, debounce or form"));
+    EXPECT_THAT(error_of("hid:0079:0006,speed=3"), HasSubstr("path, port, serial, name, map, debounce or form"));
     EXPECT_THAT(error_of("script:"), HasSubstr("script:FILE"));
     EXPECT_EQ(error_of("gpio:A=X\nY,B=X\nY").find('\n'), std::string::npos);
 }
 
 TEST(OpenButtons, MissingHardwareIsASourceThatIsAbsent) {
-    for (const char* spec : {"gpio:A=NO_SUCH_LINE", "hid:ffff:fffe", "hid:path=/dev/hidraw9999"}) {
+    for (const char* spec : {"gpio:A=NO_SUCH_LINE", "hid:ffff:fffe", "hid:path=/dev/hidraw9999", "evdev:ffff:fffe"}) {
         const auto source = open_buttons(spec).source;
         EXPECT_TRUE(source->poll(1s).empty());
         EXPECT_EQ(source->status().presence, Presence::Absent) << spec;
         EXPECT_THAT(source->status().reason, HasSubstr(";")) << spec;
     }
+}
+
+TEST(OpenButtons, AControlThatNoKernelKnowsIsSaidAndTheUsualOnesApply) {
+    EXPECT_THAT(open_buttons("evdev:A=BTN_SUOTH").map_trouble, HasSubstr("\"BTN_SUOTH\""));
+    EXPECT_EQ(open_buttons("evdev:A=BTN_SOUTH,B=ABS_RZ+").map_trouble, "");
 }
 
 TEST(OpenButtons, AMissingScriptIsAnError) { EXPECT_THROW(open_buttons("script:/nowhere"), std::invalid_argument); }

@@ -3,13 +3,18 @@
 
 #include <algorithm>
 
+#include "fake_evdev.hpp"
 #include "fake_gpio.hpp"
 #include "fake_hid.hpp"
+#include "firmware-io/evdev/evdev_buttons.hpp"
+#include "firmware-io/evdev/libevdev_host.hpp"
 #include "firmware-io/gpio/gpio_buttons.hpp"
 #include "firmware-io/hid/hid_buttons.hpp"
+#include "firmware-io/hid/hidraw.hpp"
 #include "firmware-io/keyboard/keyboard_buttons.hpp"
 #include "firmware-io/merged_buttons.hpp"
 #include "firmware-io/scripted/scripted_buttons.hpp"
+#include "stand_in_kernel.hpp"
 
 namespace quadrat::tests {
 
@@ -135,6 +140,69 @@ class HidRig : public Rig {
     std::uint8_t held_ = 0;
 };
 
+// hidapi itself, on nodes that a stand-in for the kernel answers.
+class HidrawRig : public Rig {
+  public:
+    HidrawRig() {
+        buttons_ = std::make_unique<hid::HidButtons>(std::make_unique<hid::Hidraw>(folder_.sys(), folder_.dev()),
+                                                     hid::HidSelector{});
+    }
+    ButtonSource& source() override { return *buttons_; }
+    void deliver(const Act& act) override {
+        const auto bit = static_cast<std::uint8_t>(1u << index_of(act.button));
+        if (act.kind == Act::Unplug) device_.unplug();
+        if (act.kind == Act::Plug) device_.plug();
+        if (act.kind == Act::Close) held_ = static_cast<std::uint8_t>(held_ | bit);
+        if (act.kind == Act::Open) held_ = static_cast<std::uint8_t>(held_ & ~bit);
+        if (act.kind != Act::Unplug) device_.send({held_});
+    }
+
+  private:
+    StandInFolder folder_;
+    StandInHidraw device_{folder_, kFiveButtons};
+    std::unique_ptr<ButtonSource> buttons_;
+    std::uint8_t held_ = 0;
+};
+
+class EvdevRig : public Rig {
+  public:
+    EvdevRig() {
+        buttons_ = std::make_unique<evdev::EvdevButtons>(std::make_unique<FakeEvdevHost>(FakeEvdevDevices{device_}),
+                                                         evdev::EvdevOptions{});
+    }
+    ButtonSource& source() override { return *buttons_; }
+    void deliver(const Act& act) override {
+        if (act.kind == Act::Unplug) device_->unplug();
+        if (act.kind == Act::Plug) device_->plug();
+        if (act.kind <= Act::Open) device_->key(kFiveKeys[index_of(act.button)], act.kind == Act::Close, act.at);
+    }
+
+  private:
+    std::shared_ptr<FakeEvdevDevice> device_ = evdev_device("/dev/input/event0", kFiveKeys);
+    std::unique_ptr<ButtonSource> buttons_;
+};
+
+// libevdev itself, as above.
+class LibevdevRig : public Rig {
+  public:
+    LibevdevRig() {
+        buttons_ = std::make_unique<evdev::EvdevButtons>(
+            std::make_unique<evdev::LibevdevHost>(folder_.sys(), folder_.dev()), evdev::EvdevOptions{});
+    }
+    ButtonSource& source() override { return *buttons_; }
+    void deliver(const Act& act) override {
+        const auto at = std::chrono::duration_cast<std::chrono::microseconds>(FakeEvdevDevice::kKernelZero + act.at);
+        if (act.kind == Act::Unplug) device_.unplug();
+        if (act.kind == Act::Plug) device_.plug();
+        if (act.kind <= Act::Open) device_.key(kFiveKeys[index_of(act.button)], act.kind == Act::Close, at.count());
+    }
+
+  private:
+    StandInFolder folder_;
+    StandInEvdev device_{folder_, {kFiveKeys.begin(), kFiveKeys.end()}};
+    std::unique_ptr<ButtonSource> buttons_;
+};
+
 // The same hand on two devices at once: still one press.
 class MergedRig : public Rig {
   public:
@@ -169,6 +237,9 @@ std::vector<RigKind> every_rig() {
             {"Keyboard", [] { return std::make_unique<KeyboardRig>(); }},
             {"Gpio", [] { return std::make_unique<GpioRig>(); }},
             {"Hid", [] { return std::make_unique<HidRig>(); }},
+            {"Hidraw", [] { return std::make_unique<HidrawRig>(); }},
+            {"Evdev", [] { return std::make_unique<EvdevRig>(); }},
+            {"Libevdev", [] { return std::make_unique<LibevdevRig>(); }},
             {"Merged", [] { return std::make_unique<MergedRig>(); }}};
 }
 

@@ -138,7 +138,7 @@ TEST(ScriptedButtons, AVisitorCanBeWrittenInCode) {
 
 TEST(ScriptedButtons, AMissingFileIsNamedWithARemedy) {
     EXPECT_THAT([] { read_script("/nowhere/visit.txt"); },
-                testing::ThrowsMessage<ScriptError>(HasSubstr("/nowhere/visit.txt: cannot be read;")));
+                testing::ThrowsMessage<ScriptError>(HasSubstr("/nowhere/visit.txt: cannot read: ")));
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ std::string figures_with(const GovernorOptions& governing) {
     HandMovedClock clock;
     std::atomic<bool> stop{false};
     SlowScreen screen(clock, 100, stop);
-    staff::Caretaker caretaker({configuration, "", folder.path(), folder.path(), ladder, screen});
+    staff::Caretaker caretaker({configuration, {}, folder.path(), folder.path(), ladder, screen});
     RunLoopParts parts{configuration, clock, screen, panel, buttons, show};
     parts.caretaker = &caretaker;
     parts.governor = &governor;

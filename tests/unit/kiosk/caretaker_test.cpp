@@ -27,7 +27,7 @@ TEST(Caretaker, NamesTheScreenThatIsThereNow) {
     Panel panel(buttons);
     Ladder ladder("", folder.path(), Seconds{0});
     tests::NamedScreen screen("no GPU", "no graphics card yet");
-    Caretaker caretaker({configuration, "", folder.path(), folder.path(), ladder, screen});
+    Caretaker caretaker({configuration, {}, folder.path(), folder.path(), ladder, screen});
     caretaker.step_figures();
     caretaker.look(panel, show, 1s);
     ASSERT_NE(caretaker.board(), nullptr);

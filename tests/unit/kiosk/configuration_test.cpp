@@ -10,6 +10,7 @@
 #include "base/file.hpp"
 #include "genome/speech.hpp"
 #include "kiosk/show.hpp"
+#include "support/process.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -135,6 +136,66 @@ TEST(Configuration, RefusesInOneLineWithTheLineTheKeyAndWhatWouldBeRight) {
     EXPECT_THAT(refusal_of("[visit]\nrounds = nan\n"), HasSubstr("visit.rounds"));
     EXPECT_THAT(refusal_of("[visit]\npatience_s = nan\n"), HasSubstr("must lie between"));
     EXPECT_THAT(refusal_of("[visit\n"), HasSubstr("site.toml:1:"));
+}
+
+// What is said of a text, one line a mistake, on a machine whose fonts have the letters of Latin alone.
+std::string mistakes_in(const std::string& toml) {
+    const auto latin_alone = [](const std::string& text) {
+        const bool is_latin = std::ranges::all_of(
+            text, [](char c) { return static_cast<unsigned char>(c) < 0xd0 || c == static_cast<char>(0xe2); });
+        return is_latin ? std::string{} : "some";
+    };
+    std::string lines;
+    for (const Mistake& mistake : check_configuration(toml, "site.toml", latin_alone).mistakes)
+        lines += to_text(mistake) + "\n";
+    return lines;
+}
+
+TEST(Configuration, AllMistakesAreListedAndWhatIsRightIsKept) {
+    const std::string toml =
+        "[visit]\nrounds = six\npatience_s = 5\n[screen]\nmode = \"1080p\"\n[fleet]\nname = \"a/b\"\n[vist]\n";
+    const CheckedConfiguration checked = check_configuration(toml, "site.toml");
+    std::vector<int> lines;
+    for (const Mistake& mistake : checked.mistakes) lines.push_back(mistake.line);
+    EXPECT_THAT(lines, testing::ElementsAre(2, 5, 7, 8));
+    EXPECT_EQ(checked.configuration.visit.patience_s, 5);
+    EXPECT_EQ(checked.configuration.screen.mode, "");
+}
+
+TEST(Configuration, AfterALineThatIsNoTomlNothingIsMadeUp) {
+    EXPECT_THAT(mistakes_in("[buttons]\ninputs = [ \"hid:\"\n[visit]\nrounds = 3\n"),
+                testing::MatchesRegex("site.toml:3: [^\n]*\n"))
+        << "the list that does not end, and nothing of what follows it";
+    EXPECT_THAT(mistakes_in("[visit\nrounds = 3\n[picture]\nalpha = 900\n"),
+                testing::AllOf(HasSubstr("site.toml:1: "), HasSubstr("site.toml:4: picture.alpha is 900")));
+    EXPECT_THAT(mistakes_in("[visit\nrounds = 3\n"), testing::Not(HasSubstr("rounds")));
+}
+
+TEST(Configuration, AFileOfNoBytesIsAMistakeAndOneOfCommentsIsNot) {
+    EXPECT_THAT(mistakes_in(""), HasSubstr("site.toml: the file is empty"));
+    EXPECT_THAT(mistakes_in(" \n\n"), HasSubstr("empty"));
+    EXPECT_EQ(mistakes_in("# as it comes\n"), "");
+}
+
+TEST(Configuration, AKeyWithADotWithoutQuotationMarksIsToldHowToBeWritten) {
+    const std::string said = mistakes_in("[text]\nask.trees = \"Welche?\"\ndescribe.tree = \"x\"\n");
+    EXPECT_THAT(said, HasSubstr("site.toml:2: text.ask.trees stands without quotation marks"));
+    EXPECT_THAT(said, HasSubstr("\"ask.trees\" = "));
+    EXPECT_THAT(said, HasSubstr("site.toml:3: text.describe.tree is not known"));
+    EXPECT_EQ(std::ranges::count(said, '\n'), 2);
+}
+
+TEST(Configuration, WordsThatNoFontCanShowAreAMistakeWhereTheyAreWrittenOrChosen) {
+    EXPECT_THAT(mistakes_in("[text]\nattract = \"欢迎\"\n"), HasSubstr("site.toml:2: text.attract: no installed font"));
+    EXPECT_THAT(mistakes_in("[visit]\nlanguage = \"ar\"\n"), HasSubstr("site.toml:2: visit.language is \"ar\"; no"));
+    EXPECT_EQ(mistakes_in("[text]\nattract = \"Drückt einen Knopf\"\n[visit]\nlanguage = \"de\"\n"), "");
+}
+
+TEST(Configuration, AScriptThatIsNotThereOrWrongIsAMistakeOfTheInputs) {
+    const tests::TemporaryFolder folder;
+    const std::string file = folder.write("visit.script", "prod B\n").string();
+    EXPECT_THAT(mistakes_in("[buttons]\ninputs = [\"script:" + file + "\"]\n"), HasSubstr("visit.script:1: "));
+    EXPECT_THAT(mistakes_in("[buttons]\ninputs = [\"script:/nowhere\"]\n"), HasSubstr("no such file"));
 }
 
 }  // namespace

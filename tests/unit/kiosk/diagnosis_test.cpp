@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "firmware-io/evdev/evdev_buttons.hpp"
 #include "support/process.hpp"
+#include "unit/firmware-io/fake_evdev.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -79,6 +81,24 @@ TEST(Doctor, SaysWhichButtonsAreMissingAndWhichAreMisspelt) {
     EXPECT_EQ(findings.at(1).health, Health::Bad);
     EXPECT_THAT(findings.at(1).what, HasSubstr("telepathy"));
     EXPECT_THAT(report_of(examine_buttons({})), HasSubstr("none are named"));
+}
+
+TEST(Doctor, NamesTheBoardsThatNoInputNames) {
+    const auto open = [](std::string_view spec) {
+        tests::FakeEvdevDevices devices;
+        if (spec == "evdev:") devices.push_back(tests::x_input_pad());
+        return firmware_io::Opened{
+            std::make_unique<firmware_io::evdev::EvdevButtons>(std::make_unique<tests::FakeEvdevHost>(devices),
+                                                               firmware_io::evdev::EvdevOptions{}),
+            ""};
+    };
+    Configuration configuration;
+    configuration.inputs = {"gpio:A=GPIO17"};
+    EXPECT_THAT(report_of(examine_boards(configuration, open)),
+                HasSubstr("evdev: would hear /dev/input/event5 (Microsoft X-Box 360 pad 045e:028e)"));
+    EXPECT_EQ(examine_boards(configuration, open).size(), 1U) << "no HID board is there";
+    configuration.inputs = {"evdev:045e:028e"};
+    EXPECT_TRUE(examine_boards(configuration, open).empty());
 }
 
 }  // namespace

@@ -100,6 +100,26 @@ TEST(Vitals, AreDoubtfulWhereHoursWaitForAClock) {
     EXPECT_EQ(verdict_of(vitals), Verdict::Good);
 }
 
+TEST(Vitals, AreDoubtfulAndSayWhyWhereTheSettingsCannotBeUsed) {
+    Vitals vitals;
+    ASSERT_EQ(verdict_of(vitals), Verdict::Good);
+    vitals.settings.from = SettingsFrom::LastGood;
+    vitals.settings.mistakes = {{"/etc/q.toml", 7, "screen.mode: \"1080p\" is not a mode", "write 1920x1080"}};
+    EXPECT_EQ(verdict_of(vitals), Verdict::Doubtful);
+    const auto told = nlohmann::json::parse(to_json(vitals))["settings"];
+    EXPECT_EQ(told["from"], "last good");
+    EXPECT_EQ(told["mistakes"][0]["line"], 7);
+    EXPECT_EQ(told["mistakes"][0]["remedy"], "write 1920x1080");
+    EXPECT_THAT(to_prometheus(vitals), HasSubstr("quadrat_settings_up 0\n"));
+    EXPECT_THAT(to_prometheus(vitals), HasSubstr("quadrat_settings_from 1\n"));
+    ServiceScreen service;
+    service.open(0s);
+    EXPECT_THAT(service.board(vitals, 0s).lines,
+                testing::IsSupersetOf({std::string("SETTINGS: the last settings that worked are used"),
+                                       std::string("/etc/q.toml, line 7: screen.mode: \"1080p\" is not a mode"),
+                                       std::string("  → write 1920x1080")}));
+}
+
 TEST(Vitals, CountLateFrames) {
     FrameCount count;
     for (int i = 0; i < 120; ++i) count.frame(i * 16ms + (i >= 60 ? 40ms : 0ms), 16ms);
@@ -205,28 +225,57 @@ TEST(ServiceScreen, TestsEachLampAndLeavesByBackOrByItself) {
     EXPECT_FALSE(service.is_open(140s));
 }
 
-TEST(Watch, TellsOfAChangedConfigurationOnceAndOfOneThatCannotBeUsed) {
-    const tests::TemporaryFolder folder;
-    const auto file = folder.write("quadrat.toml", "[visit]\nrounds = 3\n");
-    Watch watch(file, folder.path(), folder.path());
-    EXPECT_FALSE(watch.look().configuration.has_value());
-    const auto touch = [&](const char* text, std::chrono::seconds later) {
-        folder.write("quadrat.toml", text);
-        std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now() + later);
-    };
-    touch("[visit]\nrounds = 4\n", 10s);
-    Seen seen = watch.look();
-    ASSERT_TRUE(seen.configuration.has_value());
-    EXPECT_EQ(seen.configuration->visit.rounds, 4);
-    EXPECT_FALSE(watch.look().configuration.has_value());
-    touch("[visit]\nrounds = 400\n", 20s);
-    seen = watch.look();
-    EXPECT_FALSE(seen.configuration.has_value());
-    EXPECT_THAT(seen.configuration_trouble, HasSubstr("visit.rounds is 400"));
-    folder.write(kPictureAsked, "");
-    EXPECT_TRUE(watch.look().is_picture_asked);
-    EXPECT_GT(watch.look().machine.memory_mb, 1);
-    EXPECT_GT(watch.look().free_mb.value_or(0), 1);
+// A file of settings that others write, and who watches it.
+class AWatchedFile : public testing::Test {
+  protected:
+    static constexpr const char* kHeld = "[visit]\nrounds = 3\n";
+    // The second look after a change, as nobody is still writing then.
+    Seen look_twice() {
+        watch_.look();
+        return watch_.look();
+    }
+    std::string mistake_of(const Seen& seen) {
+        if (!seen.settings || seen.settings->checked.is_usable()) return "";
+        return to_text(seen.settings->checked.mistakes.front());
+    }
+    tests::TemporaryFolder folder_;
+    std::filesystem::path file_ = folder_.write("quadrat.toml", kHeld);
+    Watch watch_{file_, kHeld, folder_.path(), folder_.path()};
+};
+
+TEST_F(AWatchedFile, IsToldOfOnceWhenItChangesAndWhenItCannotBeUsed) {
+    EXPECT_FALSE(look_twice().settings.has_value()) << "as it was";
+    folder_.write("quadrat.toml", "[visit]\nrounds = 4\n");
+    EXPECT_FALSE(watch_.look().settings.has_value()) << "who saves it may not be through";
+    Seen seen = watch_.look();
+    ASSERT_TRUE(seen.settings.has_value());
+    EXPECT_EQ(seen.settings->checked.configuration.visit.rounds, 4);
+    EXPECT_EQ(seen.settings->toml, "[visit]\nrounds = 4\n");
+    EXPECT_FALSE(look_twice().settings.has_value());
+    folder_.write("quadrat.toml", "[visit]\nrounds = 400\n");
+    EXPECT_THAT(mistake_of(look_twice()), HasSubstr("quadrat.toml:2: visit.rounds is 400"));
+    EXPECT_FALSE(look_twice().settings.has_value()) << "once";
+}
+
+TEST_F(AWatchedFile, ThatIsEmptiedOrGoneIsAMistakeAndIsFineWhenItIsBack) {
+    folder_.write("quadrat.toml", "");
+    EXPECT_THAT(mistake_of(look_twice()), HasSubstr("empty"));
+    folder_.write("quadrat.toml", "[visit]\nround");
+    EXPECT_THAT(mistake_of(look_twice()), HasSubstr("quadrat.toml:2: "));
+    std::filesystem::remove(file_);
+    EXPECT_THAT(mistake_of(look_twice()), HasSubstr("quadrat.toml: cannot read"));
+    EXPECT_FALSE(look_twice().settings.has_value()) << "once";
+    folder_.write("quadrat.toml", kHeld);
+    const Seen seen = look_twice();
+    ASSERT_TRUE(seen.settings.has_value());
+    EXPECT_TRUE(seen.settings->checked.is_usable());
+}
+
+TEST_F(AWatchedFile, BesideIsWatchedForRequestsAndRoom) {
+    folder_.write(kPictureAsked, "");
+    EXPECT_TRUE(watch_.look().is_picture_asked);
+    EXPECT_GT(watch_.look().machine.memory_mb, 1);
+    EXPECT_GT(watch_.look().free_mb.value_or(0), 1);
 }
 
 TEST(Watch, AppliesAtOnceWhatARunningExhibitMayChangeAndNamesTheRest) {

@@ -22,9 +22,9 @@ class AStage : public testing::Test {
         state_.screen = exhibit::Screen::Ask;
     }
     render::Frame frame(Instant now) {
-        return stage_.frame(
-            {state_, timings_, cast_, flash_, 0.5F, now, caption_, asked_ ? &*asked_ : nullptr, board_, backdrop_},
-            easel_.display().begin_frame());
+        return stage_.frame({state_, timings_, cast_, flash_, 0.5F, now, caption_, asked_ ? &*asked_ : nullptr, board_,
+                             backdrop_, sign_},
+                            easel_.display().begin_frame());
     }
     mesh::Image drawn(Instant now) {
         const render::Frame f = frame(now);
@@ -41,7 +41,7 @@ class AStage : public testing::Test {
     std::optional<Flash> flash_;
     const staff::Board* board_ = nullptr;
     const mesh::Image* backdrop_ = nullptr;
-    std::string_view caption_;
+    std::string_view caption_, sign_;
     std::optional<Asked> asked_;
 };
 
@@ -68,6 +68,22 @@ TEST_F(AStage, AStripLiesInACornerBesideAllTheRest) {
     EXPECT_EQ(with.views.size(), 4U);
     ASSERT_EQ(with.signs.size(), without + 4) << "two lines, each on its ground";
     for (std::size_t i = without; i < with.signs.size(); ++i) EXPECT_LT(with.signs[i].place.y, 180 / 4);
+}
+
+TEST_F(AStage, ASignForStaffLiesInACornerAndCoversNeitherTheViewsNorTheQuestion) {
+    const std::size_t without = frame(3s).signs.size();
+    sign_ = genome::prompt("xh", "settings");
+    const render::Frame with = frame(3s);
+    EXPECT_EQ(with.views.size(), 4U);
+    ASSERT_EQ(with.signs.size(), without + 2) << "words, and their ground";
+    const render::Rect ground = with.signs[without].place;
+    EXPECT_EQ(ground.x + ground.width, 320);
+    EXPECT_EQ(ground.y, 0);
+    EXPECT_GT(ground.x, 320 / 2);
+    EXPECT_LT(ground.height, 180 / 4);
+    const staff::Board board{"Quadrat", {"one"}, staff::Board::Cover::All};
+    board_ = &board;
+    EXPECT_EQ(frame(3s).signs.size(), 3U) << "the service screen says more";
 }
 
 TEST_F(AStage, AnEarlierLandscapeStandsInForWhatHasNotGrown) {

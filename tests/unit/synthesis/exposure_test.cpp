@@ -29,12 +29,25 @@ struct Plain {
         std::ranges::fill(light.ground.bytes, halved_light);
         track.cameras = {{{0, 9, 0}, {0, 4, -10}, 42}};
     }
-    float exposure() const { return stopped_down(land, sky, light, track); }
+    float exposure() const { return exposure_for(land, sky, light, track); }
 };
 
-TEST(Exposure, LeavesWhatIsNotTooBrightAlone) {
-    EXPECT_EQ(Plain(90, 128).exposure(), 1);
-    EXPECT_EQ(Plain(140, 100).exposure(), 1);
+TEST(Exposure, LeavesWhatIsLitAndNotTooBrightAlone) {
+    EXPECT_EQ(Plain(170, 128).exposure(), 1);
+    EXPECT_EQ(Plain(190, 100).exposure(), 1);
+}
+
+TEST(Exposure, OpensForALandInWhichNothingIsLit) {
+    EXPECT_GT(Plain(90, 60).exposure(), 1.5F);
+    // And never so far that a night would be a day.
+    EXPECT_LE(std::pow(Plain(30, 5).exposure(), 0.45F), 2.11F);
+}
+
+TEST(Exposure, OpensLessByNight) {
+    Plain dark(140, 70);
+    const float by_day = dark.exposure();
+    dark.sky.is_night = true;
+    EXPECT_LT(dark.exposure(), by_day);
 }
 
 TEST(Exposure, StopsDownForSnowInTheSunButNotIntoTheDark) {

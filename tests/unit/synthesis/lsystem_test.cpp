@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "synthesis/trees/grammar.hpp"
+#include "synthesis/trees/turtle.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -163,6 +164,23 @@ TEST(LSystem, DerivesEveryGrammarThatComesWithTheProgram) {
         EXPECT_EQ(result.stopped_by, "") << one.name;
         EXPECT_GT(result.word.symbols.size(), 6U) << one.name;
     }
+}
+
+std::size_t organs_of(std::string_view text) {
+    const Grammar grammar = read_grammar(text, "test");
+    return interpret(derive(grammar).word, options_of(grammar), base::Seed{1}).sites.size();
+}
+
+TEST(LSystem, LettersThatOnlyStandForWhatTheyBecomeDrawNoOrgans) {
+    // Hilbert's curve as most books print it.
+    EXPECT_EQ(organs_of("steps: 3\nangle: 90\naxiom: L\nL -> +RF-LFL-FR+\nR -> -LF+RFR+FL-\n"), 0U);
+    EXPECT_EQ(organs_of("steps: 2\naxiom: FK\nK -> KFK\n"), 0U);
+    EXPECT_EQ(organs_of("steps: 1\naxiom: A\nA -> FLFK\n"), 2U) << "nothing becomes of these";
+    EXPECT_EQ(organs_of("steps: 1\norgans: L\naxiom: FL\nL -> L\n"), 1U) << "the grammar says that it is a leaf";
+    const auto bush = std::ranges::find(grammar_library(), "bush", &NamedGrammar::name);
+    ASSERT_NE(bush, grammar_library().end());
+    EXPECT_GT(organs_of(bush->text), 0U) << "as this one does";
+    EXPECT_THAT(refusal("organs: A\naxiom: A\n"), HasSubstr("A is no organ; L and ~ are leaves, K is a flower"));
 }
 
 TEST(LSystem, NamesLineAndColumnOfWhatIsWrong) {

@@ -59,4 +59,19 @@ TEST(Masks, AreResampledCornerToCorner) {
     EXPECT_NEAR(larger.at(39, 26), mask.at(13, 13), 1e-3);
 }
 
+TEST(Masks, HolesOfAPlaneAreFilledWithThePlane) {
+    mesh::Field plane(33, 33);
+    for (int y = 0; y < 33; ++y)
+        for (int x = 0; x < 33; ++x) plane.at(x, y) = 0.1F * static_cast<float>(x) - 0.05F * static_cast<float>(y);
+    mesh::Field holed = plane;
+    for (int y = 10; y < 14; ++y)
+        for (int x = 20; x < 24; ++x) holed.at(x, y) = std::nanf("");
+    land::fill_holes(holed);
+    for (std::size_t i = 0; i < plane.samples.size(); ++i) EXPECT_NEAR(holed.samples[i], plane.samples[i], 0.15F) << i;
+    mesh::Field nothing(3, 2);
+    for (float& sample : nothing.samples) sample = std::nanf("");
+    land::fill_holes(nothing);
+    EXPECT_TRUE(std::isnan(nothing.samples.front())) << "nothing is known anywhere";
+}
+
 }  // namespace

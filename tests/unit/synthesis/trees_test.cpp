@@ -305,7 +305,7 @@ scene::Leaves blades_on_a_ball(std::size_t blades) {
         scene::Leaves::Vertex common;
         common.colour = {0.2F, 0.4F, 0.1F};
         common.shade = 0.5F;
-        add_blade(leaves, LeafKind::Ovate, blade, common);
+        add_blade(leaves, leaf_shape(LeafKind::Ovate), blade, common);
         ++leaves.blades;
     }
     return leaves;

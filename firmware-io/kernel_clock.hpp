@@ -4,7 +4,7 @@
 
 #include "firmware-io/button_press.hpp"
 
-namespace quadrat::firmware_io::gpio {
+namespace quadrat::firmware_io {
 
 // Tells the moment of a kernel timestamp on the exhibit's clock without reading any clock. An edge can never be seen
 // before it happened, so the smallest difference seen so far between when we looked and what the kernel wrote is the
@@ -23,4 +23,4 @@ class KernelClock {
     std::optional<Instant> distance_;
 };
 
-}  // namespace quadrat::firmware_io::gpio
+}  // namespace quadrat::firmware_io

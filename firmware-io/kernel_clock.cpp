@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "firmware-io/gpio/kernel_clock.hpp"
+#include "firmware-io/kernel_clock.hpp"
 
 #include <algorithm>
 
-namespace quadrat::firmware_io::gpio {
+namespace quadrat::firmware_io {
 namespace {
 
 // No edge waits longer than this to be read: beyond it one of the clocks was set, and the estimate begins anew.
@@ -17,4 +17,4 @@ void KernelClock::saw(Instant kernel_time, Instant now) {
     distance_ = std::min(*distance_, distance);
 }
 
-}  // namespace quadrat::firmware_io::gpio
+}  // namespace quadrat::firmware_io

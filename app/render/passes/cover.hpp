@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+#include "render/gl/buffer.hpp"
+#include "render/gl/program.hpp"
+#include "render/gl/slices.hpp"
+#include "render/gl/vertex_array.hpp"
+#include "render/gl/work.hpp"
+#include "render/passes/frustum.hpp"
+#include "render/passes/view_block.hpp"
+#include "scene/scene.hpp"
+
+namespace quadrat::render::passes {
+
+// A tuft as the GPU reads it. What is the same for all of it (air, the clouds' shadow) is worked out once, on the CPU.
+struct CoverInstance {
+    glm::vec3 root_m;
+    std::array<std::uint8_t, 4> turn_size;   // cosine and sine of the yaw; radius, height
+    std::array<std::uint8_t, 4> ground_lit;  // shown, and in a view what the air and the clouds leave of it
+    std::array<std::uint8_t, 4> veil;        // shown, of the air before it in a view
+};
+
+// A scene's cover, kept on the processor's side: what is near is sent anew each frame, a few dozen kilobytes.
+struct CoverOfScene {
+    std::vector<CoverInstance> tufts;  // as scene::Sward has them
+    std::vector<scene::Sward::Cell> cells;
+    glm::vec3 blossom{0};  // linear
+    float reach_m = 1;
+};
+
+void add_cover(gl::Slices& slices, CoverOfScene& cover, const std::shared_ptr<const scene::Scene>& source);
+
+// What of a cover one view shows.
+struct CoverSeen {
+    struct Batch {
+        scene::CoverKind kind;
+        std::size_t blades;  // a prefix of the kind's
+        std::size_t first;   // instances
+        std::size_t count;
+    };
+    std::vector<Batch> batches;
+    std::vector<CoverInstance> instances;
+    std::size_t triangles = 0;
+};
+
+struct CoverWish {
+    const ViewBlock* view = nullptr;      // never null
+    const mesh::Image* clouds = nullptr;  // a shadow map; null: none
+    float pixels_per_radian = 700;
+    float alpha = 1;   // detail
+    float growth = 1;  // of the landscape
+    glm::vec3 eye_m() const { return glm::vec3{view->eye_seconds}; }
+};
+
+// Fewer blades per tuft the farther it is, and with less detail.
+CoverSeen look_at_cover(const CoverOfScene& cover, const Frustum& frustum, const CoverWish& wish);
+
+class CoverPass {
+  public:
+    CoverPass();
+
+    // The instances lie in the buffer.
+    gl::Work draw(const CoverOfScene& cover, const CoverSeen& seen, const gl::StreamBuffer& instances,
+                  const CoverWish& wish) const;
+
+  private:
+    gl::Program program_;
+    gl::VertexArray layout_;
+    gl::Buffer vertices_;
+    std::array<std::size_t, scene::kCoverKinds> first_vertices_{};
+};
+
+}  // namespace quadrat::render::passes

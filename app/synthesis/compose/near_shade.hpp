@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <span>
+
+#include "scene/camera.hpp"
+#include "scene/flora.hpp"
+#include "scene/scene.hpp"
+
+namespace quadrat::synthesis {
+
+// Lays the shade of a cloud over what is nearest to the flight, as landscape painters do: dark near by, light in the
+// middle, pale far away. Ground and plants; by night less.
+void shade_what_is_near(scene::BakedLight& light, std::span<scene::Plant> plants, const scene::Track& track,
+                        float side_m, bool is_night);
+
+}  // namespace quadrat::synthesis

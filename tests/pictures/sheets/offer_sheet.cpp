@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// First offers, as the exhibit makes them, numbered and measured:
+//     offer_sheet SEED COUNT FILE.png      so many seeds from SEED on, four landscapes each, on one sheet
+//     offer_sheet SEED COUNT --measure     a line for each landscape, then their means and worst; no picture is kept
+//     offer_sheet SEED COUNT --each DIR    a picture of each, 1280x720: DIR/SEED-A.png …; each draws itself again
+//     any, then NAME=VALUE …               parameters for all of them
+#include <fmt/core.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "breeding/session.hpp"
+#include "kiosk/easel.hpp"
+#include "kiosk/picture.hpp"
+#include "pictures/weather.hpp"
+#include "scene/camera.hpp"
+#include "support/values.hpp"
+#include "synthesis/compose/view_merit.hpp"
+
+namespace {
+
+using namespace quadrat;
+using namespace quadrat::tests;
+
+constexpr float kSeconds = 12;  // into the flight
+
+struct Offered {
+    std::uint64_t seed;
+    char letter;
+    genome::Recipe recipe;
+    std::string name() const { return fmt::format("{}-{}", seed, letter); }
+};
+
+// The first four of the first visit of `quadrat run --seed SEED`.
+std::vector<Offered> first_offer(std::uint64_t seed, const Values& extra) {
+    breeding::BreederOptions options;
+    options.kind = breeding::BreederKind::Belief;
+    options.genome = genome::Genome::Full;
+    const breeding::Session session(breeding::Breeder(options), base::Seed{seed}.child("visit").child(0U));
+    std::vector<Offered> offered;
+    for (std::size_t i = 0; i < session.offer().candidates.size(); ++i) {
+        genome::Recipe recipe = genome::recipe_of(session.offer().candidates[i], session.flight());
+        set_all(recipe, extra);
+        offered.push_back({seed, static_cast<char>('A' + i), recipe});
+    }
+    return offered;
+}
+
+kiosk::Picture picture_of(const Offered& offered, int width, int height) {
+    kiosk::Picture picture;
+    picture.scenes = {offered.recipe};
+    picture.width = width;
+    picture.height = height;
+    picture.seconds = kSeconds;
+    return picture;
+}
+
+using WithEach = std::function<void(const Offered&)>;
+
+void for_each_offered(std::uint64_t first, std::uint64_t seeds, const Values& extra, const WithEach& with) {
+    for (std::uint64_t seed = first; seed < first + seeds; ++seed)
+        for (const Offered& offered : first_offer(seed, extra)) with(offered);
+}
+
+int sheet(std::uint64_t first, std::uint64_t seeds, const std::string& file, const Values& extra) {
+    constexpr int kWidth = 480;
+    kiosk::Easel easel(kWidth * 2, 540);
+    std::vector<kiosk::SheetEntry> entries;
+    for_each_offered(first, seeds, extra, [&](const Offered& offered) {
+        const mesh::Image drawn = easel.draw(picture_of(offered, kWidth * 2, 540));
+        entries.push_back({kiosk::scaled_to(drawn, kWidth), offered.name()});
+    });
+    kiosk::write_image(file, kiosk::contact_sheet(entries, 4, kWidth));
+    return 0;
+}
+
+int each(std::uint64_t first, std::uint64_t seeds, const std::filesystem::path& folder, const Values& extra) {
+    std::filesystem::create_directories(folder);
+    kiosk::Easel easel(1280, 720);
+    for_each_offered(first, seeds, extra, [&](const Offered& offered) {
+        const kiosk::Picture picture = picture_of(offered, 1280, 720);
+        kiosk::write_picture(folder / (offered.name() + ".png"), easel.draw(picture), kiosk::to_json(picture));
+    });
+    return 0;
+}
+
+// What a first offer may not break: something is lit, nothing is drowned, little is empty.
+std::string fault_of(const ValueRange& values, float flat) {
+    std::string fault;
+    if (values.range() < 0.38F) fault += " range";
+    if (values.light < 0.5F) fault += " unlit";
+    if (values.mean < 0.2F) fault += " dark";
+    if (flat > 0.25F) fault += " flat";
+    return fault;
+}
+
+int measure(std::uint64_t first, std::uint64_t seeds, const Values& extra) {
+    kiosk::Easel easel(640, 360);
+    int broken = 0;
+    int count = 0;
+    float flat_sum = 0;
+    fmt::print("offer    range  p95   mean  flat  sky   water near  far   subject\n");
+    for_each_offered(first, seeds, extra, [&](const Offered& offered) {
+        const kiosk::Picture picture = picture_of(offered, 640, 360);
+        const auto scene = kiosk::grow(offered.recipe, kiosk::fineness_of(picture.land_samples));
+        const mesh::Image drawn = easel.draw(picture, kiosk::Scenes{scene});
+        const ValueRange values = values_of(drawn);
+        const float flat = flat_share(drawn);
+        const Place subject = subject_of(drawn);
+        const auto seen = synthesis::outlook(*scene->land, scene::camera_at(scene->track, kSeconds));
+        const std::string fault = fault_of(values, flat);
+        fmt::print("{:8} {:.2f}   {:.2f}  {:.2f}  {:.2f}  {:.2f}  {:.2f}  {:.2f}  {:.2f}  {:.2f} {:.2f}{}\n",
+                   offered.name(), values.range(), values.light, values.mean, flat, seen.sky, seen.water, seen.near,
+                   seen.far, subject.across, subject.down, fault);
+        flat_sum += flat;
+        ++count;
+        if (!fault.empty()) ++broken;
+    });
+    fmt::print("{} of {} break a bound; {:.1f} % of the lower half is flat in the mean\n", broken, count,
+               100 * flat_sum / static_cast<float>(std::max(count, 1)));
+    return broken == 0 ? 0 : 1;
+}
+
+int usage() {
+    fmt::print(stderr, "usage: offer_sheet SEED COUNT FILE.png | --measure | --each DIR, then NAME=VALUE …\n");
+    return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Values extra;
+    std::vector<std::string> rest;
+    for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
+        const auto equals = word.find('=');
+        if (equals == std::string::npos)
+            rest.push_back(word);
+        else
+            extra[word.substr(0, equals)] = std::strtof(word.c_str() + equals + 1, nullptr);
+    }
+    if (rest.size() < 3) return usage();
+    const std::uint64_t first = std::strtoull(rest[0].c_str(), nullptr, 10);
+    const std::uint64_t seeds = std::strtoull(rest[1].c_str(), nullptr, 10);
+    try {
+        if (rest[2] == "--measure") return measure(first, seeds, extra);
+        if (rest[2] == "--each") return rest.size() > 3 ? each(first, seeds, rest[3], extra) : usage();
+        return sheet(first, seeds, rest[2], extra);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "offer_sheet: {}\n", error.what());
+        return 2;
+    }
+}

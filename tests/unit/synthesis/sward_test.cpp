@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/compose/sward.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <vector>
+
+#include "scene/colour.hpp"
+#include "synthesis/compose/near_shade.hpp"
+
+namespace quadrat::synthesis {
+namespace {
+
+// A land 512 m wide: level ground 4 m over the sea in the east, 4 m under it in the west.
+scene::Land shore() {
+    scene::Land land;
+    land.cell_m = 2;
+    land.height_m = mesh::Field(257, 257);
+    for (int row = 0; row < 257; ++row)
+        for (int column = 0; column < 257; ++column) land.height_m.at(column, row) = column < 128 ? -4 : 4;
+    mesh::Image green(64, 64, 4);
+    for (int i = 0; i < 64 * 64; ++i) {
+        green.bytes[static_cast<std::size_t>(4 * i)] = 90;
+        green.bytes[static_cast<std::size_t>(4 * i + 1)] = 120;
+        green.bytes[static_cast<std::size_t>(4 * i + 2)] = 60;
+    }
+    land.albedo = scene::GroundColours(green);
+    return land;
+}
+
+FlightPlan northward() { return {{{{0, 60}, {0, -1}}, {{4, 40}, {0, -1}}}}; }
+
+scene::Sward laid(const scene::Land& land, const scene::Cover& cover = {}) {
+    scene::Flora flora;
+    flora.cover = cover;
+    return lay_sward(land, flora, northward(), base::Seed{3});
+}
+
+TEST(Sward, CoversDryGroundBeforeTheEyeAndNothingElse) {
+    const scene::Land land = shore();
+    const scene::Sward sward = laid(land);
+    ASSERT_GT(sward.tufts.size(), 1000U);
+    for (const scene::Tuft& tuft : sward.tufts) {
+        EXPECT_GT(tuft.root_m.x, -2);
+        EXPECT_NEAR(tuft.root_m.y, scene::ground_height_m(land, {tuft.root_m.x, tuft.root_m.z}), 0.05F);
+        EXPECT_LT(tuft.root_m.z, 64);
+        ASSERT_TRUE(tuft.height_m > 0 && tuft.height_m < 2 && tuft.radius_m > 0 && tuft.radius_m <= 2);
+    }
+}
+
+TEST(Sward, IsThinnerWhereTheFloraIsBarer) {
+    scene::Cover bare;
+    bare.density = 0;
+    EXPECT_LT(laid(shore(), bare).tufts.size(), laid(shore()).tufts.size() / 2);
+}
+
+TEST(Sward, LeavesStonesWhereTheGroundBearsNothing) {
+    scene::Land stony = shore();
+    stony.kinds = mesh::Image(257, 257, 2);
+    for (std::size_t i = 1; i < stony.kinds.bytes.size(); i += 2) stony.kinds.bytes[i] = 255;
+    const scene::Sward sward = laid(stony);
+    ASSERT_GT(sward.tufts.size(), 100U);
+    EXPECT_TRUE(std::ranges::all_of(
+        sward.tufts, [](const scene::Tuft& tuft) { return tuft.kind == scene::CoverKind::Stone; }));
+}
+
+TEST(Sward, KeepsTheTuftsOfACellTogetherKindByKind) {
+    const scene::Sward sward = laid(shore());
+    std::size_t next = 0;
+    for (const scene::Sward::Cell& cell : sward.cells) {
+        EXPECT_EQ(cell.first, next);
+        for (std::size_t kind = 0; kind < scene::kCoverKinds; ++kind)
+            for (std::uint32_t i = 0; i < cell.counts[kind]; ++i, ++next) {
+                const scene::Tuft& tuft = sward.tufts[next];
+                ASSERT_EQ(static_cast<std::size_t>(tuft.kind), kind);
+                ASSERT_TRUE(glm::all(glm::greaterThanEqual(tuft.root_m, cell.low_m)) &&
+                            glm::all(glm::lessThanEqual(tuft.root_m, cell.high_m)));
+            }
+    }
+    EXPECT_EQ(next, sward.tufts.size());
+}
+
+TEST(Sward, SendsInTheMeanNearlyTheLightOfTheGroundUnderIt) {
+    scene::Cover cover;
+    cover.grass = scene::linear_from_srgb_hex(0x5A783C);  // the ground's own
+    const scene::Land land = shore();
+    scene::Sward sward = laid(land, cover);
+    scene::BakedLight light{mesh::Image(32, 32, 4)};
+    std::ranges::fill(light.ground.bytes, std::uint8_t{128});
+    light_sward(sward, land, light);
+    glm::vec3 sum{0};
+    for (const scene::Tuft& tuft : sward.tufts) sum += tuft.sent;
+    const glm::vec3 ground = scene::linear_from_srgb_hex(0x5A783C) * (2 * 128 / 255.0F);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(sum[c] / static_cast<float>(sward.tufts.size()), ground[c], 0.2F * ground[c]);
+}
+
+TEST(NearShade, TakesLightNearTheWayAndNoneFarFromIt) {
+    scene::BakedLight light{mesh::Image(128, 128, 4)};
+    std::ranges::fill(light.ground.bytes, std::uint8_t{200});
+    std::vector<scene::Plant> plants(2);
+    plants[1].root_m = {200, 0, 0};
+    scene::Track track;
+    track.cameras = {scene::Camera{}};
+    shade_what_is_near(light, plants, track, 512, false);
+    EXPECT_LT(light.ground.pixel(64, 64)[1], 120);
+    EXPECT_EQ(light.ground.pixel(64, 64)[3], 200);  // the water's depth
+    EXPECT_EQ(light.ground.pixel(2, 64)[1], 200);
+    EXPECT_LT(plants[0].sun, 0.6F);
+    EXPECT_EQ(plants[1].sun, 1);
+}
+
+TEST(Flight, FittedToALandKeepsItsWayAndMovesALittle) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        const FlightPlan plan = plan_flight(base::Seed{seed});
+        const FlightPlan fitted = fitted_to(shore(), plan);
+        ASSERT_EQ(fitted.stations.size(), plan.stations.size());
+        const glm::vec2 shift = fitted.stations.front().at_m - plan.stations.front().at_m;
+        EXPECT_LT(glm::length(shift), 110);
+        for (std::size_t i = 0; i < plan.stations.size(); ++i) {
+            EXPECT_EQ(fitted.stations[i].ahead, plan.stations[i].ahead);
+            EXPECT_LT(glm::distance(fitted.stations[i].at_m - plan.stations[i].at_m, shift), 1e-3F);
+        }
+    }
+}
+
+TEST(Flight, LeavesOpenWaterForTheShore) {
+    scene::Land sea = shore();
+    // Ground in a strip a little east of the way.
+    for (int row = 0; row < 257; ++row)
+        for (int column = 0; column < 257; ++column)
+            sea.height_m.at(column, row) = column > 128 + 25 && column < 128 + 70 ? 4 : -4;
+    const FlightPlan fitted = fitted_to(sea, northward());
+    EXPECT_GT(fitted.stations.front().at_m.x, 40);
+}
+
+}  // namespace
+}  // namespace quadrat::synthesis
