@@ -19,7 +19,7 @@ using testing::HasSubstr;
 const WallMoment kMoment = std::chrono::sys_days{std::chrono::year{2031} / 2 / 3} + 4h;
 
 // Warnings of one run, as the log counts them.
-class Run {
+class Warnings {
   public:
     base::RecentWarnings& warn(const std::string& text, WallMoment at = kMoment) {
         recent_.warnings.push_back({at, text});
@@ -40,7 +40,7 @@ ino_t file_number(const tests::TemporaryFolder& state) {
 TEST(Evidence, TellsTheNextRunOfTheFaultsOfThisOne) {
     const tests::TemporaryFolder state;
     {
-        Run run;
+        Warnings run;
         Evidence evidence(state.path());
         evidence.look(run.warn("the projector is gone"), 1s);
         EXPECT_TRUE(evidence.earlier().empty()) << "they are of this run";
@@ -57,7 +57,7 @@ TEST(Evidence, TellsTheNextRunOfTheFaultsOfThisOne) {
 
 TEST(Evidence, WritesTheFirstFaultAtOnceAndMoreOnceAMinute) {
     const tests::TemporaryFolder state;
-    Run run;
+    Warnings run;
     Evidence evidence(state.path());
     evidence.look(run.warn("one"), 1s);
     EXPECT_EQ(read_faults(state.path()).size(), 1U) << "it may be the last thing that is done";
@@ -70,7 +70,7 @@ TEST(Evidence, WritesTheFirstFaultAtOnceAndMoreOnceAMinute) {
 
 TEST(Evidence, OfAFaultThatComesAllDayIsOneLineAndAWriteAnHour) {
     const tests::TemporaryFolder state;
-    Run run;
+    Warnings run;
     Evidence evidence(state.path());
     int writes = 0;
     ino_t before = 0;
@@ -90,7 +90,7 @@ TEST(Evidence, OfAFaultThatComesAllDayIsOneLineAndAWriteAnHour) {
 
 TEST(Evidence, IsBoundedInNumberAndBytes) {
     const tests::TemporaryFolder state;
-    Run run;
+    Warnings run;
     Evidence evidence(state.path());
     for (int i = 0; i < 500; ++i)
         evidence.look(run.warn(std::to_string(i) + std::string(5000, '\xc3')), std::chrono::hours(i));
@@ -102,7 +102,7 @@ TEST(Evidence, IsBoundedInNumberAndBytes) {
 
 TEST(Evidence, KeepsFewSmallPicturesAnHourApartAndTheNewestOfThem) {
     const tests::TemporaryFolder state;
-    Run run;
+    Warnings run;
     Evidence evidence(state.path());
     evidence.look(run.warn("the screen flickers"), 1s);
     const mesh::Image screen(3840, 2160, 4);
@@ -128,7 +128,7 @@ TEST(Evidence, ThatIsDamagedOrCannotBeKeptStopsNothing) {
         state.write("faults/faults.json", text);
         EXPECT_TRUE(read_faults(state.path()).empty()) << text;
     }
-    Run run;
+    Warnings run;
     Evidence nowhere("/proc/version/state");
     nowhere.look(run.warn("no disk"), 1s);
     EXPECT_TRUE(nowhere.earlier().empty());
