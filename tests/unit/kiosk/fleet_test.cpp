@@ -200,8 +200,9 @@ TEST(Password, IsTheFirstLineWhateverEditorSavedIt) {
     EXPECT_EQ(saved("\xef\xbb\xbfsecret1\r\n"), "secret1");
     EXPECT_EQ(saved(" a b \n"), " a b ") << "blanks are of it";
     EXPECT_THAT(refusal_of([&] { saved("\r\nsecret1"); }), HasSubstr("is empty"));
-    EXPECT_THAT(refusal_of([&] { saved(std::string("\xff\xfes\0e\0", 6)); }), HasSubstr("is UTF-16; save it as UTF-8"));
-    EXPECT_THAT(refusal_of([&] { saved(std::string("sec\0ret", 7)); }), HasSubstr("is no text"));
+    EXPECT_THAT(refusal_of([&] { saved(std::string("\xff\xfes\0e\0", 6)); }),
+                HasSubstr("is UTF-16 text; save it as UTF-8"));
+    EXPECT_THAT(refusal_of([&] { saved(std::string("sec\0ret", 7)); }), HasSubstr("NUL"));
     EXPECT_THAT(refusal_of([&] { password_in(folder / "missing"); }),
                 testing::AllOf(HasSubstr("fleet.password_file"), HasSubstr("missing"), HasSubstr("may read")));
 }
