@@ -8,7 +8,7 @@
 #include <cassert>
 
 #include "base/error.hpp"
-#include "base/text_file.hpp"
+#include "base/file.hpp"
 #include "genome/speech.hpp"
 #include "kiosk/configuration_checks.hpp"
 #include "kiosk/configuration_reader.hpp"
@@ -168,6 +168,8 @@ CheckedConfiguration check_configuration(std::string_view toml, const std::strin
         return unusable(source,
                         "the file is empty, as a pulled plug leaves one; put the settings back, or a line that begins "
                         "with # to have the defaults");
+    if (toml.starts_with("\xff\xfe") || toml.starts_with("\xfe\xff"))
+        return unusable(source, "the file is UTF-16 text; save it as UTF-8 (in Windows Notepad: Save as, Encoding: UTF-8)");
     ParsedToml parsed = parse_toml(toml, source);
     CheckedConfiguration checked;
     checked.mistakes = std::move(parsed.mistakes);
@@ -185,7 +187,7 @@ CheckedConfiguration check_configuration_file(const std::filesystem::path& path,
     constexpr std::size_t kLargest = 1U << 20U;
     std::string read;
     try {
-        read = base::read_text(path, {kLargest, kLargest});
+        read = base::read_file(path, kLargest);
     } catch (const base::InputError& error) {
         return unusable(path.string(),
                         fmt::format("{}; put a file of settings there that everybody may read", error.what()));

@@ -59,8 +59,8 @@ Script read_script(const std::filesystem::path& file) {
     constexpr base::TextLimits kLimits{.bytes = 8u << 20};
     std::error_code error;
     // Asked before it is opened: who opens a pipe waits until somebody writes into it.
-    if (!std::filesystem::is_regular_file(file, error))
-        throw ScriptError{file.string() + ": cannot be read; name a readable text file"};
+    if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error))
+        throw ScriptError{file.string() + ": is not a file; name a readable text file"};
     try {
         return parse_script(base::read_text(file, kLimits), file.string());
     } catch (const base::InputError& problem) {
