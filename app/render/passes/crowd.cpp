@@ -37,8 +37,8 @@ constexpr float kFewestOverMass = 12;      // blades; fewer are left out
 // better one mass without them where little is drawn of anything.
 constexpr float kShardsFrom = 2.8F;
 constexpr float kShardsTo = 4.5F;
-constexpr float kShardsFrom_fineness = 0.03F;
-constexpr float kShardsTo_fineness = 0.012F;
+constexpr float kShardsFrom_fineness = 0.1F;
+constexpr float kShardsTo_fineness = 0.05F;
 constexpr float kShardsFrom_px = 6;
 constexpr float kShardsTo_px = 11;
 constexpr float kLeaving = 1.5F;  // a level begins to become the next with so many times the triangles asked for
