@@ -169,7 +169,7 @@ CheckedConfiguration check_configuration(std::string_view toml, const std::strin
                         "the file is empty, as a pulled plug leaves one; put the settings back, or a line that begins "
                         "with # to have the defaults");
     if (toml.starts_with("\xff\xfe") || toml.starts_with("\xfe\xff"))
-        return unusable(source, "the file is UTF-16 text; save it as UTF-8 (in Windows Notepad: Save as, Encoding: UTF-8)");
+        return unusable(source, "is UTF-16 text; save it as UTF-8 (in Windows Notepad: Save as, Encoding: UTF-8)");
     ParsedToml parsed = parse_toml(toml, source);
     CheckedConfiguration checked;
     checked.mistakes = std::move(parsed.mistakes);

@@ -5,8 +5,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "base/error.hpp"
-#include "base/text_file.hpp"
+#include "firmware-io/text_file.hpp"
 #include "firmware-io/text.hpp"
 
 namespace quadrat::firmware_io::hid {
@@ -138,10 +137,10 @@ std::vector<HidMapping> parse_mappings(std::string_view text, std::string_view s
 }
 
 std::vector<HidMapping> read_mappings(const std::filesystem::path& file) {
-    constexpr base::TextLimits kLimits{.bytes = 1u << 20};
+    constexpr std::size_t kLargest = 1u << 20;
     try {
-        return parse_mappings(base::read_text(file, kLimits), file.string());
-    } catch (const base::InputError& error) {
+        return parse_mappings(read_text(file, kLargest), file.string());
+    } catch (const TextError& error) {
         refuse(std::string{error.what()} + "; teach the buttons with quadrat doctor --learn-buttons");
     }
 }

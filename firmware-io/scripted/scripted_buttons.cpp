@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/error.hpp"
-#include "base/text_file.hpp"
+#include "firmware-io/text_file.hpp"
 
 namespace quadrat::firmware_io::scripted {
 
@@ -56,16 +55,14 @@ std::optional<Instant> ScriptedButtons::next_event_at() const {
 bool ScriptedButtons::is_finished() const { return !next_event_at(); }
 
 Script read_script(const std::filesystem::path& file) {
-    constexpr base::TextLimits kLimits{.bytes = 8u << 20};
-    std::error_code error;
-    // Asked before it is opened: who opens a pipe waits until somebody writes into it.
-    if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error))
-        throw ScriptError{file.string() + ": is not a file; name a readable text file"};
+    constexpr std::size_t kLargest = 8u << 20;
+    std::string text;
     try {
-        return parse_script(base::read_text(file, kLimits), file.string());
-    } catch (const base::InputError& problem) {
-        throw ScriptError{problem.what()};
+        text = read_text(file, kLargest);
+    } catch (const TextError& error) {
+        throw ScriptError{error.what()};
     }
+    return parse_script(text, file.string());
 }
 
 }  // namespace quadrat::firmware_io::scripted

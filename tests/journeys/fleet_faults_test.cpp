@@ -23,6 +23,11 @@ TEST_F(AFleet, OfTwoMachinesWithOneNameThrowsNeitherOutAndBothLogsNameTheOther) 
     EXPECT_THAT(said("one"), HasSubstr("another exhibit publishes under the same name, hall-2"));
     EXPECT_EQ(count_of(said("one"), "another exhibit"), 1U);
     EXPECT_THAT(contents_of(folder / "broker/stderr.txt"), Not(HasSubstr("already connected")));
+
+    listen_until_heard("quadrat/hall-2/status online");
+    two->kill(SIGKILL);
+    EXPECT_TRUE(comes_true([&] { return was_heard("quadrat/hall-2/status offline\nquadrat/hall-2/status online"); }))
+        << "the last will of one is not the last word: " << heard();
 }
 
 TEST_F(AFleet, WhereOneStateFolderIsPublishedTwiceReconnectsEverMoreSeldomAndNamesTheCause) {
@@ -52,7 +57,8 @@ class ItsCertificate : public AFleet {
         configure("mqtts", "ca_file = \"" + path("ca.pem") + "\"\n");
     }
     // A broker with a certificate for this name, for so many days.
-    std::unique_ptr<Process> certified(const std::string& name, const std::string& days) const {
+    std::unique_ptr<Process> certified(const std::string& name, const std::string& days,
+                                       const std::string& more = "") const {
         const std::string make =
             "openssl req -newkey rsa:2048 -nodes -keyout broker.key -out broker.csr -subj /CN=" + name +
             " && echo subjectAltName=DNS:" + name +
@@ -61,7 +67,7 @@ class ItsCertificate : public AFleet {
             days + " && chmod 644 *.key *.pem";
         EXPECT_TRUE(succeeds(run({"sh", "-c", make}, folder)));
         return broker("allow_anonymous true\ncafile " + path("ca.pem") + "\ncertfile " + path("broker.pem") +
-                      "\nkeyfile " + path("broker.key") + "\n");
+                      "\nkeyfile " + path("broker.key") + "\n" + more);
     }
     void expect_told(const std::string& what) const {
         const auto sender = publisher();
@@ -92,6 +98,12 @@ TEST_F(ItsCertificate, IsMissingWhereABrokerSpeaksNoTls) {
     expect_told("the broker speaks no TLS on this port");
 }
 
+TEST_F(ItsCertificate, IsFineButTheBrokerWantsOneOfEachClient) {
+    const auto house = certified("localhost", "2", "require_certificate true\n");
+    expect_told("an exhibit has no certificate of its own");
+    EXPECT_EQ(count_of(said(), "Protocol error"), 0U) << said();
+}
+
 TEST_F(ItsCertificate, IsFineButTheAddressSaysNoEncryption) {
     const auto house = certified("localhost", "2");
     configure("mqtt", "");
@@ -99,16 +111,20 @@ TEST_F(ItsCertificate, IsFineButTheAddressSaysNoEncryption) {
 }
 
 TEST_F(ItsCertificate, IsVouchedForByAFileThatIsLookedAtBeforeAnythingIsConnected) {
-    ASSERT_TRUE(succeeds(run({"openssl", "x509", "-outform", "der", "-in", "ca.pem", "-out", "ca.der"}, folder)));
-    for (const auto& [file, what] : {std::pair{"missing.pem", "cannot read"},
+    ASSERT_TRUE(succeeds(run({"openssl", "x509", "-in", "ca.pem", "-outform", "der", "-out", "ca.der"}, folder)));
+    folder.write("empty.pem", "");
+    for (const auto& [file, what] : {std::pair{"missing.pem", "no such file"},
+                                     {"run", "is a folder"},
+                                     {"empty.pem", "holds no certificate"},
                                      {"ca.key", "holds a private key"},
-                                     {"ca.der", "in DER form"},
+                                     {"ca.der", "DER form; write it as PEM"},
                                      {"quadrat.toml", "holds no certificate"}}) {
         configure("mqtts", "ca_file = \"" + path(file) + "\"\n");
         const auto sender = publisher();
         ASSERT_TRUE(comes_true([&] { return !sender->is_running(); })) << file << said();
         const Ended ended = sender->wait();
         EXPECT_EQ(ended.status, 2);
+        EXPECT_THAT(ended.err, HasSubstr("fleet.ca_file"));
         EXPECT_THAT(ended.err, HasSubstr(what));
         EXPECT_THAT(ended.err, HasSubstr(path(file)));
     }

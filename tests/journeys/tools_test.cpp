@@ -177,8 +177,6 @@ std::string in_utf16(const std::string& ascii) {
 TEST(Text, FromOutsideIsReadInOneWay) {
     const TemporaryFolder folder;
     const std::vector<std::pair<std::string, std::vector<std::string>>> readers{
-        {"a.toml", {"run", "--display", "headless", "--size", "64x36", "--state", "s", "--config", "a.toml"}},
-        {"a.script", {"run", "--display", "headless", "--size", "64x36", "--state", "s", "--input", "script:a.script"}},
         {"a.lsys", {"lsystem", "a.lsys"}},
         {"a.json", {"render", "a.json", "-o", "out.png"}},
         {"b.json", {"export", "b.json", "-o", "out.obj"}},

@@ -12,7 +12,9 @@ class BackOff {
     using Moment = std::chrono::steady_clock::time_point;
     static constexpr std::chrono::seconds kFirst{1};
     static constexpr std::chrono::seconds kLongest{60};
-    static constexpr std::chrono::seconds kLasting{60};
+    // Longer than the longest wait: else of two that throw each other out, each stays in for just so long as the other
+    // waits, and both begin anew.
+    static constexpr std::chrono::seconds kLasting{180};
 
     Moment next_try() const { return next_; }
     void tried(Moment now) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kiosk/fleet/certificates.hpp"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <netdb.h>
@@ -11,6 +12,7 @@
 #include <sys/socket.h>
 
 #include <algorithm>
+#include <array>
 #include <ctime>
 #include <memory>
 #include <string_view>
@@ -18,8 +20,8 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/file.hpp"
 #include "base/owned.hpp"
+#include "kiosk/fleet/identity.hpp"
 
 namespace quadrat::kiosk::fleet {
 namespace {
@@ -71,9 +73,12 @@ std::string moment_text(const ASN1_TIME* time) {
 }
 
 std::string address_text(const ASN1_OCTET_STRING* address) {
-    const auto* bytes = ASN1_STRING_get0_data(address);
-    if (ASN1_STRING_length(address) == 4) return fmt::format("{}.{}.{}.{}", bytes[0], bytes[1], bytes[2], bytes[3]);
-    return "an IPv6 address";
+    constexpr int kOfIpv4 = 4, kOfIpv6 = 16;
+    const int length = ASN1_STRING_length(address);
+    std::array<char, INET6_ADDRSTRLEN> text{};
+    if (length == kOfIpv4 || length == kOfIpv6)
+        ::inet_ntop(length == kOfIpv4 ? AF_INET : AF_INET6, ASN1_STRING_get0_data(address), text.data(), text.size());
+    return text.data();
 }
 
 // Whom it is for: its alternative names; where it has none, its subject.
@@ -205,7 +210,7 @@ std::string trouble_of(const Handshake& handshake, const Broker& broker, const f
 
 void require_certificates(const fs::path& ca_file) {
     constexpr std::size_t kLargest = 4U << 20U;
-    const std::string bytes = base::read_file(ca_file, kLargest);
+    const std::string bytes = read_named("fleet.ca_file", ca_file, kLargest);
     const auto refuse = [&](const char* what) {
         throw base::InputError(fmt::format("fleet.ca_file: {} {}", ca_file.string(), what));
     };

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <set>
 #include <string_view>
 
@@ -45,22 +46,49 @@ std::set<std::string> card_addresses(const fs::path& sys) {
     return found;
 }
 
+// A folder by one path, whether it is there yet or not.
+std::string in_one_spelling(const fs::path& folder) {
+    std::error_code error;
+    const fs::path whole = fs::absolute(folder, error).lexically_normal();
+    const fs::path bare = whole.has_filename() ? whole : whole.parent_path();
+    const fs::path found = fs::weakly_canonical(bare, error);
+    return (error ? bare : found).string();
+}
+
+std::string something_random() {
+    std::random_device chance;
+    return fmt::format("{:08x}{:08x}", chance(), chance());
+}
+
 }  // namespace
 
 std::string client_id(const fs::path& state, const fs::path& etc, const fs::path& sys) {
     constexpr std::uint64_t kOffset = 0xcbf29ce484222325;
-    std::uint64_t hash = hashed(kOffset, contents_of(etc / "machine-id"));
-    hash = hashed(hash, contents_of(sys / "firmware/devicetree/base/serial-number"));
-    for (const std::string& address : card_addresses(sys)) hash = hashed(hash, address);
-    std::error_code error;
-    const fs::path folder = fs::weakly_canonical(state, error);
-    hash = hashed(hash, (error ? state : folder).string());
+    const std::string machine = contents_of(etc / "machine-id");
+    const std::string board = contents_of(sys / "firmware/devicetree/base/serial-number");
+    const std::set<std::string> cards = card_addresses(sys);
+    std::uint64_t hash = hashed(hashed(kOffset, machine), board);
+    for (const std::string& address : cards) hash = hashed(hash, address);
+    if (machine.empty() && board.empty() && cards.empty()) hash = hashed(hash, something_random());
+    hash = hashed(hash, in_one_spelling(state));
     return fmt::format("quadrat{:016x}", hash);
 }
 
+std::string read_named(std::string_view key, const fs::path& file, std::size_t limit_bytes) {
+    try {
+        return base::read_file(file, limit_bytes);
+    } catch (const base::InputError& error) {
+        throw base::InputError(
+            fmt::format("{}: {}; name a file that the user who publishes may read (quadrat, where it is a service)",
+                        key, error.what()));
+    }
+}
+
 std::string password_in(const fs::path& file) {
-    const std::string text = base::read_text(file, {1U << 12U, 1U << 12U});
-    std::string password = text.substr(0, text.find('\n'));
+    constexpr std::size_t kLargest = 1U << 12U;
+    const std::string text = base::text_from(read_named("fleet.password_file", file, kLargest),
+                                             "fleet.password_file: " + file.string(), {kLargest, kLargest});
+    const std::string password = text.substr(0, text.find('\n'));
     if (password.empty())
         throw base::InputError(
             fmt::format("fleet.password_file: the first line of {} is empty; write the password there", file.string()));

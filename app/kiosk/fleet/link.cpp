@@ -57,7 +57,7 @@ Link::Link(const Configuration::Fleet& settings, const LinkOptions& options, Lin
 }
 
 Link::~Link() {
-    if (is_connected_) {
+    if (std::exchange(is_connected_, false)) {
         publish(will_topic_, "offline", true);
         mosquitto_disconnect(client_.get());
         mosquitto_loop(client_.get(), kQuiet_ms, 1);
@@ -95,8 +95,11 @@ void Link::listen() {
         static_cast<Link*>(self)->events_.acknowledged(message);
     });
     mosquitto_message_callback_set(client_.get(), [](mosquitto*, void* self, const mosquitto_message* message) {
+        const auto* link = static_cast<Link*>(self);
         const auto length = static_cast<std::size_t>(message->payloadlen);
-        static_cast<Link*>(self)->events_.heard(message->topic, {static_cast<const char*>(message->payload), length});
+        // Its own last word comes back to it, and needs no answer.
+        if (link->is_connected_)
+            link->events_.heard(message->topic, {static_cast<const char*>(message->payload), length});
     });
     mosquitto_log_callback_set(client_.get(), [](mosquitto*, void* self, int level, const char* text) {
         static_cast<Link*>(self)->noted(level, text);
@@ -185,15 +188,20 @@ void Link::lose(int result) {
 std::string Link::reason_of(int result, int error_number, bool was_connected) const {
     if (!refusal_.empty()) return refusal_;
     if (result == MOSQ_ERR_EAI) return fmt::format("its name is not found: {}", ::gai_strerror(error_number));
-    if (result == MOSQ_ERR_ERRNO) return std::strerror(error_number);
+    // By EPROTO libmosquitto means that OpenSSL failed, whose reason is in its log.
+    const bool is_of_tls = broker_.is_encrypted && error_number == EPROTO;
+    if (result == MOSQ_ERR_ERRNO && !is_of_tls) return std::strerror(error_number);
     if (broker_.is_encrypted && !was_connected)
         if (std::string trouble = tls_trouble(broker_, ca_file_); !trouble.empty()) return trouble;
     return library_says_.empty() ? mosquitto_strerror(result)
                                  : fmt::format("{} {}", mosquitto_strerror(result), library_says_);
 }
 
-// Whoever hears no MQTT, or MQTT in the clear where it wants it encrypted, hangs up.
+// A broker that wants a certificate of each client says so only when the handshake is over. Whoever hears no MQTT, or
+// MQTT in the clear where it wants it encrypted, hangs up.
 std::string Link::hint_of(int result) const {
+    if (library_says_.find("certificate required") != std::string::npos)
+        return "; an exhibit has no certificate of its own: let the broker ask for a user and a password instead";
     const bool has_hung_up =
         result == MOSQ_ERR_CONN_LOST || result == MOSQ_ERR_PROTOCOL || result == MOSQ_ERR_MALFORMED_PACKET;
     if (broker_.is_encrypted || !has_hung_up || !refusal_.empty()) return {};

@@ -26,8 +26,8 @@ struct LinkEvents {
     std::function<void()> lost;
 };
 
-// One connection to a broker by MQTT, tried again for ever: each time after twice as long, until one has lasted a
-// minute. The log has why there is none, in words that name the remedy, once for each change of the reason.
+// One connection to a broker by MQTT, tried again for ever: each time after twice as long, until one has lasted for
+// minutes. The log has why there is none, in words that name the remedy, once for each change of the reason.
 class Link {
   public:
     // Throws InputError where the settings cannot be used: address, user, password and certificates are looked at

@@ -58,15 +58,22 @@ Publisher::Publisher(const Configuration::Fleet& settings, std::filesystem::path
       id_(client_id(state_)),
       link_(settings, {id_, topic("status")},
             {[this] { connected(); }, [this](int message) { acknowledged(message); },
-             [this](const std::string&, const std::string& payload) { meet(payload); },
+             [this](const std::string& at, const std::string& text) { heard(at, text); },
              // What was not acknowledged is sent again.
              [this] { in_flight_.clear(); }}) {}
 
 void Publisher::connected() {
     link_.publish(topic("status"), "online", true);
     health_at_ = {};
+    link_.subscribe(topic("status"));
     link_.subscribe(topic("publisher"));
     introduce(Word::Arrived);
+}
+
+void Publisher::heard(const std::string& at, const std::string& text) {
+    if (at == topic("publisher")) return meet(text);
+    // The last will of another of our name, or our own of before this machine had another card: the broker keeps it.
+    if (text == "offline") link_.publish(topic("status"), "online", true);
 }
 
 void Publisher::acknowledged(int message) {

@@ -29,6 +29,7 @@ class Publisher {
     enum class Word { Arrived, Here };
     void connected();
     void acknowledged(int message);
+    void heard(const std::string& at, const std::string& text);
     void introduce(Word word);
     void meet(const std::string& introduction);
     std::string topic(std::string_view name) const { return "quadrat/" + name_ + "/" + std::string(name); }

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <set>
 
@@ -96,7 +98,7 @@ TEST(BrokerAddress, NeverRepeatsWhatMayBeAPassword) {
     }
 }
 
-TEST(BackOff, DoublesUntilAConnectionHasLastedAMinute) {
+TEST(BackOff, DoublesUntilAConnectionHasLasted) {
     BackOff back_off;
     BackOff::Moment now{};
     for (const auto wait : {1s, 2s, 4s, 8s, 16s, 32s, 60s, 60s}) {
@@ -104,13 +106,31 @@ TEST(BackOff, DoublesUntilAConnectionHasLastedAMinute) {
         EXPECT_EQ(back_off.next_try() - now, wait);
         now = back_off.next_try();
     }
-    EXPECT_FALSE(back_off.stands(now, now + 59s)) << "thrown out as soon as let in";
-    back_off.lost(now + 59s);
-    EXPECT_EQ(back_off.next_try(), now + 59s + 60s);
-    EXPECT_TRUE(back_off.stands(now, now + 60s));
-    EXPECT_FALSE(back_off.stands(now, now + 61s)) << "told once";
-    back_off.lost(now + 70s);
-    EXPECT_EQ(back_off.next_try(), now + 71s);
+    EXPECT_FALSE(back_off.stands(now, now + 179s)) << "thrown out as soon as let in";
+    back_off.lost(now + 179s);
+    EXPECT_EQ(back_off.next_try(), now + 179s + 60s);
+    EXPECT_TRUE(back_off.stands(now, now + 180s));
+    EXPECT_FALSE(back_off.stands(now, now + 181s)) << "told once";
+    back_off.lost(now + 190s);
+    EXPECT_EQ(back_off.next_try(), now + 191s);
+}
+
+// A broker takes two for one: whoever comes throws out the other, for a day.
+TEST(BackOff, OfTwoThatThrowEachOtherOutLetsNeitherBeginAnew) {
+    BackOff rivals[2];
+    std::size_t inside = 0;
+    int times = 0;
+    BackOff::Moment since{};
+    rivals[inside].tried(since);
+    for (const auto end = since + 24h; since < end; ++times) {
+        const auto now = std::max(since, rivals[1 - inside].next_try());
+        rivals[inside].stands(since, now);
+        rivals[1 - inside].tried(now);
+        rivals[inside].lost(now);
+        inside = 1 - inside;
+        since = now;
+    }
+    EXPECT_LE(times, 24 * 60 + 12) << "once a minute, but for the first few";
 }
 
 // A machine's own marks, in folders of the test's.
@@ -139,6 +159,10 @@ TEST_F(ClientId, IsWhatEveryBrokerMustTakeAndTheSameAtEachStart) {
     EXPECT_THAT(id(), testing::MatchesRegex("quadrat[0-9a-f]+"));
     EXPECT_EQ(id().size(), 23U);
     EXPECT_EQ(id(), id());
+    for (const char* same : {"/var/lib/quadrat/", "/var/lib/quadrat/.", "/var/lib/../lib/quadrat", "//var/lib/quadrat"})
+        EXPECT_EQ(id(same), id()) << same;
+    const std::string here = std::filesystem::current_path() / "not-there-yet";
+    EXPECT_EQ(id("not-there-yet/"), id(here.c_str()));
     EXPECT_EQ(client_id("/a", "/nowhere", "/nowhere").size(), 23U);
 }
 
@@ -152,6 +176,10 @@ TEST_F(ClientId, IsAnotherForEachStateFolderAndEachMachineOfOneImage) {
     machine.write("machine-id", "fedcba9876543210fedcba9876543210\n");
     ids.insert(id());
     EXPECT_EQ(ids.size(), 5U);
+}
+
+TEST_F(ClientId, IsAnotherAtEachStartWhereTheMachineTellsNothingOfItself) {
+    EXPECT_NE(client_id("/state", "/nowhere", "/nowhere"), client_id("/state", "/nowhere", "/nowhere"));
 }
 
 TEST_F(ClientId, StaysWhereACardIsPluggedInOrABridgeIsMade) {
@@ -172,8 +200,11 @@ TEST(Password, IsTheFirstLineWhateverEditorSavedIt) {
     EXPECT_EQ(saved("\xef\xbb\xbfsecret1\r\n"), "secret1");
     EXPECT_EQ(saved(" a b \n"), " a b ") << "blanks are of it";
     EXPECT_THAT(refusal_of([&] { saved("\r\nsecret1"); }), HasSubstr("is empty"));
-    EXPECT_THAT(refusal_of([&] { saved(std::string("\xff\xfes\0e\0", 6)); }), HasSubstr("is UTF-16 text; save it as UTF-8"));
-    EXPECT_THAT(refusal_of([&] { saved(std::string("sec\0ret", 7)); }), HasSubstr("which no text has"));
+    EXPECT_THAT(refusal_of([&] { saved(std::string("\xff\xfes\0e\0", 6)); }),
+                HasSubstr("is UTF-16 text; save it as UTF-8"));
+    EXPECT_THAT(refusal_of([&] { saved(std::string("sec\0ret", 7)); }), HasSubstr("NUL"));
+    EXPECT_THAT(refusal_of([&] { password_in(folder / "missing"); }),
+                testing::AllOf(HasSubstr("fleet.password_file"), HasSubstr("missing"), HasSubstr("may read")));
 }
 
 }  // namespace
