@@ -39,8 +39,6 @@ struct Options {
     std::uint64_t seed = 1;
 };
 
-constexpr std::size_t kLargest = 64U << 20U;
-
 // With --state the site's own; otherwise the one that the program brings along.
 breeding::WordMap map_for(const Options& options) {
     return options.state.empty() ? breeding::default_word_map() : site_words(existing_state_folder(options.state)).map;
