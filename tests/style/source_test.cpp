@@ -23,6 +23,13 @@ TEST(Source, NoFileIsLongerThanARoomMayBe) {
         EXPECT_LE(std::ranges::count(file.text, '\n'), 450) << file.path << " has more than one purpose by now";
 }
 
+TEST(Source, TheBridgeStaysThin) {
+    std::ptrdiff_t lines = 0;
+    for (const auto& file : source_files({"app/kiosk"}, {".hpp", ".cpp"})) lines += std::ranges::count(file.text, '\n');
+    EXPECT_GT(lines, 500);
+    EXPECT_LE(lines, 2500) << "what can be said without the loop has a room below";
+}
+
 TEST(Source, TheMainFunctionStaysSmall) {
     for (const auto& file : source_files({"app"}, {".cpp"})) {
         if (file.path == "app/main.cpp") {

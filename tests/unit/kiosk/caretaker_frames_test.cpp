@@ -15,15 +15,15 @@ namespace {
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 
-constexpr Instant kPeriod{16'666'667};
+constexpr base::Instant kPeriod{16'666'667};
 
-class HandMovedClock final : public Clock {
+class HandMovedClock final : public base::Clock {
   public:
-    Instant now() override { return now_; }
-    void move(Instant by) { now_ += by; }
+    base::Instant now() override { return now_; }
+    void move(base::Instant by) { now_ += by; }
 
   private:
-    Instant now_{0};
+    base::Instant now_{0};
 };
 
 // Without a GPU; each of its frames takes two periods, and after so many it is over.
@@ -57,18 +57,18 @@ class SlowScreen final : public display::Display {
 };
 
 // The line of figures after a hundred frames of two periods each.
-std::string figures_with(const GovernorOptions& governing) {
+std::string figures_with(const tempo::GovernorOptions& governing) {
     const tests::TemporaryFolder folder;
-    Configuration configuration;
+    site::Configuration configuration;
     configuration.picture.land_samples = 65;
     Show show(
         configuration,
-        {base::Seed{1}, {1, {65, 64, 128}}, [] { return exhibit::WallTime{}; }, [] { return exhibit::WallTime{}; }, ""},
-        exhibit::Archive::open(folder.path(), {}).archive);
+        {base::Seed{1}, {1, {65, 64, 128}}, [] { return archive::WallTime{}; }, [] { return archive::WallTime{}; }, ""},
+        archive::Archive::open(folder.path(), {}).archive);
     firmware_io::MergedButtons buttons{{}};
-    Panel panel(buttons);
+    staff::Panel panel(buttons);
     staff::Ladder ladder("", folder.path(), 0s);
-    DetailGovernor governor(governing);
+    tempo::DetailGovernor governor(governing);
     HandMovedClock clock;
     std::atomic<bool> stop{false};
     SlowScreen screen(clock, 100, stop);
@@ -79,18 +79,18 @@ std::string figures_with(const GovernorOptions& governing) {
     parts.stop = &stop;
     run_loop(parts);
     caretaker.step_figures();
-    caretaker.look(panel, show, clock.now());
+    std::ignore = caretaker.look(panel, {}, clock.now());
     return caretaker.board() == nullptr ? "" : caretaker.board()->lines.front();
 }
 
 TEST(Caretaker, CountsNoFrameLateThatIsMeantToTakeTwoPeriods) {
-    GovernorOptions governing;
+    tempo::GovernorOptions governing;
     governing.periods = 2;
     EXPECT_THAT(figures_with(governing), HasSubstr(" 0 late of 100 "));
 }
 
 TEST(Caretaker, TellsTheAlphaThatBelongsToTheLevel) {
-    GovernorOptions governing;
+    tempo::GovernorOptions governing;
     governing.periods = 2;
     governing.start = 0.12F;
     const std::string figures = figures_with(governing);
@@ -100,7 +100,7 @@ TEST(Caretaker, TellsTheAlphaThatBelongsToTheLevel) {
     ASSERT_NE(at, std::string::npos) << figures;
     ASSERT_EQ(std::sscanf(figures.c_str() + at, "detail %f (α %f)", &level, &alpha), 2) << figures;
     EXPECT_LT(level, 0.13F);
-    EXPECT_NEAR(alpha, alpha_for(level), 0.015F) << figures << ": both are rounded";
+    EXPECT_NEAR(alpha, tempo::alpha_for(level), 0.015F) << figures << ": both are rounded";
 }
 
 }  // namespace

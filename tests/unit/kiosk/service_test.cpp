@@ -87,17 +87,17 @@ bool has(const std::vector<std::string>& told, std::string_view beginning) {
 TEST(Service, IsReadyOnceAFrameWithLandscapesIsOutAndHasTimeUntilThen) {
     const tests::TemporaryFolder folder;
     const NotifySocket systemd(folder.path());
-    Configuration configuration;
+    site::Configuration configuration;
     configuration.picture.land_samples = 65;
     Show show(
         configuration,
-        {base::Seed{1}, {1, {65, 64, 128}}, [] { return exhibit::WallTime{}; }, [] { return exhibit::WallTime{}; }, ""},
-        exhibit::Archive::open(folder.path(), {}).archive);
+        {base::Seed{1}, {1, {65, 64, 128}}, [] { return archive::WallTime{}; }, [] { return archive::WallTime{}; }, ""},
+        archive::Archive::open(folder.path(), {}).archive);
     firmware_io::MergedButtons buttons{{}};
-    Panel panel(buttons);
+    staff::Panel panel(buttons);
     std::atomic<bool> stop{false};
     WatchedScreen screen(systemd, show, stop);
-    SteadyClock clock;
+    base::SteadyClock clock;
     RunLoopParts parts{configuration, clock, screen, panel, buttons, show};
     parts.stop = &stop;
     run_loop(parts);
