@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "machine/heap.hpp"
-#include "stage/budget.hpp"
+#include "stage/detail_within.hpp"
 
 namespace quadrat::benches {
 namespace {

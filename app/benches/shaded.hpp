@@ -4,7 +4,7 @@
 #include <string>
 
 #include "benches/benches.hpp"
-#include "stage/budget.hpp"
+#include "stage/detail_within.hpp"
 #include "stage/easel.hpp"
 
 namespace quadrat::benches {

@@ -10,7 +10,6 @@
 #include "benches/benches.hpp"
 #include "benches/scratch.hpp"
 #include "benches/visit_plot.hpp"
-#include "display/shown_frames.hpp"
 #include "firmware-io/scripted/scripted_buttons.hpp"
 #include "kiosk/run_loop.hpp"
 #include "machine/heap.hpp"
@@ -30,13 +29,13 @@ constexpr base::Instant kWeighEvery = std::chrono::milliseconds{500};
 // Another screen, and what was seen on it.
 class WatchedScreen final : public display::Display {
   public:
-    WatchedScreen(display::Display& screen, base::Clock& clock, kiosk::Show& show, tempo::DetailGovernor& governor,
+    WatchedScreen(display::Display& screen, base::Clock& clock, kiosk::Show& show, const tempo::Tempo& tempo,
                   base::Instant until, bool is_busy, std::atomic<bool>& stop)
         : Display("to be watched"),
           screen_(screen),
           clock_(clock),
           show_(show),
-          governor_(governor),
+          tempo_(tempo),
           until_(until),
           is_busy_(is_busy),
           stop_(stop) {}
@@ -46,8 +45,8 @@ class WatchedScreen final : public display::Display {
     std::string renderer() const override { return screen_.renderer(); }
     display::Canvas canvas() const override { return screen_.canvas(); }
     display::Canvas begin_frame() override { return screen_.begin_frame(); }
-    display::Presented present() override {
-        display::Presented presented = screen_.present();
+    display::Presented present(const tempo::HandOver& how) override {
+        display::Presented presented = screen_.present(how);
         base::Instant now = clock_.now();
         // Another process takes the bus from what is uploaded.
         if (is_busy_ && show_.is_growing() && now > until_ / 3 && now < 2 * until_ / 3) {
@@ -58,9 +57,9 @@ class WatchedScreen final : public display::Display {
         const bool is_first = frames_.empty();
         FrameSeen frame{now,
                         base::Instant{0},
-                        presented.period * governor_.periods(),
+                        presented.period * how.meant_periods,
                         presented.period,
-                        governor_.level(),
+                        tempo_.plan().level,
                         show_.is_growing(),
                         act};
         const exhibit::Screen screen = show_.state().screen;
@@ -87,28 +86,24 @@ class WatchedScreen final : public display::Display {
 
   private:
     void tell_shown(const display::Presented& presented) {
-        const auto shown = shown_frames_.since_last(presented);
-        for (std::size_t i = 0; i < shown.size(); ++i) {
-            const std::size_t at = presented.shown_frame - shown.size() + i;  // the first is number 1
+        for (const tempo::FrameRecord& record : presented.finished) {
+            const std::size_t at = record.number - 1;
             FrameSeen& frame = frames_[at];
-            if (at > 0) frame.took = shown[i] - shown_at_;
-            shown_at_ = shown[i];
+            frame.took = tempo::took(record);
+            frame.is_late = tempo::is_late(record);
             if (const auto answered = answers_.find(at); answered != answers_.end())
-                frame.since_press = shown[i] - began_at_ - answered->second;
+                frame.since_press = record.shown - began_at_ - answered->second;
         }
     }
 
     display::Display& screen_;
     base::Clock& clock_;
     kiosk::Show& show_;
-    tempo::DetailGovernor& governor_;
+    const tempo::Tempo& tempo_;
     base::Instant until_;
     bool is_busy_;
     std::atomic<bool>& stop_;
-    // On the screen's clock, where the show's began.
-    base::Instant began_at_ = std::chrono::steady_clock::now().time_since_epoch() - clock_.now();
-    display::ShownFrames shown_frames_;
-    base::Instant shown_at_{0};
+    base::DisplayTime began_at_ = screen_.now() - clock_.now();  // the show
     base::Instant answered_at_{0};
     std::map<std::size_t, base::Instant>
         answers_;  // that the frame of this place is the first to show the next four for
@@ -139,8 +134,6 @@ std::jthread competitor(base::Instant span) {
     });
 }
 
-constexpr double kLate = 1.25;  // of its time
-
 double milliseconds(base::Instant span) { return std::chrono::duration<double, std::milli>(span).count(); }
 
 // What is said of the frames from then on.
@@ -153,8 +146,8 @@ void add_frames(Results& results, const std::vector<FrameSeen>& all, base::Insta
     const auto first = std::ranges::lower_bound(all, from, {}, &FrameSeen::at);
     for (auto frame = first; frame != all.end(); ++frame) {
         const double took_ms = milliseconds(frame->took);
-        late += took_ms > kLate * milliseconds(frame->deadline);
-        late_of_screen += took_ms > kLate * milliseconds(frame->period);
+        late += frame->is_late;
+        late_of_screen += took_ms > 1.5 * milliseconds(frame->period);
         in_two_periods += frame->deadline > frame->period;
         longest = std::max(longest, took_ms / milliseconds(frame->deadline));
         longest_took = std::max(longest_took, frame->took);
@@ -202,11 +195,10 @@ void visit(Results& results, const Options& options) {
     };
     kiosk::Show show(configuration, {base::Seed{1}, {}, wall_time, wall_time, scratch.path},
                      archive::Archive::open(scratch.path, wall_time()).archive);
-    tempo::DetailGovernor governor(tempo::options_for(options.alpha, "", screen->renderer()));
+    tempo::Tempo tempo({tempo::Governing::ByFrames, tempo::options_for(options.alpha, "", screen->renderer())});
     std::atomic<bool> stop{false};
-    WatchedScreen watched(*screen, clock, show, governor, span, options.is_busy, stop);
-    kiosk::RunLoopParts parts{configuration, clock, watched, panel, *buttons, show};
-    parts.governor = &governor;
+    WatchedScreen watched(*screen, clock, show, tempo, span, options.is_busy, stop);
+    kiosk::RunLoopParts parts{configuration, clock, watched, panel, *buttons, show, tempo};
     parts.stop = &stop;
     kiosk::RunRecord record;
     parts.record = &record;
@@ -228,7 +220,7 @@ void visit(Results& results, const Options& options) {
     results.push_back({"visit.press_to_scenes_p50_ms", machine::percentile(to_scenes, 0.5), "ms", cores()});
     results.push_back({"visit.press_to_scenes_p95_ms", machine::percentile(to_scenes, 0.95), "ms", cores()});
     results.push_back({"visit.generations", static_cast<double>(to_scenes.size()), "", cores()});
-    results.push_back({"visit.level", governor.settled(), "", cores()});
+    results.push_back({"visit.level", tempo.governor().settled(), "", cores()});
     results.push_back({"visit.deadline_ms", milliseconds(watched.frames().back().deadline), "ms", cores()});
     results.visit_svg = plot_of(watched.frames(), record.decisions);
 }

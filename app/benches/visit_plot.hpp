@@ -17,6 +17,7 @@ struct FrameSeen {
     bool is_growing = false;
     int act = 0;                   // on stage
     base::Instant since_press{0};  // of the first frame that shows a new generation; else 0
+    bool is_late = false;          // see tempo::is_late
 };
 
 // SVG: how long each frame took, when landscapes grew and came, and what the governor made of it, with a mark for each

@@ -12,7 +12,7 @@
 #include "nursery/growing.hpp"
 #include "site/screen.hpp"
 #include "stage/easel.hpp"
-#include "stage/trial.hpp"
+#include "stage/gpu_benchmark.hpp"
 #include "tempo/calibration.hpp"
 #include "tempo/memory.hpp"
 
@@ -61,13 +61,13 @@ int calibrate(const site::Configuration& configuration, const std::filesystem::p
         frame.views.push_back(view);
     }
     frame.framebuffer = canvas.framebuffer;
-    stage::Trial trial(std::min(configuration.picture.samples, renderer.most_samples()));
-    while (!trial.is_over()) trial.step(renderer, frame);
+    stage::GpuBenchmark benchmark(std::min(configuration.picture.samples, renderer.most_samples()));
+    while (!benchmark.is_over()) benchmark.step(renderer, frame);
     screen->present();
-    const tempo::GpuProfile profile = trial.profile(renderer, static_cast<double>(frame.size.x) * frame.size.y);
+    const tempo::GpuProfile profile = benchmark.profile(renderer, static_cast<double>(frame.size.x) * frame.size.y);
     const auto most = static_cast<float>(configuration.picture.alpha);
     const tempo::GovernorOptions start = tempo::start_for(profile, most, kUsualPeriod_ms);
-    for (const tempo::FrameCost& cost : trial.costs())
+    for (const tempo::FrameCost& cost : benchmark.costs())
         std::printf("detail %.2f at scale %.1f, samples %d: %6.1f ms, %.0f triangles\n", cost.alpha, cost.scale,
                     cost.samples, cost.ms, cost.triangles);
     std::printf("%s; a landscape is on it in %.0f ms\n", to_text(profile).c_str(), upload_ms);

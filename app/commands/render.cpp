@@ -22,7 +22,7 @@ struct Options {
     bool has_wires = false;
     std::string ground;
     std::optional<float> growth;
-    stage::Budget budget;
+    tempo::Budget budget;
 };
 
 scene::Camera camera_from(const std::string& text) {

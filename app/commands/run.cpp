@@ -44,7 +44,7 @@ struct Options {
     std::optional<std::uint64_t> seed;
     std::string log_file;
     double speed = 1;
-    stage::Budget budget;
+    tempo::Budget budget;
     bool is_service = false;
 };
 
@@ -246,6 +246,23 @@ archive::Kept kept_by(kiosk::Keeper& keeper, const base::Clock& clock) {
     return {};
 }
 
+// A simulated clock has no late frames, and a budget is for seeing what another machine draws.
+tempo::TempoOptions tempo_for(const Options& options, const site::Configuration& configuration,
+                              const base::Clock& clock, std::string_view remembered, const std::string& gpu) {
+    const auto most = static_cast<float>(configuration.picture.alpha);
+    const bool is_fixed = clock.is_simulated() || options.budget.is_bound();
+    tempo::TempoOptions tempo{is_fixed ? tempo::Governing::Fixed : tempo::Governing::ByFrames,
+                              tempo::options_for(most, is_fixed ? "" : remembered, gpu)};
+    if (options.budget.is_bound()) tempo.budget = options.budget;
+    return tempo;
+}
+
+void finish(pictures::Album& album) {
+    album.finish();
+    std::printf("%zu pictures and contact-sheet.png are in %s\n", album.count(),
+                fs::absolute(album.folder()).lexically_normal().c_str());
+}
+
 int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const fs::path& state) {
     climb(ladder);
     const staff::Mode mode = ladder.rung().mode;
@@ -284,32 +301,23 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
         parts.keeps_settings = is_service(options);
         caretaker.emplace(parts);
     }
-    std::optional<tempo::DetailGovernor> governor;
-    if (!clock->is_simulated() && !options.budget.is_bound())
-        governor.emplace(
-            tempo::options_for(static_cast<float>(configuration.picture.alpha), kept.detail, screen->renderer()));
-    kiosk::RunLoopParts parts{configuration, *clock, *screen, panel, *buttons.source, show};
+    tempo::Tempo tempo(tempo_for(options, configuration, *clock, kept.detail, screen->renderer()));
+    kiosk::RunLoopParts parts{configuration, *clock, *screen, panel, *buttons.source, show, tempo};
     parts.caretaker = caretaker ? &*caretaker : nullptr;
     parts.keepsakes = keepsakes ? &*keepsakes : nullptr;
     parts.mode = ladder.rung().mode;
-    parts.governor = governor ? &*governor : nullptr;
     const bool is_known = tempo::is_profile_of(kept.gpu, screen->renderer());
     if (is_known) base::log::info("GPU, as it was measured: {}", kept.gpu);
     parts.calibrates = !is_safe && !is_known;
-    if (options.budget.is_bound()) parts.budget = options.budget;
     parts.album = album.get();
     parts.ends_after_visit = options.rounds.has_value() || is_demonstration;
     parts.stop = &stop_flag();
     const kiosk::RunEnd end = kiosk::run_loop(parts);
     machine::announce_stopping();
     show.remember("buttons", staff::to_text(panel.health().memory()));
-    if (governor) show.remember("detail", to_text(*governor, screen->renderer()));
+    if (tempo.is_governed()) show.remember("detail", to_text(tempo.governor(), screen->renderer()));
     if (end != kiosk::RunEnd::DisplayFault) ladder.note_end();
-    if (album) {
-        album->finish();
-        std::printf("%zu pictures and contact-sheet.png are in %s\n", album->count(),
-                    fs::absolute(album->folder()).lexically_normal().c_str());
-    }
+    if (album) finish(*album);
     return status_of(end);
 }
 

@@ -16,9 +16,8 @@
 #include "staff/caretaker.hpp"
 #include "staff/keepsakes.hpp"
 #include "staff/panel.hpp"
-#include "stage/budget.hpp"
 #include "stage/theatre.hpp"
-#include "tempo/governor.hpp"
+#include "tempo/tempo.hpp"
 
 namespace quadrat::kiosk {
 
@@ -28,8 +27,8 @@ struct RunRecord {
         base::Instant at{0};
         std::string why;
     };
-    std::vector<base::Instant> uploads_took;  // a frame: what bringing things to the GPU took of it
-    std::vector<Decision> decisions;          // the governor's
+    std::vector<std::chrono::nanoseconds> uploads_took;  // of each frame, in order
+    std::vector<Decision> decisions;                     // the governor's
 };
 
 struct RunLoopParts {
@@ -39,14 +38,13 @@ struct RunLoopParts {
     staff::Panel& panel;
     firmware_io::ButtonSource& buttons;  // the panel's, for what is not a press
     Show& show;
+    tempo::Tempo& tempo;
     staff::Caretaker* caretaker = nullptr;  // borrowed; nothing on a simulated clock
     staff::Keepsakes* keepsakes = nullptr;  // borrowed
     staff::Mode mode = staff::Mode::Usual;
-    tempo::DetailGovernor* governor = nullptr;  // borrowed; nothing: the configured detail, however long a frame takes
-    bool calibrates = false;  // this GPU first, when four landscapes are there; the governor starts from that
-    std::optional<stage::Budget> budget = std::nullopt;  // instead of the governor's
-    pictures::Album* album = nullptr;                    // borrowed; nothing: no pictures are kept
-    bool ends_after_visit = false;                       // the program ends with the first visit that ends
+    bool calibrates = false;           // this GPU first, when four landscapes are there; tempo starts from that
+    pictures::Album* album = nullptr;  // borrowed; nothing: no pictures are kept
+    bool ends_after_visit = false;     // the program ends with the first visit that ends
     const std::atomic<bool>* stop = nullptr;
     RunRecord* record = nullptr;  // borrowed; nothing: none is kept
 };

@@ -211,11 +211,7 @@ void Caretaker::ask_for_power(const char* what) {
 
 void Caretaker::framed(const display::Presented& presented, base::Instant now, const DrawnWith& drawn) {
     drawn_ = drawn;
-    // A screen that tells when a frame was on it does so by its own clock.
-    const bool tells = presented.period.count() > 0;
-    if (std::exchange(screen_tells_, tells) != tells) frames_.begin_anew();
-    const std::vector<base::Instant> shown = shown_frames_.since_last(presented);
-    for (const base::Instant at : tells ? shown : std::vector{now}) frames_.frame(at, presented.period, drawn.periods);
+    for (const tempo::FrameRecord& record : presented.finished) frames_.frame(record);
     if (!shown_since_) shown_since_ = now;
     const bool is_fine = presented.outcome == display::Outcome::Shown || presented.outcome == display::Outcome::Off;
     screen_trouble_ = is_fine ? "" : presented.reason;

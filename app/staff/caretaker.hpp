@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "display/display.hpp"
-#include "display/shown_frames.hpp"
 #include "machine/heap.hpp"
 #include "mesh/image.hpp"
 #include "site/hours.hpp"
@@ -107,8 +106,6 @@ class Caretaker {
     ServiceScreen service_;
     SettingsInUse settings_;
     FrameCount frames_;
-    display::ShownFrames shown_frames_;
-    bool screen_tells_ = false;
     Seen seen_;
     Vitals vitals_;
     site::Curtain curtain_ = site::Curtain::Open;

@@ -78,26 +78,15 @@ std::string settings_metrics(const SettingsNews& news) {
 
 }  // namespace
 
-void FrameCount::frame(std::chrono::nanoseconds now, std::chrono::nanoseconds period, int periods) {
+void FrameCount::frame(const tempo::FrameRecord& record) {
     ++frames;
-    if (last_) {
-        const auto took = now - *last_;
-        longest_ms = std::max(longest_ms, std::chrono::duration<double, std::milli>(took).count());
-        if (period.count() > 0 && took > period * periods + period / 2) ++late;
-    }
-    last_ = now;
+    longest_ms = std::max(longest_ms, std::chrono::duration<double, std::milli>(tempo::took(record)).count());
+    late += tempo::is_late(record);
     ++in_second_;
-    const auto since = now - second_began_;
-    if (since >= std::chrono::seconds{1}) {
-        per_second = in_second_ / std::chrono::duration<double>(since).count();
-        second_began_ = now;
-        in_second_ = 0;
-    }
-}
-
-void FrameCount::begin_anew() {
-    last_.reset();
-    second_began_ = std::chrono::nanoseconds{0};
+    const auto since = record.shown - second_began_;
+    if (since < std::chrono::seconds{1}) return;
+    per_second = in_second_ / std::chrono::duration<double>(since).count();
+    second_began_ = record.shown;
     in_second_ = 0;
 }
 

@@ -12,19 +12,15 @@
 #include "site/hours.hpp"
 #include "staff/ladder.hpp"
 #include "staff/settings_in_use.hpp"
+#include "tempo/frame_record.hpp"
 
 // How the exhibit is: what staff see on the screen, and what a fleet collects.
 namespace quadrat::staff {
 
-// Frames of the running program. A frame is late when it came more than half of the screen's period after it should
-// have.
+// Frames of the running program, by their records: a frame is late as tempo::is_late says.
 class FrameCount {
   public:
-    // A frame was shown; `period` is the screen's, 0 where it has none, and `periods` how many of them it was
-    // meant to take.
-    void frame(std::chrono::nanoseconds now, std::chrono::nanoseconds period, int periods = 1);
-    // What comes next is told by another clock.
-    void begin_anew();
+    void frame(const tempo::FrameRecord& record);  // was shown
 
     std::uint64_t frames = 0;
     std::uint64_t late = 0;
@@ -32,8 +28,7 @@ class FrameCount {
     double per_second = 0;  // over about the last second
 
   private:
-    std::optional<std::chrono::nanoseconds> last_;
-    std::chrono::nanoseconds second_began_{0};
+    tempo::DisplayTime second_began_{};
     int in_second_ = 0;
 };
 

@@ -42,10 +42,10 @@ Easel::Easel(int width, int height, render::GroundBy ground) : display_(open_hea
 
 mesh::Image Easel::draw(const pictures::Picture& picture) {
     pictures::Picture drawn = picture;
-    return draw(drawn, Budget{});
+    return draw(drawn, tempo::Budget{});
 }
 
-mesh::Image Easel::draw(pictures::Picture& picture, const Budget& budget) {
+mesh::Image Easel::draw(pictures::Picture& picture, const tempo::Budget& budget) {
     nursery::Scenes scenes;
     for (const genome::Recipe& recipe : picture.scenes)
         scenes.push_back(nursery::grow(recipe, pictures::fineness_of(picture.land_samples)));
@@ -77,7 +77,7 @@ render::Frame frame_of(const pictures::Picture& picture, const Cast& cast, const
     return frame;
 }
 
-mesh::Image Easel::draw(pictures::Picture& picture, const nursery::Scenes& scenes, const Budget& budget) {
+mesh::Image Easel::draw(pictures::Picture& picture, const nursery::Scenes& scenes, const tempo::Budget& budget) {
     const display::Canvas canvas = display_->begin_frame();
     Cast cast;
     for (const auto& scene : scenes) cast.scenes.push_back({scene, upload_now(*renderer_, scene)});

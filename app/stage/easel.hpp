@@ -7,7 +7,7 @@
 #include "nursery/growing.hpp"
 #include "pictures/picture.hpp"
 #include "render/renderer.hpp"
-#include "stage/budget.hpp"
+#include "stage/detail_within.hpp"
 #include "stage/stage.hpp"
 
 namespace quadrat::stage {
@@ -20,7 +20,7 @@ class Easel {
     // Grows the picture's scenes and draws it. Its size and what draws the ground must be the easel's.
     mesh::Image draw(const pictures::Picture& picture);
     // The same in less detail, where the budget asks for it, which the picture then tells.
-    mesh::Image draw(pictures::Picture& picture, const Budget& budget);
+    mesh::Image draw(pictures::Picture& picture, const tempo::Budget& budget);
     // With scenes that are grown already.
     mesh::Image draw(const pictures::Picture& picture, const nursery::Scenes& scenes);
 
@@ -28,7 +28,7 @@ class Easel {
     render::Renderer& renderer() { return *renderer_; }
 
   private:
-    mesh::Image draw(pictures::Picture& picture, const nursery::Scenes& scenes, const Budget& budget);
+    mesh::Image draw(pictures::Picture& picture, const nursery::Scenes& scenes, const tempo::Budget& budget);
 
     std::unique_ptr<display::Display> display_;
     std::unique_ptr<render::Renderer> renderer_;

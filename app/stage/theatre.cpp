@@ -173,15 +173,15 @@ int Theatre::most_samples() const {
     return has_gpu() ? std::min(configuration_.picture.samples, renderer_->most_samples()) : 1;
 }
 
-std::optional<tempo::GpuProfile> Theatre::try_out(Trial& trial, const nursery::Act& act,
+std::optional<tempo::GpuProfile> Theatre::try_out(GpuBenchmark& benchmark, const nursery::Act& act,
                                                   const display::Canvas& canvas) {
     const Cast cast = cast_of(act);
     if (cast.scenes.empty()) return std::nullopt;
     render::Frame frame = frame_of(picture_of(act, canvas, configuration_), cast, canvas);
     frame.is_one_of_many = true;  // as the exhibit's are
-    trial.step(*renderer_, std::move(frame));
-    if (!trial.is_over()) return std::nullopt;
-    return trial.profile(*renderer_, static_cast<double>(canvas.size.width) * canvas.size.height);
+    benchmark.step(*renderer_, std::move(frame));
+    if (!benchmark.is_over()) return std::nullopt;
+    return benchmark.profile(*renderer_, static_cast<double>(canvas.size.width) * canvas.size.height);
 }
 
 mesh::Image Theatre::read_back() {

@@ -14,8 +14,8 @@
 #include "nursery/growing.hpp"
 #include "pictures/album.hpp"
 #include "render/renderer.hpp"
+#include "stage/gpu_benchmark.hpp"
 #include "stage/stage.hpp"
-#include "stage/trial.hpp"
 
 namespace quadrat::stage {
 
@@ -78,9 +78,10 @@ class Theatre {
     }
     // Of a pixel: what the GPU and the site allow.
     int most_samples() const;
-    // Draws the act, to be drawn over, in the next way of a trial that is not over; the profile when it is. Nothing is
-    // drawn until the whole act is on the GPU, which is there.
-    std::optional<tempo::GpuProfile> try_out(Trial& trial, const nursery::Act& act, const display::Canvas& canvas);
+    // Draws the act, to be drawn over, in the next way of a benchmark that is not over; the profile when it is. Nothing
+    // is drawn until the whole act is on the GPU, which is there.
+    std::optional<tempo::GpuProfile> try_out(GpuBenchmark& benchmark, const nursery::Act& act,
+                                             const display::Canvas& canvas);
     // What the canvas's context has not drawn yet it draws once, to be drawn over. Not before there was a frame: the
     // first one is not to wait for it.
     void rehearse(const display::Canvas& canvas);

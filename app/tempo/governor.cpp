@@ -87,7 +87,7 @@ void DetailGovernor::give_up_smooth_edges(const FrameTold& told) {
 void DetailGovernor::kept_waiting() {
     if (growing_share_ <= kLeastGrowing) return;
     growing_share_ = std::max(growing_share_ * kWaitTakes, kLeastGrowing);
-    brace();
+    lower_in_advance();
     reason_ = fmt::format("detail {:.2f} while landscapes grow: a visitor waited for them", target_ * growing_share_);
 }
 
@@ -193,7 +193,7 @@ void DetailGovernor::try_more(const FrameTold& told) {
     const bool had_much_room = are_most(frames_with_much_room_);
     begin_calm(told.now);
     // Rather smooth than fine.
-    if (periods_ > 1 && had_much_room && way_back_.watch(told.now)) return;
+    if (periods_ > 1 && had_much_room && full_rate_probe_.watch(told.now)) return;
     has_room_for_smooth_edges_ = had_much_room && target_ >= most_ && periods_ == 1;
     if (!had_room || target_ >= most_) return;
     before_raise_ = target_;
@@ -205,8 +205,8 @@ void DetailGovernor::try_more(const FrameTold& told) {
 
 // To a frame in one period.
 void DetailGovernor::look_back(const FrameTold& told) {
-    way_back_.frame(told.now, told.used * static_cast<float>(periods_), told.is_growing);
-    if (!way_back_.is_open(told.now)) return;
+    full_rate_probe_.frame(told.now, told.used * static_cast<float>(periods_), told.is_growing);
+    if (!full_rate_probe_.is_open(told.now)) return;
     change_periods(1, told.now);
     target_ = std::max(kLessAtOnce * target_, GovernorOptions::kLeast);
     reason_ = fmt::format("detail {:.2f}: drawn in half the time: from now on a frame in each of the screen's periods",
@@ -216,7 +216,7 @@ void DetailGovernor::look_back(const FrameTold& told) {
 
 void DetailGovernor::change_periods(int periods, Instant now) {
     periods_ = periods;
-    periods > 1 ? way_back_.given_up(now) : way_back_.taken(now);
+    periods > 1 ? full_rate_probe_.given_up(now) : full_rate_probe_.taken(now);
     room_ = kRoom;
     growing_share_ = kGrowing;
     at_least_since_ = now;

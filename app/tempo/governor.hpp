@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// The room `tempo`: when frames come and how finely they are drawn. Pure: times are handed in, decisions handed out; no
-// clock, no display, no GPU.
 #pragma once
 #include <algorithm>
 #include <bitset>
@@ -8,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "tempo/way_back.hpp"
+#include "tempo/full_rate_probe.hpp"
 
 // Detail that holds the frame: watches whether frames reach the screen in time, never how long a GPU says it took (a
 // Raspberry Pi's clock follows its load), and turns one knob, the level: alpha, and below 0.3 the size of the views
@@ -18,7 +16,7 @@ namespace quadrat::tempo {
 struct GovernorOptions {
     float most = 1;  // level; what the site asks for
     float start = 1;
-    int periods = 1;  // of the screen's a frame, at the start
+    int periods = 1;  // display refresh periods per frame, initially
     int samples = 1;  // a pixel, at the start; more than 1: edges are smooth
     static constexpr float kLeast = 0.01F;
 };
@@ -53,7 +51,7 @@ class DetailGovernor {
     void other_landscapes(Instant now);
     // The next frame is the first of other landscapes, or the first while some grow: less is drawn of it already, not
     // only once it was late.
-    void brace() { recovered_ = std::min(recovered_, growing_share_); }
+    void lower_in_advance() { recovered_ = std::min(recovered_, growing_share_); }
 
     // Somebody waits for landscapes that grow, or are brought to the GPU: the next ones are left more of the machine.
     void kept_waiting();
@@ -97,7 +95,7 @@ class DetailGovernor {
     bool has_room_for_smooth_edges_ = false;
     Instant rough_until_{0};                      // at least
     Instant rough_for_{std::chrono::minutes{5}};  // the next time
-    WayBack way_back_;
+    FullRateProbe full_rate_probe_;
     std::bitset<kWindow> late_;  // the last frames, the newest first
     Instant late_took_{0};       // the longest of them
     std::optional<Instant> last_now_;

@@ -54,7 +54,7 @@ TEST(GrownPicture, OfFourViewsWithinARaspberryPisBudgetLooksAsItDid) {
     picture.width = 1920;
     picture.height = 1080;
     picture.seconds = 12;
-    const mesh::Image drawn = easel.draw(picture, Budget{240'000, 0});
+    const mesh::Image drawn = easel.draw(picture, tempo::Budget{240'000, 0});
     tests::expect_golden("grown_raspberry_pi", pictures::scaled_to(drawn, 640));
 }
 

@@ -8,6 +8,7 @@
 #include "firmware-io/merged_buttons.hpp"
 #include "kiosk/run_loop.hpp"
 #include "support/process.hpp"
+#include "tempo/flight_log.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -37,22 +38,21 @@ class SlowScreen final : public display::Display {
     std::string renderer() const override { return "slow"; }
     display::Canvas canvas() const override { return {}; }
     display::Canvas begin_frame() override { return {}; }
-    display::Presented present() override {
+    display::Presented present(const tempo::HandOver& how) override {
+        flights_.handed_over(++presented_, how, now());
         clock_.move(2 * kPeriod);
         stop_ = --left_ == 0;
-        display::Presented presented;
-        presented.outcome = display::Outcome::Shown;
-        presented.shown_frame = ++presented_;
-        presented.shown_at = clock_.now();
-        presented.period = kPeriod;
-        return presented;
+        flights_.shown(now(), kPeriod);
+        return {display::Outcome::Shown, presented_, now(), kPeriod, "", flights_.take_finished(), {}};
     }
+    base::DisplayTime now() const override { return base::DisplayTime{clock_.now()}; }
     void set_power(display::Power) override {}
 
   private:
     HandMovedClock& clock_;
     int left_;
     std::uint64_t presented_ = 0;
+    tempo::FlightLog flights_;
     std::atomic<bool>& stop_;
 };
 
@@ -68,14 +68,13 @@ std::string figures_with(const tempo::GovernorOptions& governing) {
     firmware_io::MergedButtons buttons{{}};
     staff::Panel panel(buttons);
     staff::Ladder ladder("", folder.path(), 0s);
-    tempo::DetailGovernor governor(governing);
+    tempo::Tempo tempo({tempo::Governing::ByFrames, governing});
     HandMovedClock clock;
     std::atomic<bool> stop{false};
     SlowScreen screen(clock, 100, stop);
     staff::Caretaker caretaker({configuration, {}, folder.path(), folder.path(), ladder, screen});
-    RunLoopParts parts{configuration, clock, screen, panel, buttons, show};
+    RunLoopParts parts{configuration, clock, screen, panel, buttons, show, tempo};
     parts.caretaker = &caretaker;
-    parts.governor = &governor;
     parts.stop = &stop;
     run_loop(parts);
     caretaker.step_figures();

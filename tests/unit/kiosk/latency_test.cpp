@@ -60,12 +60,13 @@ class EmulatedScreen : public display::Display {
         world_(begun_);
         return {};
     }
-    display::Presented present() override {
+    display::Presented present(const tempo::HandOver& how) override {
         screen_.spend(2ms + base::Instant{random_() % 12'000'000});
-        const display::Presented presented = keeper_.present();
-        if (presented.outcome == display::Outcome::Shown) seen_(begun_, presented.shown_at);
+        const display::Presented presented = keeper_.present(how);
+        if (presented.outcome == display::Outcome::Shown) seen_(begun_, presented.shown_at.time_since_epoch());
         return presented;
     }
+    base::DisplayTime now() const override { return base::DisplayTime{screen_.now()}; }
     void set_power(display::Power) override {}
 
   private:
@@ -121,7 +122,8 @@ Latencies measure(firmware_io::ButtonSource& buttons, const std::function<void(b
         waiting.reset();
     };
     EmulatedScreen screen(hardware, world, seen);
-    RunLoopParts parts{configuration, clock, screen, panel, buttons, show};
+    tempo::Tempo tempo({tempo::Governing::Fixed, {}});
+    RunLoopParts parts{configuration, clock, screen, panel, buttons, show, tempo};
     parts.stop = &stop;
     run_loop(parts);
     return latencies;

@@ -61,7 +61,7 @@ class WatchedScreen : public display::Display {
     std::string renderer() const override { return ""; }
     display::Canvas canvas() const override { return {}; }
     display::Canvas begin_frame() override { return {}; }
-    display::Presented present() override {
+    display::Presented present(const tempo::HandOver&) override {
         auto& told = with_landscapes == 0 ? before_first : with_landscapes == 1 ? before_second : later;
         for (std::string& line : systemd_.take()) told.push_back(std::move(line));
         if (!show_.on_stage().scenes.empty() && ++with_landscapes == 3) stop_ = true;
@@ -98,7 +98,8 @@ TEST(Service, IsReadyOnceAFrameWithLandscapesIsOutAndHasTimeUntilThen) {
     std::atomic<bool> stop{false};
     WatchedScreen screen(systemd, show, stop);
     base::SteadyClock clock;
-    RunLoopParts parts{configuration, clock, screen, panel, buttons, show};
+    tempo::Tempo tempo({tempo::Governing::Fixed, {}});
+    RunLoopParts parts{configuration, clock, screen, panel, buttons, show, tempo};
     parts.stop = &stop;
     run_loop(parts);
     ASSERT_EQ(screen.with_landscapes, 3);

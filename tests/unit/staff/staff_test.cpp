@@ -120,9 +120,25 @@ TEST(Vitals, AreDoubtfulAndSayWhyWhereTheSettingsCannotBeUsed) {
                                        std::string("  → write 1920x1080")}));
 }
 
-TEST(Vitals, CountLateFrames) {
+// Frames that reach a screen of 16 ms at these moments, each meant to take so many periods.
+FrameCount count_of(const std::vector<std::chrono::milliseconds>& shown, int meant_periods = 1) {
     FrameCount count;
-    for (int i = 0; i < 120; ++i) count.frame(i * 16ms + (i >= 60 ? 40ms : 0ms), 16ms);
+    std::optional<tempo::DisplayTime> before;
+    for (const auto at : shown) {
+        tempo::FrameRecord record;
+        record.shown = tempo::DisplayTime{at};
+        record.shown_before = std::exchange(before, record.shown);
+        record.period = 16ms;
+        record.meant_periods = meant_periods;
+        count.frame(record);
+    }
+    return count;
+}
+
+TEST(Vitals, CountLateFrames) {
+    std::vector<std::chrono::milliseconds> shown;
+    for (int i = 0; i < 120; ++i) shown.push_back(i * 16ms + (i >= 60 ? 40ms : 0ms));
+    const FrameCount count = count_of(shown);
     EXPECT_EQ(count.frames, 120U);
     EXPECT_EQ(count.late, 1U);
     EXPECT_NEAR(count.longest_ms, 56, 1);
@@ -130,18 +146,22 @@ TEST(Vitals, CountLateFrames) {
 }
 
 TEST(Vitals, CountAFrameLateByWhatItWasMeantToTake) {
-    FrameCount count;
-    for (int i = 0; i < 100; ++i) count.frame(i * 32ms, 16ms, 2);
-    EXPECT_EQ(count.late, 0U);
-    count.frame(99 * 32ms + 48ms, 16ms, 2);
-    EXPECT_EQ(count.late, 1U) << "one of the screen's periods more";
+    std::vector<std::chrono::milliseconds> shown;
+    for (int i = 0; i < 100; ++i) shown.push_back(i * 32ms);
+    EXPECT_EQ(count_of(shown, 2).late, 0U);
+    shown.push_back(99 * 32ms + 48ms);
+    EXPECT_EQ(count_of(shown, 2).late, 1U) << "one refresh period more";
 }
 
-TEST(Vitals, ATimeByAnotherClockIsNoLateFrame) {
+TEST(Vitals, AFrameThatIsComparedWithNoneIsNotLate) {
     FrameCount count;
+    tempo::FrameRecord record;
+    record.period = 16ms;
     for (int i = 0; i < 200; ++i) {
-        if (i == 100) count.begin_anew();
-        count.frame(i * 16ms + (i >= 100 ? 24h : 0h), 16ms);
+        const tempo::DisplayTime at{i * 16ms + (i >= 100 ? 24h : 0h)};
+        record.shown_before = i == 0 || i == 100 ? std::nullopt : std::optional(record.shown);  // the screen was away
+        record.shown = at;
+        count.frame(record);
     }
     EXPECT_EQ(count.late, 0U);
     EXPECT_EQ(count.frames, 200U);

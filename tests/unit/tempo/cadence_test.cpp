@@ -9,7 +9,7 @@ namespace quadrat::tempo {
 namespace {
 
 using namespace std::chrono_literals;
-using Instant = Cadence::Instant;
+using Instant = std::chrono::nanoseconds;
 
 // Shows a frame at the beginning of its first period after it was handed over and after the one before it.
 struct PlainScreen {
@@ -31,12 +31,12 @@ std::vector<Instant> gaps_after(Instant first_gap, int periods, bool is_ahead, I
     screen.take(handed_over_at);
     std::vector<Instant> gaps;
     for (int n = 0; n < 20; ++n) {
-        Cadence cadence{period, periods, screen.shown.back()};
+        Cadence cadence{period, periods, base::DisplayTime{screen.shown.back()}};
         if (is_ahead) {
-            cadence.shown_at = screen.shown[screen.shown.size() - 2];
-            cadence.handed_over_at = handed_over_at;
+            cadence.shown_at = base::DisplayTime{screen.shown[screen.shown.size() - 2]};
+            cadence.handed_over_at = base::DisplayTime{handed_over_at};
         }
-        handed_over_at = hand_over_at(cadence);
+        handed_over_at = hand_over_at(cadence).time_since_epoch();
         const Instant before = screen.shown.back();
         screen.take(handed_over_at);
         gaps.push_back(screen.shown.back() - before);
@@ -53,10 +53,14 @@ TEST(Cadence, IsEvenFromTheNextFrameOnWhateverWentBefore) {
                         EXPECT_EQ(gap, periods * period) << periods << is_ahead << first;
 }
 
+Instant handed_over(Instant shown_at, Instant handed_over_at) {
+    return hand_over_at({16ms, 2, base::DisplayTime{shown_at}, base::DisplayTime{handed_over_at}}).time_since_epoch();
+}
+
 TEST(Cadence, OfAFrameThatWasHandedOverBeforeTheOneBeforeItWasShownCountsAWholePeriodForIt) {
-    EXPECT_EQ(hand_over_at({16ms, 2, 160ms, 150ms}), 160ms + 16ms + 4ms + 16ms);
-    EXPECT_EQ(hand_over_at({16ms, 2, 160ms, 161ms}), 160ms + 16ms + 4ms + 16ms);
-    EXPECT_EQ(hand_over_at({16ms, 2, 160ms, 177ms}), 160ms + 32ms + 4ms + 16ms);
+    EXPECT_EQ(handed_over(160ms, 150ms), 160ms + 16ms + 4ms + 16ms);
+    EXPECT_EQ(handed_over(160ms, 161ms), 160ms + 16ms + 4ms + 16ms);
+    EXPECT_EQ(handed_over(160ms, 177ms), 160ms + 32ms + 4ms + 16ms);
 }
 
 }  // namespace

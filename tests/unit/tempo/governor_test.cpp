@@ -312,10 +312,10 @@ TEST(Governor, DrawsLessOfWhatComesBeforeTheFirstFrameOfIt) {
     DetailGovernor governor({});
     governor.frame({1s, kPeriod, kPeriod, 0.3F, false});
     const float before = governor.level();
-    governor.brace();
+    governor.lower_in_advance();
     const float braced = governor.level();
     EXPECT_LT(braced, 0.6F * before);
-    governor.brace();
+    governor.lower_in_advance();
     EXPECT_EQ(governor.level(), braced) << "once is enough";
     Instant now = 1s;
     float last = braced;

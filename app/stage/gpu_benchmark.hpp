@@ -9,10 +9,10 @@ namespace quadrat::stage {
 
 // What a GPU takes for the same frame drawn in several ways, without waiting for a screen: where its profile comes
 // from.
-class Trial {
+class GpuBenchmark {
   public:
     // most_samples: a pixel, that may be asked for; more than 1: what they take is measured too.
-    explicit Trial(int most_samples);
+    explicit GpuBenchmark(int most_samples);
 
     bool is_over() const { return costs_.size() == ways_.size(); }
     // Draws the frame again and again in the next way, for a second and a half at most, and leaves nothing of it but

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tempo/way_back.hpp"
+#include "tempo/full_rate_probe.hpp"
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ constexpr auto kKept = 1h;  // so long in one period: whatever it was has passed
 
 }  // namespace
 
-bool WayBack::watch(Instant now) {
+bool FullRateProbe::watch(Instant now) {
     if (is_watching_) return true;
     if (now < not_before_) return false;
     is_watching_ = true;
@@ -28,7 +28,7 @@ bool WayBack::watch(Instant now) {
     return true;
 }
 
-void WayBack::frame(Instant now, float used, bool is_growing) {
+void FullRateProbe::frame(Instant now, float used, bool is_growing) {
     if (!is_watching_) return;
     ++frames_;
     without_room_ += used > kEnough;
@@ -38,16 +38,16 @@ void WayBack::frame(Instant now, float used, bool is_growing) {
     not_before_ = now + pause_;
 }
 
-bool WayBack::is_open(Instant now) const {
+bool FullRateProbe::is_open(Instant now) const {
     return is_watching_ && now - since_ >= (was_growing_ ? Instant{kWatched} : Instant{kWatchedIdle});
 }
 
-void WayBack::taken(Instant now) {
+void FullRateProbe::taken(Instant now) {
     is_watching_ = false;
     taken_at_ = now;
 }
 
-void WayBack::given_up(Instant now) {
+void FullRateProbe::given_up(Instant now) {
     if (!taken_at_) return;
     pause_ = now - *taken_at_ > kKept ? kFirstPause : std::min(2 * pause_, kLongestPause);
     not_before_ = now + pause_;

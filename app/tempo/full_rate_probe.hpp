@@ -10,7 +10,7 @@ namespace quadrat::tempo {
 // Watches whether all frames of a minute in which landscapes grew, or of ten minutes in which none did, would have been
 // ready in one period, but for one, and one more of each four hundred. Where one would not do after all, it waits twice
 // as long before it watches again.
-class WayBack {
+class FullRateProbe {
   public:
     using Instant = std::chrono::nanoseconds;
 

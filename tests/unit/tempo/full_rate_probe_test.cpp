@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tempo/way_back.hpp"
+#include "tempo/full_rate_probe.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ constexpr std::chrono::nanoseconds kFrame = 33ms;
 
 // When the way is open, where every so-manieth frame has no room; nothing within twenty minutes: at no time.
 std::optional<std::chrono::nanoseconds> opens_after(bool is_growing, int misses_every) {
-    WayBack way_back;
+    FullRateProbe way_back;
     for (std::chrono::nanoseconds now = 0s; now < 20min; now += kFrame) {
         if (!way_back.watch(now)) return std::nullopt;
         way_back.frame(now, now / kFrame % misses_every == misses_every - 1 ? 1.0F : 0.5F, is_growing);
@@ -21,13 +21,13 @@ std::optional<std::chrono::nanoseconds> opens_after(bool is_growing, int misses_
     return std::nullopt;
 }
 
-TEST(WayBack, OpensAfterAMinuteInWhichLandscapesGrewAndAfterTenInWhichNoneDid) {
+TEST(FullRateProbe, OpensAfterAMinuteInWhichLandscapesGrewAndAfterTenInWhichNoneDid) {
     constexpr int kNever = 1 << 30;
     EXPECT_NEAR(static_cast<double>(opens_after(true, kNever).value_or(0s) / 1s), 60, 1);
     EXPECT_NEAR(static_cast<double>(opens_after(false, kNever).value_or(0s) / 1s), 600, 1);
 }
 
-TEST(WayBack, ForgivesOneFrameInFourHundredAndNoMore) {
+TEST(FullRateProbe, ForgivesOneFrameInFourHundredAndNoMore) {
     EXPECT_TRUE(opens_after(false, 400).has_value());
     EXPECT_FALSE(opens_after(false, 300).has_value());
 }

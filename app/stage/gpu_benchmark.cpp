@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stage/trial.hpp"
+#include "stage/gpu_benchmark.hpp"
 
 #include <chrono>
 
@@ -19,11 +19,11 @@ double ms_since(Clock::time_point began) {
 
 }  // namespace
 
-Trial::Trial(int most_samples) : ways_{{1, 1}, {0.1F, 1}, {0.1F, 0.5F}} {
+GpuBenchmark::GpuBenchmark(int most_samples) : ways_{{1, 1}, {0.1F, 1}, {0.1F, 0.5F}} {
     if (most_samples > 1) ways_.push_back({1, 1, most_samples});
 }
 
-void Trial::step(render::Renderer& renderer, render::Frame frame) {
+void GpuBenchmark::step(render::Renderer& renderer, render::Frame frame) {
     frame.detail = ways_[costs_.size()];
     tempo::FrameCost cost{frame.detail.alpha, frame.detail.scale};
     std::vector<double> took;
@@ -42,7 +42,7 @@ void Trial::step(render::Renderer& renderer, render::Frame frame) {
     costs_.push_back(cost);
 }
 
-tempo::GpuProfile Trial::profile(render::Renderer& renderer, double pixels) const {
+tempo::GpuProfile GpuBenchmark::profile(render::Renderer& renderer, double pixels) const {
     tempo::GpuProfile profile =
         tempo::profile_of({costs_[0], costs_[1], costs_[2], costs_.size() > 3 ? costs_[3] : costs_[0]}, pixels);
     profile.upload_bytes_per_s = renderer.upload_bytes_per_s();
