@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
         float growth, alpha;
     };
     constexpr Shot kShots[] = {{0.35F, 1}, {0.65F, 1}, {1, 8}, {1, 0.4F}, {1, 0.08F}, {1, 0.015F}};
-    for (int habit = 0; habit < synthesis::trees::kHabits; ++habit) {
+    for (int habit = 0; habit < synthesis::trees::kind_count(); ++habit) {
         if (!only.empty() && only.find(fmt::format(",{},", habit)) == std::string::npos) continue;
         values.set(genome::ParameterId::tree_habit, static_cast<float>(habit));
         const auto scene = stand_alone(values, base::Seed{seed});

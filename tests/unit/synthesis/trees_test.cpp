@@ -124,7 +124,7 @@ TEST_P(EveryHabit, GrowsSoundClosedWoodAndLeavesWithinItsBudget) {
         EXPECT_GT(tree.wood[level].left_out_m, tree.wood[level - 1].left_out_m);
     }
     EXPECT_LE(tree.leaves.indices.size() / 3, kMostLeafTriangles);
-    EXPECT_NEAR(tree.height_m, GetParam() == static_cast<int>(Habit::Cactus) ? 6.5 : 13, 5);
+    EXPECT_NEAR(tree.height_m, 13 * kind(GetParam()).height, 5);
     EXPECT_EQ(tree.bark.width, 128);
 }
 
@@ -148,7 +148,7 @@ TEST_P(EveryHabit, CoversItsWholeCrownWithAPrefixOfItsLeaves) {
     for (int i = 0; i < 3; ++i) EXPECT_GT(part[i], 0.6F * whole[i]);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryHabit, testing::Range(0, kHabits));
+INSTANTIATE_TEST_SUITE_P(All, EveryHabit, testing::Range(0, kind_count()));
 
 TEST(Trees, OfEveryTypeOfTheClassicGenomeAreDifferentPlants) {
     std::vector<glm::vec3> sizes;
