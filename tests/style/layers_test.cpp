@@ -11,33 +11,15 @@
 #include <set>
 #include <sstream>
 
+#include "layer_table.hpp"
 #include "support/source_tree.hpp"
 
 namespace {
 
 using quadrat::tests::SourceFile;
 
-struct Layers {
-    std::map<std::string, std::vector<std::string>> rooms;
-    std::map<std::string, std::vector<std::string>> system;
-    std::map<std::string, std::vector<std::string>> clocks;  // one row
-};
-
-Layers read_layers() {
-    Layers layers;
-    std::ifstream file(QUADRAT_SOURCE_DIR "/tests/style/layers.txt");
-    auto* table = &layers.rooms;
-    for (std::string line; std::getline(file, line);) {
-        if (line == "[system]") table = &layers.system;
-        if (line == "[clock]") table = &layers.clocks;
-        const auto colon = line.find(':');
-        if (line.empty() || line[0] == '#' || colon == std::string::npos) continue;
-        std::istringstream names(line.substr(colon + 1));
-        auto& allowed = (*table)[line.substr(0, colon)];
-        for (std::string name; names >> name;) allowed.push_back(name);
-    }
-    return layers;
-}
+using Layers = quadrat::tests::LayerTable;
+using quadrat::tests::read_layers;
 
 bool lies_in(const std::string& path, const std::string& folder) {
     return path == folder || path.starts_with(folder + "/");
@@ -132,7 +114,7 @@ TEST(Layers, EveryFolderOfTheTableExists) {
     const auto expect_there = [](const std::string& folder) {
         EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(QUADRAT_SOURCE_DIR) / folder)) << folder;
     };
-    for (const auto* table : {&layers.rooms, &layers.system, &layers.clocks}) {
+    for (const auto* table : {&layers.rooms, &layers.system, &layers.clocks, &layers.paths}) {
         for (const auto& [name, folders] : *table) {
             if (table == &layers.rooms) expect_there(name);
             for (const std::string& folder : folders) expect_there(folder);
