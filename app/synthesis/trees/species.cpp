@@ -20,10 +20,10 @@ FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
     FoliageOptions o;
     o.kind = f.leaf;
     // Leaves of a large tree are seen from farther away: sprays of them.
-    o.length_m = 1.15F * t.leaf * f.leaf_length_m * std::sqrt(std::clamp(species.height_m / 13.0F, 0.45F, 1.6F));
+    o.length_m = 0.68F * t.leaf * f.leaf_length_m * std::sqrt(std::clamp(species.height_m / 13.0F, 0.45F, 1.6F));
     o.width = f.leaf_width;
     o.fold = f.leaf_fold;
-    o.scatter_m = t.scatter * species.height_m;
+    o.scatter_m = 0.7F * t.scatter * species.height_m * (1 - 0.75F * f.bareness);
     o.clumping = f.leaf_clumping;
     o.droop = f.leaf_droop + (f.habit == Habit::Willow ? 0.5F : 0.0F);
     o.spread = t.spread;
@@ -45,7 +45,7 @@ FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
         const float r = species.crown_radius_m;
         const float crown_m2 = r * r + 0.4F * r * species.height_m;
         const float blade_m2 = o.length_m * o.length_m * shape.width * f.leaf_width;
-        const float wanted = 10.0F * t.cover * f.leaf_density * crown_m2 / blade_m2;
+        const float wanted = 15.0F * t.cover * f.leaf_density * crown_m2 / blade_m2;
         o.blades = static_cast<std::size_t>(std::clamp(wanted, 160.0F, static_cast<float>(most)));
         // What the budget denies in number is given in size.
         const float missing = wanted / static_cast<float>(o.blades);
