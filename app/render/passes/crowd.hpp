@@ -30,7 +30,6 @@ struct Instance {
 struct Kind {
     float height_m = 1;
     float radius_m = 1;                       // of a cylinder about the stem that holds all of it
-    float crown_m = 1;                        // the radius of its crown, but for what stands out of it
     std::vector<std::size_t> wood_triangles;  // a level, finest first
     std::vector<float> wood_left_out_m;       // the same: scene::Wood
     std::size_t blades = 0;
@@ -40,6 +39,7 @@ struct Kind {
     std::vector<std::size_t> mass_triangles = {};  // of the crown as one mass, a level, finest first
     float massed = 0;                              // of its leaves, the share that this stands for
     float largest_blade = 100;                     // times its size; beyond it the crown thins instead
+    float crown_m = 1;                             // the radius of its crown, but for what stands out of it
     float opacity = 0;                             // of the crown, of what lies behind it: 0 to 1
 };
 

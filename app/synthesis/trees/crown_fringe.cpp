@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/seed.hpp"
+#include "mesh/pieces.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -16,6 +17,7 @@ constexpr std::size_t kFewestTriangles = 8;  // of a mass that has a fringe
 constexpr float kCovers = 1.15F;              // of the mass, by area
 constexpr float kLength = 1.5F;               // of a spray, to the square root of its area, and so its width
 constexpr float kWidth = 4.0F / 3;
+constexpr float kReach = 1.08F;               // of the mass, from the root
 constexpr double kGoldenShare = 0.6180339887498949;
 
 // Where a spray stands on the finest mass, and what the leaves about it are.
@@ -83,17 +85,20 @@ std::vector<Spray> sprays_of(const scene::CrownMass& mass, std::size_t count) {
     return sprays;
 }
 
-// Foot, foot, tip, its outside to the front. area_m2: of the triangle.
-std::array<glm::vec3, 3> corners(const Spray& spray, float area_m2) {
+// Foot, foot, tip, its outside to the front; none further from the root than so much. area_m2: of the triangle.
+std::array<glm::vec3, 3> corners(const Spray& spray, float area_m2, float reach_m) {
     const float length_m = kLength * std::sqrt(area_m2);
     const float half_m = 0.5F * kWidth * std::sqrt(area_m2);
     const glm::vec3 foot = spray.at_m - 0.2F * length_m * spray.along;
-    return {foot - half_m * spray.side, foot + half_m * spray.side, foot + length_m * spray.along};
+    std::array<glm::vec3, 3> at{foot - half_m * spray.side, foot + half_m * spray.side,
+                                foot + length_m * spray.along};
+    for (glm::vec3& corner : at) corner *= std::min(reach_m / std::max(glm::length(corner), 1e-3F), 1.0F);
+    return at;
 }
 
-void add(scene::CrownMass& mass, const Spray& spray, float area_m2) {
+void add(scene::CrownMass& mass, const Spray& spray, const std::array<glm::vec3, 3>& at) {
     constexpr std::array<float, 3> kLightness{0.82F, 0.88F, 1.22F};
-    const auto at = corners(spray, area_m2);
+    ++mass.sprays;
     for (std::size_t k = 0; k < 3; ++k) {
         mass.mesh.indices.push_back(static_cast<std::uint32_t>(mass.mesh.positions_m.size()));
         mass.mesh.positions_m.push_back(at[k]);
@@ -107,26 +112,33 @@ void add(scene::CrownMass& mass, const Spray& spray, float area_m2) {
 
 }  // namespace
 
-void add_fringe(std::vector<scene::CrownMass>& masses, std::size_t levels) {
+void add_fringe(std::vector<scene::CrownMass>& masses) {
+    if (masses.empty()) return;
+    const std::size_t clumps = mesh::pieces_of(masses.front().mesh).size();
     std::vector<std::size_t> counts;
-    for (std::size_t i = 0; i < masses.size(); ++i) {
-        const std::size_t own = masses[i].mesh.triangle_count();
-        counts.push_back(i < levels && own >= kFewestTriangles ? own : 0);
+    for (const scene::CrownMass& mass : masses) {
+        const std::size_t own = mass.mesh.triangle_count();
+        const bool has_all = mesh::pieces_of(mass.mesh).size() == clumps;
+        counts.push_back(has_all && own >= kFewestTriangles ? own : 0);
     }
-    if (counts.empty() || counts.front() == 0) return;
+    if (counts.front() == 0) return;
     const std::vector<Spray> sprays = sprays_of(masses.front(), counts.front());
     const float covered_m2 = kCovers * areas_up_to(masses.front().mesh).back();
-    const auto area_m2 = [&](std::size_t level) { return covered_m2 / static_cast<float>(counts[level]); };
+    float reach_m = 0;
+    for (const glm::vec3& at_m : masses.front().mesh.positions_m) reach_m = std::max(reach_m, kReach * glm::length(at_m));
+    const auto at = [&](std::size_t level, std::size_t spray) {
+        return corners(sprays[spray], covered_m2 / static_cast<float>(counts[level]), reach_m);
+    };
     for (std::size_t level = 0; level < masses.size() && counts[level] > 0; ++level) {
         const bool has_coarser = !masses[level].coarser_m.empty();
         for (std::size_t i = 0; i < counts[level]; ++i) {
-            add(masses[level], sprays[i], area_m2(level));
+            add(masses[level], sprays[i], at(level, i));
             if (!has_coarser) continue;
             // One that the next level lacks dwindles to nothing.
             const bool stays = level + 1 < masses.size() && i < counts[level + 1];
-            for (const glm::vec3& at : stays ? corners(sprays[i], area_m2(level + 1))
-                                             : std::array{sprays[i].at_m, sprays[i].at_m, sprays[i].at_m})
-                masses[level].coarser_m.push_back(at);
+            const glm::vec3 gone_m = sprays[i].at_m;
+            for (const glm::vec3& corner : stays ? at(level + 1, i) : std::array{gone_m, gone_m, gone_m})
+                masses[level].coarser_m.push_back(corner);
         }
     }
 }

@@ -17,7 +17,6 @@
 #include "mesh/pieces.hpp"
 #include "mesh/progressive.hpp"
 #include "mesh/sparse_field.hpp"
-#include "synthesis/trees/crown_fringe.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -351,10 +350,7 @@ std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves) {
         if (!masses.empty()) masses.back().coarser_m = mesh::morph_targets_m(chain, i - 1);
         masses.push_back(coloured(level, density, share));
     }
-    if (masses.empty()) return masses;
-    const std::size_t whole_levels = masses.size();
-    add_fewer_clumps(masses);
-    add_fringe(masses, whole_levels);
+    if (!masses.empty()) add_fewer_clumps(masses);
     return masses;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "synthesis/trees/bark.hpp"
+#include "synthesis/trees/crown_fringe.hpp"
 #include "synthesis/trees/crown_mass.hpp"
 #include "synthesis/trees/leaf_picture.hpp"
 #include "synthesis/trees/wood_levels.hpp"
@@ -92,6 +93,7 @@ scene::Species make_species(const Form& f, base::Seed seed) {
     const FoliageOptions foliage = foliage_of(f, species);
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
     if (f.habit != Habit::Palm) species.masses = crown_masses(species.leaves);
+    add_fringe(species.masses);
     if (species.leaves.blades > 0) add_spindle(species.wood, species.height_m, species.trunk_radius_m);
     set_coarser(species.wood);
     // Twigs are all the crown that a bare tree has: they are left out later.
