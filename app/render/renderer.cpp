@@ -230,7 +230,7 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
     if (what.ground) {
         gl::bind_uniforms(scene.sky->shadow, passes::kShadowBinding);
         const HeldGround& held = grounds[slot];
-        of(Kind::Cover) += cover.draw(scene.cover, selection.cover, covers[slot], selection.cover_wish);
+        of(Kind::Cover) += cover.draw(scene.cover, selection.cover, covers[slot]);
         of(Kind::Ground) += stone.draw(country.stone, held.indices(), held.stone());
         if (gl::Wires::are_on()) {
             for (const passes::IndexRange& level : held.land_by_level())

@@ -55,7 +55,7 @@ std::string to_text(const GpuProfile& profile) {
 GovernorOptions start_for(const GpuProfile& profile, float most, double period_ms) {
     GovernorOptions options;
     options.most = most;
-    for (const int periods : {1, 2}) {
+    for (int periods = 1; periods <= GovernorOptions::kMostPeriods; ++periods) {
         options.periods = periods;
         for (float level = most; level >= GovernorOptions::kLeast; level *= 0.97F) {
             options.start = level;

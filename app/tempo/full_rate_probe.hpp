@@ -3,12 +3,12 @@
 #include <chrono>
 #include <optional>
 
-// From a frame in two of the screen's periods back to one: what was too slow may have been too hot, or busy with
+// From a frame in several of the screen's periods back to one less: what was too slow may have been too hot, or busy with
 // something else.
 namespace quadrat::tempo {
 
 // Watches whether all frames of a minute in which landscapes grew, or of ten minutes in which none did, would have been
-// ready in one period, but for one, and one more of each four hundred. Where one would not do after all, it waits twice
+// ready in one period less, but for one, and one more of each four hundred. Where one would not do after all, it waits twice
 // as long before it watches again.
 class FullRateProbe {
   public:
@@ -16,9 +16,9 @@ class FullRateProbe {
 
     // Begins to watch, or goes on. False, and nothing begun: it has been seen a short while ago that one would not do.
     bool watch(Instant now);
-    // used: of one period, until it was drawn; 1 and more: all of it.
+    // used: of one period less than it had, until it was drawn; 1 and more: all of it.
     void frame(Instant now, float used, bool is_growing);
-    // One period would do. Whoever takes it says so, and says when that is over.
+    // One period less would do. Whoever takes it says so, and says when that is over.
     bool is_open(Instant now) const;
     void taken(Instant now);
     void given_up(Instant now);

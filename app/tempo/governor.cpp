@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -18,7 +19,7 @@ constexpr float kMuchMore = 1.4F;        // far from what it could be: seen, and
 constexpr auto kSettling = 400ms;        // until a change can be judged
 constexpr auto kBlame = 5s;              // lateness so soon after a raise is the raise's
 constexpr auto kLongestPatience = std::chrono::nanoseconds{10min};
-constexpr auto kHopeless = 3s;  // late with the least detail: a frame in two periods
+constexpr auto kHopeless = 3s;  // late with the least detail: a frame in one period more
 constexpr auto kLongestRough = std::chrono::nanoseconds{2h};
 constexpr float kLessAtOnce = 0.6F;  // of the level, where a frame takes one period again
 constexpr float kGrowing = 0.4F;
@@ -33,6 +34,11 @@ constexpr float kLeastByOnes = 0.8F;    // of the level that was chosen last
 constexpr float kRoomGrows = 0.0018F;   // octaves a second: it comes back within minutes
 constexpr float kMuchRoom = 0.6F;       // of that room: a frame drawn so early leaves room for much more detail
 
+const char* in_words(int periods) {
+    constexpr std::array<const char*, 5> kWords{"none", "one", "two", "three", "four"};
+    return kWords[static_cast<std::size_t>(periods)];
+}
+
 float seconds(std::chrono::nanoseconds t) { return std::chrono::duration<float>(t).count(); }
 
 }  // namespace
@@ -40,7 +46,7 @@ float seconds(std::chrono::nanoseconds t) { return std::chrono::duration<float>(
 float alpha_for(float level) { return level >= kSofterFrom ? level : std::sqrt(level * kSofterFrom); }
 
 float scale_for(float level) {
-    constexpr float kSmallest = 0.5F;
+    constexpr float kSmallest = 0.75F;
     if (level >= kSofterFrom) return 1;
     const float share = std::log(level / kSofterFrom) / std::log(GovernorOptions::kLeast / kSofterFrom);
     return std::max(std::pow(kSmallest, share), kSmallest);
@@ -174,9 +180,10 @@ void DetailGovernor::give_way(const FrameTold& told) {
         }
         raised_at_.reset();
         say("late", before, told);
-    } else if (periods_ == 1 && told.now - at_least_since_ > kHopeless) {
-        change_periods(2, told.now);
-        say("late with the least detail: from now on a frame in two of the screen's periods", before, told);
+    } else if (periods_ < GovernorOptions::kMostPeriods && told.now - at_least_since_ > kHopeless) {
+        change_periods(periods_ + 1, told.now);
+        say(fmt::format("late with the least detail: from now on a frame in {} of the screen's periods", in_words(periods_)),
+            before, told);
     } else {
         return;
     }
@@ -203,14 +210,15 @@ void DetailGovernor::try_more(const FrameTold& told) {
     say(had_much_room ? "in time, with much room" : "in time, with room", before_raise_, told);
 }
 
-// To a frame in one period.
+// To a frame in one period less.
 void DetailGovernor::look_back(const FrameTold& told) {
-    full_rate_probe_.frame(told.now, told.used * static_cast<float>(periods_), told.is_growing);
+    const float fewer = static_cast<float>(periods_ - 1);
+    full_rate_probe_.frame(told.now, told.used * static_cast<float>(periods_) / fewer, told.is_growing);
     if (!full_rate_probe_.is_open(told.now)) return;
-    change_periods(1, told.now);
+    change_periods(periods_ - 1, told.now);
     target_ = std::max(kLessAtOnce * target_, GovernorOptions::kLeast);
-    reason_ = fmt::format("detail {:.2f}: drawn in half the time: from now on a frame in each of the screen's periods",
-                          target_);
+    reason_ = fmt::format("detail {:.2f}: drawn so early: from now on a frame in {} of the screen's periods", target_,
+                          periods_ == 1 ? "each" : in_words(periods_));
     begin_anew(told.now);
 }
 
@@ -235,7 +243,7 @@ void DetailGovernor::begin_calm(Instant now) {
     frames_calm_ = frames_with_room_ = frames_with_much_room_ = 0;
 }
 
-void DetailGovernor::say(const char* why, float before, const FrameTold& told) {
+void DetailGovernor::say(std::string_view why, float before, const FrameTold& told) {
     const auto ms = [](Instant t) { return 1e3F * seconds(t); };
     if (late_.any())
         reason_ = fmt::format("detail {:.2f}, was {:.2f}: {} of {} frames {} ({:.0f} ms for {:.0f})", target_, before,

@@ -5,12 +5,14 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "tempo/full_rate_probe.hpp"
 
 // Detail that holds the frame: watches whether frames reach the screen in time, never how long a GPU says it took (a
 // Raspberry Pi's clock follows its load), and turns one knob, the level: alpha, and below 0.3 the size of the views
-// too.
+// too. There is a floor: what has less detail than that is no picture any more, and frames are shown more seldom, but
+// evenly, rather than it.
 namespace quadrat::tempo {
 
 struct GovernorOptions {
@@ -18,7 +20,8 @@ struct GovernorOptions {
     float start = 1;
     int periods = 1;  // display refresh periods per frame, initially
     int samples = 1;  // a pixel, at the start; more than 1: edges are smooth
-    static constexpr float kLeast = 0.01F;
+    static constexpr float kLeast = 0.12F;
+    static constexpr int kMostPeriods = 4;  // a frame: 15 a second of a screen that shows 60
 };
 
 // What is drawn with when the governor is at this level: less geometry first, then also smaller views, for trees of a
@@ -57,8 +60,10 @@ class DetailGovernor {
     void kept_waiting();
 
     // For the next frame. Moves without steps that could be seen; gives way at once while something grows.
-    float level() const { return shown_ * (is_growing_ ? growing_share_ : recovered_); }
-    // How many of the screen's periods a frame is meant to take: 1, or 2 while the machine cannot do better.
+    float level() const {
+        return std::max(shown_ * (is_growing_ ? growing_share_ : recovered_), std::min(GovernorOptions::kLeast, most_));
+    }
+    // How many of the screen's periods a frame is meant to take: 1, or up to 4 while the machine cannot do better.
     int periods() const { return periods_; }
     int samples() const { return samples_; }
     // To start with another time.
@@ -78,7 +83,7 @@ class DetailGovernor {
     void look_back(const FrameTold& told);
     void change_periods(int periods, Instant now);
     void give_up_smooth_edges(const FrameTold& told);
-    void say(const char* why, float before, const FrameTold& told);
+    void say(std::string_view why, float before, const FrameTold& told);
     void begin_anew(Instant now);
     void begin_calm(Instant now);
 

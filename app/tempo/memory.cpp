@@ -33,7 +33,7 @@ GovernorOptions options_for(float most, std::string_view remembered, std::string
     GovernorOptions options = all;
     const char* const end = remembered.data() + remembered.size();
     const auto first = std::from_chars(remembered.data(), end, options.periods);
-    if (first.ec != std::errc{} || options.periods < 1 || options.periods > 2) return all;
+    if (first.ec != std::errc{} || options.periods < 1 || options.periods > GovernorOptions::kMostPeriods) return all;
     std::string_view rest(first.ptr, static_cast<std::size_t>(end - first.ptr));
     if (rest.starts_with(kSmooth)) {
         options.samples = 4;

@@ -84,7 +84,7 @@ void add_herbs(scene::Flora& flora, const scene::TreeParameters& p, const Wear& 
 scene::Cover cover_of(const scene::TreeParameters& p, const Wear& wear) {
     scene::Cover cover;
     cover.density = std::clamp(0.25F + 0.85F * p.grass_share, 0.0F, 1.0F);
-    cover.height_m = 0.14F + 0.9F * p.grass_height_m;
+    cover.height_m = 0.20F + 1.1F * p.grass_height_m;
     cover.spread = p.grass_spread;
     cover.cushions = std::clamp(0.45F * (1.2F - p.grass_share), 0.05F, 0.5F);
     cover.flowers = 0.35F * p.flower_share;

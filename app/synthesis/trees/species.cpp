@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "synthesis/trees/bark.hpp"
+#include "synthesis/trees/crown_fringe.hpp"
 #include "synthesis/trees/crown_mass.hpp"
 #include "synthesis/trees/leaf_picture.hpp"
 #include "synthesis/trees/wood_levels.hpp"
@@ -20,10 +21,10 @@ FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
     FoliageOptions o;
     o.kind = f.leaf;
     // Leaves of a large tree are seen from farther away: sprays of them.
-    o.length_m = 1.15F * k.leaf * f.leaf_length_m * std::sqrt(std::clamp(species.height_m / 13.0F, 0.45F, 1.6F));
+    o.length_m = 0.68F * k.leaf * f.leaf_length_m * std::sqrt(std::clamp(species.height_m / 13.0F, 0.45F, 1.6F));
     o.width = f.leaf_width;
     o.fold = f.leaf_fold;
-    o.scatter_m = k.scatter * species.height_m;
+    o.scatter_m = 0.7F * k.scatter * species.height_m * (1 - 0.75F * f.bareness);
     o.clumping = f.leaf_clumping;
     o.droop = f.leaf_droop + k.droop;
     o.spread = k.spread;
@@ -45,7 +46,7 @@ FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
         const float r = species.crown_radius_m;
         const float crown_m2 = r * r + 0.4F * r * species.height_m;
         const float blade_m2 = o.length_m * o.length_m * shape.width * f.leaf_width;
-        const float wanted = 10.0F * k.cover * f.leaf_density * crown_m2 / blade_m2;
+        const float wanted = 15.0F * k.cover * f.leaf_density * crown_m2 / blade_m2;
         o.blades = static_cast<std::size_t>(std::clamp(wanted, 160.0F, static_cast<float>(most)));
         // What the budget denies in number is given in size.
         const float missing = wanted / static_cast<float>(o.blades);
@@ -90,6 +91,7 @@ scene::Species make_species(const Form& f, base::Seed seed) {
     const FoliageOptions foliage = foliage_of(f, species);
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
     if (!k.is_rosette) species.masses = crown_masses(species.leaves);
+    add_fringe(species.masses);
     if (species.leaves.blades > 0) add_spindle(species.wood, species.height_m, species.trunk_radius_m);
     set_coarser(species.wood);
     // Twigs are all the crown that a bare tree has: they are left out later.

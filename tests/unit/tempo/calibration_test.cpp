@@ -52,7 +52,7 @@ TEST(Calibration, StartsWhereFramesAreInTime) {
         << "no more than the site asks for";
     const GovernorOptions hopeless = start_for(Gpu{200, 1e6, 1e7}.profile(), 1, kPeriod_ms);
     EXPECT_EQ(hopeless.start, GovernorOptions::kLeast);
-    EXPECT_EQ(hopeless.periods, 2);
+    EXPECT_EQ(hopeless.periods, GovernorOptions::kMostPeriods);
 }
 
 TEST(Calibration, TakesWhatIsLostInNoiseToBeFree) {

@@ -143,6 +143,30 @@ TEST(Governor, ShowsAFrameInTwoPeriodsWhereOneIsHopeless) {
     EXPECT_GT(governor.settled(), 0.06F);
 }
 
+// There is a floor under the picture: below it fewer frames are shown, evenly.
+TEST(Governor, ShowsFewerFramesRatherThanLessThanAPicture) {
+    for (const auto& [always_ms, periods] : {std::pair{30.0F, 3}, {55.0F, 4}, {200.0F, 4}}) {
+        DetailGovernor governor({});
+        Machine machine{always_ms, 20};
+        const Watched seen =
+            watch(governor, machine, 0s, 3min, kSteady, [](Instant now) { return now % 20s < 2s; });
+        EXPECT_EQ(governor.periods(), periods) << always_ms;
+        EXPECT_GE(seen.least, GovernorOptions::kLeast);
+        EXPECT_GE(scale_for(seen.least), 0.75F);
+    }
+}
+
+TEST(Governor, ComesBackAPeriodAtATime) {
+    DetailGovernor governor({});
+    Machine machine{4, 8};
+    const auto throttled = [](Instant now) { return now < 5min ? 10.0F : 1.0F; };
+    watch(governor, machine, 0s, 5min, throttled, kNothingGrows);
+    EXPECT_GE(governor.periods(), 3);
+    watch(governor, machine, 5min, 45min, throttled, kNothingGrows);
+    EXPECT_EQ(governor.periods(), 1);
+    EXPECT_GT(governor.settled(), 0.9F);
+}
+
 // Where landscapes grow for two seconds in twenty: how often what a frame may take changed, and what it is at the end.
 struct Periods {
     int changes = 0;
@@ -216,7 +240,7 @@ TEST(Governor, AsksForMoreRoomWhereSingleFramesComeLateUntilTheyNoLongerDo) {
 }
 
 TEST(Governor, DrawsLessWhileLandscapesGrowWhereSingleFramesComeLateThen) {
-    Machine machine{6, 12};
+    Machine machine{6, 11};  // so that a disturbed frame is in time above the floor
     const auto is_growing = [](Instant now) { return now % 20s < 4s; };
     // What is grown takes the memory's time now and then.
     const auto disturbed = [&](Instant now) { return is_growing(now) && (now + 500ms) % 1s < 17ms ? 2.2F : 1.0F; };
