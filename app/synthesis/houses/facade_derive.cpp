@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kDeepest = 64;
 constexpr std::size_t kMostPanels = 20'000;
+constexpr int kMostShapes = 400'000;
 constexpr double kSlack_m = 1.0e-9;
 
 struct Shape {
@@ -92,6 +93,8 @@ class Derivation {
             if (!std::all_of(rule.conditions.begin(), rule.conditions.end(),
                              [&](const Condition& condition) { return holds(condition, shape); }))
                 continue;
+            if (++shapes_ > kMostShapes)
+                refuse_at(grammar_.source, rule.place, fmt::format("more than {} shapes", kMostShapes));
             if (depth > kDeepest) refuse_at(grammar_.source, rule.place, fmt::format("{} goes on for ever", symbol));
             apply(rule, shape, depth + 1);
             return;
@@ -202,6 +205,7 @@ class Derivation {
 
     const FacadeGrammar& grammar_;
     const FacadeShape& facade_;
+    int shapes_ = 0;
     std::map<std::string, std::string> chosen_;
     std::map<std::string, double> numbers_;
     std::array<std::vector<double>, 2> marks_;

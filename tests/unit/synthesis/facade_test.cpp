@@ -87,6 +87,7 @@ TEST(Facade, NamesTheLineAndColumnOfAMistake) {
     EXPECT_THAT(complaint("Facade when width > 99 -> nothing"), HasSubstr("no rule for Facade holds"));
     EXPECT_THAT(complaint("Facade -> repeat x 0.005 A\nA -> repeat y 0.005 B\nB -> panel #ffffff"),
                 HasSubstr("t:3:1: more than"));
+    EXPECT_THAT(complaint("Facade -> split x 1r Facade, 1r Facade"), HasSubstr("more than 400000 shapes"));
     EXPECT_THAT(complaint("set a = 1 / 0\nFacade -> nothing"), HasSubstr("t:1:11: this divides by 0"));
     EXPECT_THAT(complaint("Facade -> nothing more"), HasSubstr("t:1:19: nothing more is meant here"));
 }
