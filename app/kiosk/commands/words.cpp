@@ -111,8 +111,8 @@ exhibit::WordAnswers answers_of(const std::filesystem::path& folder) {
 
 // What is in the files replaces what the curator taught before; what visitors said is read again.
 int train(const Options& options) {
-    const std::filesystem::path folder = state_folder(options.state);
-    std::error_code ignored;  // where it cannot be made, the lock says so
+    const std::filesystem::path folder = existing_state_folder(options.state);
+    std::error_code ignored;  // only the user's own is made; where that cannot be, the lock says so
     std::filesystem::create_directories(folder, ignored);
     const auto lock = hold_state(folder, "quadrat words train");
     const SiteWords before = site_words(folder);
