@@ -75,14 +75,14 @@ void add_costs(Results& results, const Chip& chip) {
 
 const ChipCosts kPi4Costs{{{"leaves.frag", 17, 172, 101},
                            {"wood.frag", 29, 183, 71},
-                           {"cover.vert", 8, 161, 130},
+                           {"cover.vert", 8, 93, 73},
                            {"near_ground.frag", 28, 191, 81},
                            {"running_water.frag", 58, 191, 42},
                            {"held_sky.frag", 14, 158, 146},
                            {"falling.frag", 15, 170, 155}}};
 const ChipCosts kPi5Costs{{{"leaves.frag", 18, 150, 93},
                            {"wood.frag", 29, 161, 64},
-                           {"cover.vert", 8, 132, 110},
+                           {"cover.vert", 8, 83, 60},
                            {"near_ground.frag", 28, 174, 73},
                            {"running_water.frag", 51, 157, 34},
                            {"held_sky.frag", 14, 133, 123},
