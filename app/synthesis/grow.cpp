@@ -4,6 +4,7 @@
 #include "synthesis/compose/exposure.hpp"
 #include "synthesis/compose/light.hpp"
 #include "synthesis/compose/low_ground.hpp"
+#include "synthesis/compose/mirror.hpp"
 #include "synthesis/compose/near_shade.hpp"
 #include "synthesis/compose/openness.hpp"
 #include "synthesis/compose/planting.hpp"
@@ -60,6 +61,7 @@ scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_p
     scene.flora = std::move(flora);
     scene.land = std::move(land);
     scene.sky = std::move(sky);
+    scene.mirror = hold_up_mirror(scene);
     return scene;
 }
 
