@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as a backup, and as what a whole xz holds: a restore puts there what the next start takes, or leaves
 // everything as it was.
-#include "kiosk/backup/backup.hpp"
+#include "backup/backup.hpp"
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -12,14 +12,12 @@
 #include <iterator>
 #include <map>
 
+#include "archive/state_file.hpp"
 #include "base/error.hpp"
-#include "exhibit/state_file.hpp"
 
 namespace fs = std::filesystem;
 
 namespace {
-
-using namespace quadrat;
 
 // A folder under TMPDIR, gone when the program ends.
 struct Scratch {
@@ -65,23 +63,23 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
     return files;
 }
 
-void restore_from(const fs::path& backup, const fs::path& machine, kiosk::backup::Identity identity) {
+void restore_from(const fs::path& file, const fs::path& machine, quadrat::backup::Identity identity) {
     fs::remove_all(machine);
     fs::create_directories(machine / "state");
     write(machine / "state/words.json", "taught here");
     write(machine / "quadrat.toml", "[visit]\nrounds = 3\n");
     const auto before = files_in(machine);
     try {
-        kiosk::backup::restore({machine / "state", machine / "quadrat.toml", exhibit::WallTime{}}, backup,
-                               {identity, {}}, [](const std::string&, double) {});
-    } catch (const base::InputError& error) {
+        quadrat::backup::restore({machine / "state", machine / "quadrat.toml", quadrat::archive::WallTime{}}, file,
+                                 {identity, {}}, [](const std::string&, double) {});
+    } catch (const quadrat::base::InputError& error) {
         if (std::string_view(error.what()).find('\n') != std::string_view::npos) std::abort();
         if (files_in(machine) != before) std::abort();
         return;
     }
-    const auto found = exhibit::examine_state_file(machine / "state" / exhibit::kStateFile).condition;
-    if (found != exhibit::Condition::Missing && found != exhibit::Condition::Whole &&
-        found != exhibit::Condition::Older)
+    const auto found = quadrat::archive::examine_state_file(machine / "state" / quadrat::archive::kStateFile).condition;
+    if (found != quadrat::archive::Condition::Missing && found != quadrat::archive::Condition::Whole &&
+        found != quadrat::archive::Condition::Older)
         std::abort();
 }
 
@@ -92,9 +90,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     const std::string_view text(reinterpret_cast<const char*>(bytes), size);
     const fs::path backup = scratch.folder / "backup.tar.xz";
     write(backup, text);
-    restore_from(backup, scratch.folder / "machine", kiosk::backup::Identity::OfTheBackup);
+    restore_from(backup, scratch.folder / "machine", quadrat::backup::Identity::OfTheBackup);
     write_compressed(backup, text);
     restore_from(backup, scratch.folder / "machine",
-                 size % 2 == 0 ? kiosk::backup::Identity::OfTheBackup : kiosk::backup::Identity::OfTheMachine);
+                 size % 2 == 0 ? quadrat::backup::Identity::OfTheBackup : quadrat::backup::Identity::OfTheMachine);
     return 0;
 }
