@@ -10,9 +10,9 @@
 
 namespace quadrat::synthesis::trees {
 
-// What kind a tree is; the order is that of the parameter tree.habit.
+// What kind a tree is; the order is that of the parameter tree.habit. Those not marked are Weber & Penn's.
 enum class Habit {
-    AsType,
+    AsType,  // a grammar: by tree.type, ABOP figure 2.6 a to d, then the same four made less flat
     Oak,
     Fir,
     Palm,
@@ -21,10 +21,10 @@ enum class Habit {
     Poplar,
     Acacia,
     Birch,
-    Lime,
-    StonePine,
+    Lime,       // space colonisation
+    StonePine,  // space colonisation
     Elm,
-    Ternary,
+    Ternary,  // a grammar: ABOP figure 2.8 b
     Pine,
     Cherry,
     Cypress
