@@ -177,6 +177,24 @@ struct Grade {
     }
 };
 
+// What an eye that has adapted sees about the moon, to its light: a glow over its side of the horizon, and a smaller
+// one.
+float about_moon(const Lights& lights, const glm::vec3& direction) {
+    const float near = std::max(glm::dot(direction, lights.moon), 0.0F);
+    const float low = std::exp(-3.5F * std::max(direction.y, 0.0F));
+    return 0.030F * std::pow(near, 3.0F) * low + 0.10F * std::pow(near, 60.0F);
+}
+
+// A sky all white has nothing to look at: it gives way to the land it lights.
+template <typename Dome>
+void dim_white_sky(Dome& dome) {
+    constexpr float kMost = 0.60F;
+    const float bright = scene::luminance(level_light(dome));
+    if (bright <= kMost) return;
+    const float less = std::pow(kMost / bright, 0.75F);
+    fill(dome, [&](const glm::vec3&, int column, int row) { return dome.at(column, row) * less; });
+}
+
 }  // namespace
 
 float overcast(const Parameters& p) {
@@ -211,8 +229,8 @@ Daylight make_daylight(const Parameters& p, const Lights& lights) {
             lights.moon, [&](const glm::vec3& d, const glm::vec3& m) { return 0.6F * moon * dark.radiance(d, m); });
         const glm::vec3 airglow = glm::vec3{0.55F, 0.75F, 1.15F} * (0.03F * kMoonlight);
         fill(day.dome, [&](const glm::vec3& d, int, int row) {
-            return by_sun.at(d, row) + by_moon.at(d, row) + airglow * (1.3F - 0.6F * d.y) +
-                   galaxy(p, d) * (0.055F * kMoonlight * lights.darkness);
+            return by_sun.at(d, row) + by_moon.at(d, row) + glm::vec3{p.moon_glow * moon * about_moon(lights, d)} +
+                   airglow * (1.3F - 0.6F * d.y) + galaxy(p, d) * (0.055F * kMoonlight * lights.darkness);
         });
         light = moon * glm::sqrt(dark.transmittance(lights.moon.y));
         light = warmed(light, p.moon_warmth, kAmber, kColdLight);
@@ -237,12 +255,7 @@ Daylight make_daylight(const Parameters& p, const Lights& lights) {
     const float fill_light = day.exposure * kFill * (0.5F + 0.5F * p.ambient_strength) * night_sky;
     fill(day.dome,
          [&](const glm::vec3& d, int column, int row) { return grade(day.dome.at(column, row) * fill_light, d); });
-    // A sky all white has nothing to look at: it gives way to the land it lights.
-    const float bright = scene::luminance(level_light(day.dome));
-    if (const float most = 0.60F; bright > most) {
-        const float less = std::pow(most / bright, 0.75F);
-        fill(day.dome, [&](const glm::vec3&, int column, int row) { return day.dome.at(column, row) * less; });
-    }
+    dim_white_sky(day.dome);
     day.sunlight = light * (day.exposure / kPi);
     // A sun so low that its light alone would be one colour keeps a little of the others.
     day.sunlight = glm::mix(day.sunlight, glm::vec3{brightest(day.sunlight)} * glm::vec3{1, 0.62F, 0.34F},

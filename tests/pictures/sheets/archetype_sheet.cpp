@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "breeding/words/described_scene.hpp"
-#include "kiosk/easel.hpp"
-#include "kiosk/growing.hpp"
-#include "kiosk/picture.hpp"
+#include "pictures/picture.hpp"
 #include "pictures/weather.hpp"
+#include "stage/easel.hpp"
 #include "support/values.hpp"
 
 namespace {
@@ -44,8 +43,8 @@ genome::Recipe recipe_of(const breeding::DescribedScene& scene, const Values& ex
     return recipe;
 }
 
-kiosk::SheetEntry drawn(kiosk::Easel& easel, const breeding::DescribedScene& scene, const Values& extra) {
-    kiosk::Picture picture;
+pictures::SheetEntry drawn(stage::Easel& easel, const breeding::DescribedScene& scene, const Values& extra) {
+    pictures::Picture picture;
     picture.scenes = {recipe_of(scene, extra)};
     picture.width = 2 * kWidth;
     picture.height = 540;
@@ -54,7 +53,7 @@ kiosk::SheetEntry drawn(kiosk::Easel& easel, const breeding::DescribedScene& sce
     const ValueRange values = values_of(image);
     fmt::print("{:32} range {:.2f}  p95 {:.2f}  mean {:.2f}  flat {:.2f}\n", scene.name, values.range(), values.light,
                values.mean, flat_share(image));
-    return {kiosk::scaled_to(image, kWidth), scene.name};
+    return {pictures::scaled_to(image, kWidth), scene.name};
 }
 
 }  // namespace
@@ -75,8 +74,8 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
-        kiosk::Easel easel(2 * kWidth, 540);
-        std::vector<kiosk::SheetEntry> entries;
+        stage::Easel easel(2 * kWidth, 540);
+        std::vector<pictures::SheetEntry> entries;
         const auto& all = breeding::archetypes(*aspect);
         const bool is_by_name = rest[1] == "-";
         const std::size_t first = is_by_name ? 0 : std::strtoull(rest[1].c_str(), nullptr, 10);
@@ -84,7 +83,7 @@ int main(int argc, char** argv) {
         for (std::size_t i = first; i < std::min(first + count, all.size()); ++i)
             if (!is_by_name || all[i].name.find(rest[3]) != std::string::npos)
                 entries.push_back(drawn(easel, all[i], extra));
-        kiosk::write_image(is_by_name ? rest[2] : rest[3], kiosk::contact_sheet(entries, 3, kWidth));
+        pictures::write_image(is_by_name ? rest[2] : rest[3], pictures::contact_sheet(entries, 3, kWidth));
     } catch (const std::exception& error) {
         fmt::print(stderr, "archetype_sheet: {}\n", error.what());
         return 2;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <string>
+
+#include "benches/benches.hpp"
+#include "stage/detail_within.hpp"
+#include "stage/easel.hpp"
+
+namespace quadrat::benches {
+
+// Pixels that are shaded for each render::Kind, those that are drawn over later too.
+using ShadedPixels = std::array<double, render::kKinds>;
+ShadedPixels shaded_pixels(stage::Easel& easel, const render::Frame& picture);
+
+// Instructions of the dearest shaders of a kind on a Raspberry Pi, as Mesa 25.0.7 compiles them: for a pixel, and for a
+// vertex in rendering and in binning, which both are done. The shader is the one of the pair that no other pair has.
+struct ShaderCosts {
+    const char* shader;
+    int fragment;
+    int vertex;
+    int binning;
+};
+using ChipCosts = std::array<ShaderCosts, render::kKinds>;
+extern const ChipCosts kPi4Costs;
+extern const ChipCosts kPi5Costs;
+// Where a sky is drawn for frames to come, sky.frag's costs; each of those fetches it, at the costs of its kind.
+extern const ShaderCosts kPi4Dome;
+extern const ShaderCosts kPi5Dome;
+
+// What a picture of four views would take on a Raspberry Pi, with everything that is assumed as rows of its own.
+void estimate(Results& results, const std::string& profile, stage::Easel& easel, const render::Frame& picture);
+
+}  // namespace quadrat::benches
