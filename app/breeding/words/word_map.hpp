@@ -24,7 +24,7 @@ struct Direction {
 // same map, bit for bit. A value that is cheap to copy.
 class WordMap {
   public:
-    // Trains; about 0.1 s for 400 scenes. An aspect without scenes keeps the table's defaults.
+    // Trains; 0.1 s for 400 scenes. Those trusted fully come back in their own words. Without scenes: the defaults.
     explicit WordMap(std::vector<DescribedScene> scenes);
 
     // The aspect's parameters for its words; the other aspects' stay as they are in `values`.

@@ -2,6 +2,7 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <glm/common.hpp>
+#include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,53 @@
 #include "synthesis/noise/gradient.hpp"
 
 namespace quadrat::synthesis::land {
-namespace {}  // namespace
+namespace {
+
+constexpr float kEased_m = 320.0F;  // over which the country around takes up the land's own colours
+
+// The land's mean colour about a place on it, linear.
+glm::vec3 mean_about(const mesh::Image& albedo, glm::vec2 at_px, int reach_px) {
+    glm::vec3 sum{0};
+    float count = 0;
+    const auto middle = [](float at, int side) { return std::clamp(static_cast<int>(at), 0, side - 1); };
+    const int x = middle(at_px.x, albedo.width);
+    const int y = middle(at_px.y, albedo.height);
+    const int stride = std::max(1, reach_px / 8);
+    for (int r = std::max(0, y - reach_px); r <= std::min(albedo.height - 1, y + reach_px); r += stride) {
+        for (int c = std::max(0, x - reach_px); c <= std::min(albedo.width - 1, x + reach_px); c += stride) {
+            const std::uint8_t* pixel = albedo.pixel(c, r);
+            for (int k = 0; k < 3; ++k) sum[k] += scene::linear_from_srgb(static_cast<float>(pixel[k]) / 255.0F);
+            count += 1;
+        }
+    }
+    return sum / std::max(count, 1.0F);
+}
+
+}  // namespace
+
+void ease_into_land(mesh::Image& surround, float cell_m, const mesh::Image& albedo, float side_m) {
+    const float half = 0.5F * static_cast<float>(surround.width - 1);
+    const float half_m = 0.5F * side_m;
+    const float px_per_m = static_cast<float>(albedo.width) / side_m;
+    for (int row = 0; row < surround.height; ++row) {
+        for (int column = 0; column < surround.width; ++column) {
+            const glm::vec2 at_m =
+                cell_m * glm::vec2{static_cast<float>(column) - half, static_cast<float>(row) - half};
+            const glm::vec2 on_land_m = glm::clamp(at_m, glm::vec2{-half_m}, glm::vec2{half_m});
+            const float out_m = std::max(std::abs(at_m.x), std::abs(at_m.y)) - half_m;
+            if (out_m >= kEased_m || out_m < -1.5F * cell_m) continue;
+            const float t = std::clamp(out_m / kEased_m, 0.0F, 1.0F);
+            const float share = t * t * (3.0F - 2.0F * t);
+            std::uint8_t* pixel = surround.pixel(column, row);
+            glm::vec3 own{0};
+            for (int k = 0; k < 3; ++k) own[k] = scene::linear_from_srgb(static_cast<float>(pixel[k]) / 255.0F);
+            const glm::vec3 land =
+                mean_about(albedo, (on_land_m + half_m) * px_per_m, static_cast<int>(0.5F * cell_m * px_per_m));
+            const glm::vec3 mixed = scene::mix_colours(land, own, share);
+            for (int k = 0; k < 3; ++k) pixel[k] = scene::srgb_byte(mixed[k]);
+        }
+    }
+}
 
 mesh::Image surround_colours(const mesh::Field& surround_m, float cell_m, const Palette& palette,
                              const scene::LandParameters& p, base::Seed seed) {
