@@ -193,6 +193,7 @@ AspectMap trained(const std::vector<const DescribedScene*>& scenes, Aspect aspec
 struct WordMap::Trained {
     std::vector<DescribedScene> scenes;
     genome::PerAspect<AspectMap> aspects;
+    genome::PerAspect<Atlas> atlases;
 };
 
 WordMap::WordMap(std::vector<DescribedScene> scenes) {
@@ -204,7 +205,8 @@ WordMap::WordMap(std::vector<DescribedScene> scenes) {
             if (scene.aspect == aspect) of_aspect.push_back(&scene);
         made->aspects[aspect] = trained(of_aspect, aspect);
     }
-    trained_ = std::move(made);
+    trained_ = made;
+    for (const Aspect aspect : genome::kAspects) made->atlases[aspect] = atlas_of(*this, aspect);
 }
 
 void WordMap::realise(Aspect aspect, const genome::Description& words, genome::ParameterValues& values) const {
@@ -261,6 +263,8 @@ double WordMap::leave_one_out(Aspect aspect) const {
 }
 
 const std::vector<DescribedScene>& WordMap::scenes() const { return trained_->scenes; }
+
+const Atlas& WordMap::atlas(Aspect aspect) const { return trained_->atlases[aspect]; }
 
 const WordMap& default_word_map() {
     static const WordMap kMap(default_scenes());

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "breeding/words/atlas.hpp"
 #include "breeding/words/basis.hpp"
 #include "breeding/words/described_scene.hpp"
 #include "genome/parameter_table.hpp"
@@ -41,6 +42,9 @@ class WordMap {
     double leave_one_out(genome::Aspect aspect) const;  // the mean of it over the aspect's parameters
 
     const std::vector<DescribedScene>& scenes() const;
+
+    // What breeders know beside the map: made with it.
+    const Atlas& atlas(genome::Aspect aspect) const;
 
     // Of one training: the same values, not just equal ones.
     friend bool operator==(const WordMap&, const WordMap&) = default;
