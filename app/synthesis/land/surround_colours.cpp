@@ -35,6 +35,40 @@ glm::vec3 mean_about(const mesh::Image& albedo, glm::vec2 at_px, int reach_px) {
     return sum / std::max(count, 1.0F);
 }
 
+// What a colour hangs on.
+struct Place {
+    float height_m;
+    float over_snow_line_m;
+    float slope;   // rise over run
+    float hollow;  // more than 0 in hollows, less than 0 on crests
+    float patch;   // about -1 to 1
+};
+
+// In OKLab.
+struct Bare {
+    glm::vec3 scree, rock, snow;
+};
+
+void toward(glm::vec3& colour, const glm::vec3& to, float share) { colour += share * (to - colour); }
+
+// Scree, rock and snow over whatever grows.
+void lay_bare(glm::vec3& c, const Place& at, const Bare& bare, const scene::LandParameters& p) {
+    const float n = at.patch;
+    toward(c, bare.scree,
+           0.8F * p.ground_scree_fans * glm::smoothstep(0.22F, 0.36F, at.slope + 0.1F * n) *
+               glm::smoothstep(0.0F, 0.5F, at.hollow + 0.5F * n));
+    toward(c, bare.scree, 0.8F * glm::smoothstep(0.42F, 0.62F, at.slope + 0.15F * n));
+    // Beds of rock show as bands of light and dark along the slope.
+    const float bed = std::sin(at.height_m * (3.14159F / std::max(2.0F * p.ground_strata_m, 24.0F)) + 3.0F * n);
+    const glm::vec3 banded = bare.rock + glm::vec3{0.07F * p.ground_strata * bed, 0, 0};
+    toward(c, banded, glm::smoothstep(0.40F, 0.58F, at.slope + 0.12F * n - 0.1F * at.hollow));
+    const float drift_m = 12.0F + 40.0F * p.ground_snow_wind;
+    const float steepest = 0.60F * p.ground_snow_slope;
+    toward(c, bare.snow,
+           glm::smoothstep(-6.0F, 8.0F, at.over_snow_line_m + 40.0F * n + drift_m * at.hollow) *
+               (1.0F - glm::smoothstep(steepest, steepest + 0.12F, at.slope + 0.1F * n - 0.12F * at.hollow)));
+}
+
 }  // namespace
 
 void ease_into_land(mesh::Image& surround, float cell_m, const mesh::Image& albedo, float side_m) {
@@ -100,25 +134,12 @@ mesh::Image surround_colours(const mesh::Field& surround_m, float cell_m, const 
                 const float hollow = std::clamp((around - h) / 14.0F, -1.0F, 1.0F);
                 const float n = patch[static_cast<std::size_t>(column)];
                 const float w = woody[static_cast<std::size_t>(column)];
-                const auto toward = [](glm::vec3& c, const glm::vec3& to, float t) { c += t * (to - c); };
                 glm::vec3 c = dry;
                 toward(c, lush, glm::smoothstep(-0.8F, 0.8F, 0.9F * hollow + 1.4F * n + p.ground_lushness));
                 toward(c, wood,
                        0.85F * glm::smoothstep(-0.05F, 0.18F, w + 0.15F * hollow) *
                            (1.0F - glm::smoothstep(0.55F, 0.8F, slope)));
-                toward(c, scree,
-                       0.8F * p.ground_scree_fans * glm::smoothstep(0.22F, 0.36F, slope + 0.1F * n) *
-                           glm::smoothstep(0.0F, 0.5F, hollow + 0.5F * n));
-                toward(c, scree, 0.8F * glm::smoothstep(0.42F, 0.62F, slope + 0.15F * n));
-                // Beds of rock show as bands of light and dark along the slope.
-                const float bed = std::sin(h * (3.14159F / std::max(2.0F * p.ground_strata_m, 24.0F)) + 3.0F * n);
-                const glm::vec3 banded = rock + glm::vec3{0.07F * p.ground_strata * bed, 0, 0};
-                toward(c, banded, glm::smoothstep(0.40F, 0.58F, slope + 0.12F * n - 0.1F * hollow));
-                const float drift_m = 12.0F + 40.0F * p.ground_snow_wind;
-                toward(c, snow,
-                       glm::smoothstep(-6.0F, 8.0F, h - line_m + 40.0F * n + drift_m * hollow) *
-                           (1.0F - glm::smoothstep(0.60F * p.ground_snow_slope, 0.60F * p.ground_snow_slope + 0.12F,
-                                                   slope + 0.1F * n - 0.12F * hollow)));
+                lay_bare(c, {h, h - line_m, slope, hollow, n}, {scree, rock, snow}, p);
                 const glm::vec3 linear = scene::linear_from_oklab(c);
                 for (int k = 0; k < 3; ++k)
                     image.pixel(column, row)[k] = scene::srgb_byte(std::clamp(linear[k], 0.0F, 1.0F));
