@@ -242,11 +242,12 @@ void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Sele
         of(Kind::Ground) += surround.draw(country.land, held.indices(), held.surround());
     }
     if (what.water) {
-        if (country.land.has_water) of(Kind::Water) += water.draw(*scene.ground.lit, frustum, view.camera.eye_m);
+        if (country.land.has_water)
+            of(Kind::Water) += water.draw(*scene.ground.lit, scene.mirror, frustum, view.camera.eye_m);
         // As many pixels as the lines of a finer or smaller picture ask for.
         const float nearness = std::sqrt(std::min(frame.detail.alpha, 1.0F)) * scale_of(frame) *
                                pixels_per_radian(view) / passes::WaterLevels::kPixelsPerRadian;
-        of(Kind::Water) += water.draw_fresh(country.fresh_water, *scene.ground.lit,
+        of(Kind::Water) += water.draw_fresh(country.fresh_water, *scene.ground.lit, scene.mirror,
                                             country.fresh_water.levels.seen(frustum, view.camera.eye_m, nearness));
     }
     if (!what.sky || gl::Wires::are_on()) return;
@@ -378,6 +379,7 @@ Drawn Renderer::rehearse(const Frame& like) {
     parts_->shelves->grain_textures.trim(0);
     parts_->shelves->cloud_textures.trim(0);
     parts_->shelves->ground_pictures.trim(0);
+    parts_->shelves->mirror_pictures.trim(0);
     parts_->shelves->buffers.trim(0);
     return drawn;
 }

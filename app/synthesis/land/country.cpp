@@ -157,6 +157,7 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     land.kinds = std::move(ground.kinds);
     Stones stones = make_stones({land, over_water_m, palette}, p, seed.child("stones"));
     shade_under(ground.albedo, kSide_m, stones.footprints);
+    ease_into_land(land.surround_albedo, kSurroundCell_m, ground.albedo, kSide_m);
     land.albedo = scene::GroundColours(ground.albedo);
     land.stone = std::move(stones.stone);
     GroundDetail detail = ground_detail(seed, 256, p.ground_detail, p.ground_bumps);
@@ -164,6 +165,7 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     land.detail_slopes = std::move(detail.slopes);
     land.detail_tile_m = p.ground_detail_m;
     land.snow_line_m = snow_line_m(p);
+    land.ripple = p.water_ripple;
     set_distant_colours(land, palette, p);
     return land;
 }
