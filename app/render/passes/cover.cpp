@@ -244,7 +244,8 @@ CoverSeen look_at_cover(const CoverOfScene& cover, const Frustum& frustum, const
     for (std::size_t i = 0; i < cover.cells.size(); ++i) {
         const scene::Sward::Cell& cell = cover.cells[i];
         const float distance = nearest_m(cell, wish.eye_m());
-        if (distance < reach && frustum.may_see_box(cell.low_m, cell.high_m))
+        if (distance < reach && wish.reach.may_hold_box(cell.low_m, cell.high_m) &&
+            frustum.may_see_box(cell.low_m, cell.high_m))
             cells.push_back({i, bucket_of(share_at(distance, whole))});
     }
     CoverSeen seen;
