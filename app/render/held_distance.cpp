@@ -122,6 +122,7 @@ void HeldDistances::drop() {
     view_ = {};
     sight_ = {};
     canvas_.let_go();
+    smooth_.let_go();
 }
 
 void HeldDistances::follow(const View& view, Glide& glide) const {
@@ -209,6 +210,9 @@ void HeldDistances::draw_in_turn(const Frame& frame, ViewPainter& painter, std::
     const glm::ivec2 size = picture_size(view_, scale_of(frame));
     const GLuint framebuffer = canvas_.of(size);
     if (framebuffer == 0) return;
+    const bool is_smooth = frame.detail.samples > 1 && scale_of(frame) >= 1;
+    const GLuint smooth = is_smooth ? smooth_.of(size, frame.detail.samples, framebuffer) : 0;
+    if (!is_smooth) smooth_.let_go();
     Stock& stock = *stocks_[turn->slot];
     const auto share = [&](std::size_t strip) { return static_cast<float>(strip) / static_cast<float>(turn->strips); };
     const glm::mat4 clip_from_world = clip_from_world_of(view_);
@@ -225,7 +229,7 @@ void HeldDistances::draw_in_turn(const Frame& frame, ViewPainter& painter, std::
     drawn.sent_bytes += passes::kViewBlockBytes + stock.ground.sent_bytes() +
                         s.cover.instances.size() * sizeof(passes::CoverInstance);
 
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, smooth != 0 ? smooth : framebuffer);
     const auto pixel = [&](std::size_t strip) {
         return static_cast<int>(std::lround(share(strip) * static_cast<float>(size.x)));
     };
@@ -237,6 +241,7 @@ void HeldDistances::draw_in_turn(const Frame& frame, ViewPainter& painter, std::
     const GLenum unneeded[] = {GL_DEPTH_ATTACHMENT, GL_STENCIL_ATTACHMENT};
     glInvalidateFramebuffer(GL_FRAMEBUFFER, 2, unneeded);
     is_drawn_ = turn->strip + 1 == turn->strips;
+    if (is_drawn_ && smooth != 0) smooth_.resolve(framebuffer);
     ++drawn.held_anew;
 }
 

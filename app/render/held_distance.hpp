@@ -7,6 +7,7 @@
 
 #include "render/gl/buffer.hpp"
 #include "render/gl/deep_target.hpp"
+#include "render/gl/multisampled_target.hpp"
 #include "render/gl/texture_target.hpp"
 #include "render/passes/distance.hpp"
 #include "render/renderer.hpp"
@@ -107,6 +108,7 @@ class HeldDistances {
     View view_;                           // as it is drawn
     HeldDistance::Sight sight_;
     gl::DeepTarget canvas_;
+    gl::MultisampledTarget smooth_;  // where frames have several samples a pixel
     gl::TextureTarget copying_;
     gl::StreamBuffer block_{GL_UNIFORM_BUFFER};
 };

@@ -91,8 +91,8 @@ const ChipCosts kPi5Costs{{{"leaves.frag", 18, 150, 93},
                            {"falling.frag", 12, 132, 141}}};
 const ShaderCosts kPi4Dome{"sky.frag", 47, 150, 57};
 const ShaderCosts kPi5Dome{"sky.frag", 45, 140, 50};
-const ShaderCosts kPi4Distance{"held_distance.frag", 24, 240, 220};
-const ShaderCosts kPi5Distance{"held_distance.frag", 24, 240, 220};
+const ShaderCosts kPi4Distance{"held_distance.frag", 24, 206, 162};
+const ShaderCosts kPi5Distance{"held_distance.frag", 24, 179, 140};
 
 ShadedPixels shaded_pixels(Easel& easel, const render::Frame& picture, render::passes::Reach::Part part,
                            float split_m) {

@@ -261,7 +261,8 @@ CoverSeen look_at_cover(const CoverOfScene& cover, const Frustum& frustum, const
                 std::size_t first = cell.first;
                 for (std::size_t k = 0; k < kind; ++k) first += cell.counts[k];
                 for (std::size_t i = first; i < first + cell.counts[kind]; ++i)
-                    seen.instances.push_back(seen_through_air(cover.tufts[i], wish));
+                    if (wish.reach.holds_standing({cover.tufts[i].root_m.x, cover.tufts[i].root_m.z}, 0))
+                        seen.instances.push_back(seen_through_air(cover.tufts[i], wish));
             }
             batch.count = seen.instances.size() - batch.first;
             if (batch.count == 0) continue;
