@@ -302,7 +302,7 @@ Drawn Renderer::rehearse(const Frame& like) {
     frame.is_one_of_many = true;
     const Drawn drawn = draw(frame);
     // So many that what is far has been held and shown.
-    for (std::size_t n = 0; n < 3 * HeldDistances::kFrames; ++n) draw(frame);
+    for (std::size_t n = 0; n < 2 * HeldDistances::kFrames; ++n) draw(frame);
     // Drivers compile what is drawn once more for several samples.
     frame.detail.samples = like.detail.samples;
     if (frame.detail.samples > 1) draw(frame);

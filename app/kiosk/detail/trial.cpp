@@ -25,6 +25,7 @@ Trial::Trial(int most_samples) : ways_{{1, 1}, {0.1F, 1}, {0.1F, 0.5F}} {
 
 void Trial::step(render::Renderer& renderer, render::Frame frame) {
     frame.detail = ways_[costs_.size()];
+    frame.holds_distance = false;  // as landscapes that grow are drawn: whole
     FrameCost cost{frame.detail.alpha, frame.detail.scale};
     std::vector<double> took;
     const auto began = Clock::now();
