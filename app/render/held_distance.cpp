@@ -24,7 +24,7 @@ constexpr float kFarthest_m = 400;      // beyond it is little that could be hel
 constexpr float kMostDimmed = 0.1F;     // what is near does not dim by quite the same factor
 constexpr float kMostSeconds = 1.5F;    // between two frames time has jumped
 constexpr float kMostStep_m = 3;        // between two frames the view was cut
-constexpr float kServing_frames = 1.7F; // to either side of the middle of its time, a little more than it is
+constexpr float kLonger = 1.15F;        // a way is than it would be at the speed of now
 constexpr float kStill_m = 0.01F;       // as much is moved at least
 
 View widened(View view) {
@@ -157,31 +157,46 @@ void HeldDistances::serve(const Frame& frame, const std::vector<HeldSky>& skies,
     }
     take();
     for (std::size_t slot = 0; slot < views; ++slot) {
-        const View& view = frame.views[slot];
-        follow(view, glides_[slot]);
-        Selection& s = selections[slot];
-        if (!s.held_sky_from_view) continue;
-        s.held_distance = held_[slot].from_view(view, s.block, scale_of(frame));
-        if (!s.held_distance) continue;
-        s.held_distance->sky_from_view = *s.held_sky_from_view;
-        s.held_distance->kept.y = skies[slot].kept(s.block);
-        s.reach = held_[slot].near();
+        follow(frame.views[slot], glides_[slot]);
+        serve_one(frame, skies, slot, selections[slot]);
     }
 }
 
-// Where the view will be in the middle of the time for which what is drawn now is shown.
+void HeldDistances::serve_one(const Frame& frame, const std::vector<HeldSky>& skies, std::size_t slot, Selection& s) {
+    HeldDistance& held = held_[slot];
+    s.held_distance = held.from_view(frame.views[slot], s.block, scale_of(frame));
+    if (!s.held_sky_from_view) s.held_distance.reset();
+    held.is_serving_ = s.held_distance.has_value();
+    if (!held.is_serving_) return;
+    s.held_distance->sky_from_view = *s.held_sky_from_view;
+    s.held_distance->kept.y = skies[slot].kept(s.block);
+    s.reach = held.near();
+}
+
+void HeldDistances::show_at_once(const Frame& frame, const std::vector<HeldSky>& skies,
+                                 std::vector<Selection>& selections) {
+    if (!is_drawn_ || !drawing_ || selections[*drawing_].held_distance) return;
+    const std::size_t slot = *drawing_;
+    take();
+    serve_one(frame, skies, slot, selections[slot]);
+}
+
+// Where the view will be in the middle of the time for which what is drawn now is shown: from this frame on if nothing
+// serves, or from when it is whole, until the next one is.
 bool HeldDistances::begin(const Frame& frame, const Turn& turn) {
     drawing_.reset();
     is_drawn_ = false;
     const View& view = frame.views[turn.slot];
     const Glide& glide = glides_[turn.slot];
     if (!can_hold(view) || !glide.is_known) return false;
-    const float moved_m = kServing_frames * glm::length(glide.eye_step_m) + kStill_m;
+    const bool is_at_once = turn.strips == 1 && !held_[turn.slot].is_serving_;
+    const float to_middle = 0.5F * static_cast<float>(is_at_once ? kFrames : kFrames - 1);
+    const float ahead = to_middle + (is_at_once ? 0 : static_cast<float>(turn.strips));
+    const float moved_m = kLonger * to_middle * glm::length(glide.eye_step_m) + kStill_m;
     const float split_m =
         std::max(HeldDistance::split_m(moved_m, scale_of(frame) * pixels_per_radian(view)), kNearest_m);
     if (split_m > kFarthest_m) return false;
     view_ = widened(view);
-    const float ahead = static_cast<float>(turn.strips) + 0.5F * static_cast<float>(kFrames - 1);
     view_.camera.eye_m += ahead * glide.eye_step_m;
     view_.camera.target_m += ahead * glide.target_step_m;
     const glm::mat4 clip_from_world = clip_from_world_of(view_);

@@ -66,6 +66,7 @@ class HeldDistance {
     friend class HeldDistances;
     Sight sight_;
     gl::Texture2D picture_;
+    bool is_serving_ = false;
 };
 
 // Those of all views. They have turns, so that each frame draws its share: one of four views whole, of one view a strip.
@@ -76,8 +77,10 @@ class HeldDistances {
     // Holds what was drawn last, and tells each view's selection whether what is held of it serves: it is near then.
     // Skies have been asked before.
     void serve(const Frame& frame, const std::vector<HeldSky>& skies, std::vector<Selection>& selections);
-    // Those in whose turn it is. step: of the plants' fineness. Leaves the framebuffer that was bound bound.
+    // Those in whose turn it is. step: of the plants' fineness. Leaves another framebuffer bound.
     void draw_in_turn(const Frame& frame, ViewPainter& painter, std::optional<int> step, Drawn& drawn);
+    // What was drawn just now, where nothing else serves: a view is not drawn whole beside it.
+    void show_at_once(const Frame& frame, const std::vector<HeldSky>& skies, std::vector<Selection>& selections);
     void drop();  // nothing is held, nor any memory kept
 
     const HeldDistance& of(std::size_t slot) const { return held_[slot]; }
@@ -98,6 +101,7 @@ class HeldDistances {
     bool begin(const Frame& frame, const Turn& turn);
     void follow(const View& view, Glide& glide) const;
     void take();
+    void serve_one(const Frame& frame, const std::vector<HeldSky>& skies, std::size_t slot, Selection& selection);
 
     std::size_t frames_ = 0;
     std::vector<HeldDistance> held_;  // one a view

@@ -262,7 +262,10 @@ Drawn Renderer::draw(const Frame& frame) {
     if (holds_distances) parts.distances.serve(frame, parts.skies, selections);
     std::optional<gl::RasteriserThreads::Feeding> feeding(std::in_place, parts.threads);
     if (holds_skies) skies += parts.draw_sky_in_turn(frame);
-    if (holds_distances) parts.distances.draw_in_turn(frame, parts.painter, parts.step, drawn);
+    if (holds_distances) {
+        parts.distances.draw_in_turn(frame, parts.painter, parts.step, drawn);
+        parts.distances.show_at_once(frame, parts.skies, selections);
+    }
     parts.fill(selections);
 
     const glm::ivec2 size = turned_size(frame.size, frame.hanging);

@@ -90,6 +90,24 @@ TEST(HeldDistance, IsDrawnOneViewInAFrameAndWithoutGrowth) {
     }
 }
 
+// Not even the first frames of a generation, which hold nothing yet, are dearer than frames that are drawn whole.
+TEST(HeldDistance, IsShownAtOnceWhereNothingServes) {
+    Easel easel(kSize.x, kSize.y);
+    const std::vector<SceneOf> scenes = four(3);
+    Flight held(easel, scenes, kSize, true);
+    Flight anew(easel, scenes, kSize, false);
+    std::size_t before = 0;
+    for (int n = 0; n < 12; ++n) {
+        const Flight::Shown a = held.draw(seconds_of(n));
+        const Flight::Shown b = anew.draw(seconds_of(n));
+        EXPECT_LT(static_cast<double>(a.drawn.triangles), 1.12 * static_cast<double>(b.drawn.triangles)) << n;
+        EXPECT_LT(tests::off(a.pixels, b.pixels).rms, kUnseen) << n;
+        EXPECT_GE(a.drawn.held_views, before) << n;
+        before = a.drawn.held_views;
+    }
+    EXPECT_EQ(before, 4U);
+}
+
 TEST(HeldDistance, OfOneViewIsDrawnAStripInAFrame) {
     Easel easel(kSize.x, kSize.y);
     const std::vector<SceneOf> one{four(5).front()};
