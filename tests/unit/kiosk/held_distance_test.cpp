@@ -177,8 +177,11 @@ TEST(HeldDistance, DoesNotServeAfterACutNorWhileALandscapeGrowsNorWhereTimeJumps
     Easel easel(kSize.x, kSize.y);
     const std::vector<SceneOf> scenes = four(3);
     Flight flight(easel, scenes, kSize, true);
+    // The view in whose turn it is may be drawn for this frame already.
     const auto expect_held = [&](std::size_t views, const char* when) {
-        EXPECT_EQ(flight.draw().drawn.held_views, views) << when;
+        const render::Drawn drawn = flight.draw().drawn;
+        EXPECT_GE(drawn.held_views, views) << when;
+        EXPECT_LE(drawn.held_views, views + drawn.held_anew) << when;
     };
     warm_up(flight);
     flight.frame.views[0].camera.eye_m += glm::vec3{8, 0, 0};
