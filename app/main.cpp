@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kiosk/command_line.hpp"
+#include "commands/command_line.hpp"
 
-int main(int argc, char** argv) { return quadrat::kiosk::run_command_line(argc, argv); }
+int main(int argc, char** argv) { return quadrat::commands::run_command_line(argc, argv); }

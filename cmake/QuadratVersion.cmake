@@ -17,9 +17,9 @@ endif()
 include(${CMAKE_CURRENT_LIST_DIR}/commit.cmake)
 quadrat_commit(${SOURCE} commit)
 file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [[// Written by cmake/QuadratVersion.cmake.
-#include "kiosk/version.hpp"
+#include "machine/version.hpp"
 
-namespace quadrat::kiosk {
+namespace quadrat::machine {
 std::string_view version() { return "@VERSION@+@commit@"; }
-}  // namespace quadrat::kiosk
+}  // namespace quadrat::machine
 ]])

@@ -3,9 +3,13 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "base/display_time.hpp"
+#include "tempo/frame_record.hpp"
 
 namespace quadrat::display {
 
@@ -74,9 +78,12 @@ struct Presented {
     // The latest frame known to have reached the screen, counting calls of present() from 1, and when it did, on
     // CLOCK_MONOTONIC. A screen that reports nothing (window, headless) counts as reached on return.
     std::uint64_t shown_frame = 0;
-    std::chrono::nanoseconds shown_at{0};
+    base::DisplayTime shown_at{};
     std::chrono::nanoseconds period{0};  // from one frame of the screen to the next; 0: as fast as the caller draws
-    std::string reason;                  // why it was not shown; empty when it was
+    std::string reason{};                // why it was not shown; empty when it was
+    // The frames that reached the screen since the last call, in order: what everybody judges frames by.
+    std::vector<tempo::FrameRecord> finished{};
+    std::optional<base::DisplayTime> in_flight_since{};  // a frame was handed over then and is not shown yet
 };
 
 // Keys of a window, for developers and desktops. The exhibit's buttons never come this way.
@@ -130,8 +137,8 @@ class Display {
     virtual std::string_view kind() const = 0;  // "kms", "window", "headless"
     // One line for people: GPU, driver and mode.
     virtual std::string description() const = 0;
-    // The GPU alone, as its driver calls it: the same whatever its card's number is and whatever is plugged in. "" before
-    // there is one.
+    // The GPU alone, as its driver calls it: the same whatever its card's number is and whatever is plugged in. ""
+    // before there is one.
     virtual std::string renderer() const = 0;
     // One line for people: what Auto chose and why not the others.
     const std::string& why() const { return why_; }
@@ -140,10 +147,13 @@ class Display {
     virtual Canvas canvas() const = 0;
     // Call before any GL of the frame. Takes what the window system or the kernel has to tell.
     virtual Canvas begin_frame() = 0;
-    // Hands the frame over. On a screen it waits until this frame is out, so that the next one shows what was pressed
-    // meanwhile; a machine on which frames came late that way draws one frame while one is shown (pacing.hpp). Headless
-    // waits where it has paces.
-    virtual Presented present() = 0;
+    // Hands the frame over, not before `how` says, and waits on a screen for this frame or the one before it to be
+    // shown (tempo::HandOver::Then). Headless waits where it has paces.
+    virtual Presented present(const tempo::HandOver& how) = 0;
+    // The same, as soon as it can be.
+    Presented present() { return present(tempo::HandOver{}); }
+    // What time it is on the clock that frames are timed by.
+    virtual base::DisplayTime now() const;
 
     // Off: the screen is switched off for real (kms) or no longer drawn on.
     virtual void set_power(Power power) = 0;

@@ -11,4 +11,6 @@ std::chrono::nanoseconds monotonic_now() {
     return std::chrono::seconds{now.tv_sec} + std::chrono::nanoseconds{now.tv_nsec};
 }
 
+base::DisplayTime display_now() { return base::DisplayTime{monotonic_now()}; }
+
 }  // namespace quadrat::display

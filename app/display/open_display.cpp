@@ -8,6 +8,7 @@
 #include "display/display.hpp"
 #include "display/headless/headless_display.hpp"
 #include "display/kms/kms_display.hpp"
+#include "display/monotonic.hpp"
 #include "display/options.hpp"
 #include "display/window/window_display.hpp"
 
@@ -51,6 +52,8 @@ std::unique_ptr<Display> open(const DisplayOptions& options) {
 }
 
 }  // namespace
+
+base::DisplayTime Display::now() const { return display_now(); }
 
 std::unique_ptr<Display> open_display(const DisplayOptions& options) {
     check(options);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The room `exhibit`: the visit as a pure function of state, event and time. No disk (archive), no clock, no thread.
 #pragma once
 #include <chrono>
 #include <optional>

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kMostWaiting = 1000;
 }
 
-Keeper::Keeper(exhibit::Archive archive) : archive_(std::move(archive)), kept_(archive_->kept()) {
+Keeper::Keeper(archive::Archive archive) : archive_(std::move(archive)), kept_(archive_->kept()) {
     thread_ = std::thread([this] { work(); });
 }
 
@@ -27,19 +27,19 @@ Keeper::~Keeper() {
     thread_.join();
 }
 
-std::optional<exhibit::Kept> Keeper::kept() {
+std::optional<archive::Kept> Keeper::kept() {
     const std::scoped_lock lock(mutex_);
     return kept_;
 }
 
-std::optional<exhibit::Kept> Keeper::kept_within(std::chrono::milliseconds patience) {
+std::optional<archive::Kept> Keeper::kept_within(std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, patience, [this] { return kept_.has_value(); });
     return kept_;
 }
 
 // The first word counts: what is opened in its place, when it turns out to be of no use, holds nothing.
-void Keeper::tell(const exhibit::Kept& kept) {
+void Keeper::tell(const archive::Kept& kept) {
     const std::scoped_lock lock(mutex_);
     if (kept_) return;
     kept_ = kept;
@@ -51,8 +51,8 @@ Keeper::Ticket Keeper::post(Work work, Urgency urgency) {
     // A disk that hangs for hours must not fill the memory: what is lost then is lost with the disk.
     if (queue_.size() >= kMostWaiting) return posted_;
     queue_.push_back({std::move(work), urgency, std::chrono::steady_clock::now()});
-    if (urgency == Urgency::Flushed) asked_ = exhibit::Durability::Flushed;
-    if (urgency == Urgency::Written && !asked_) asked_ = exhibit::Durability::Written;
+    if (urgency == Urgency::Flushed) asked_ = archive::Durability::Flushed;
+    if (urgency == Urgency::Written && !asked_) asked_ = archive::Durability::Written;
     changed_.notify_all();
     return ++posted_;
 }
@@ -90,7 +90,7 @@ void Keeper::work() {
         is_working_ = false;
     };
     if (!archive_)
-        waiting_for_the_disk([this] { archive_ = open_([this](const exhibit::Kept& kept) { tell(kept); }); });
+        waiting_for_the_disk([this] { archive_ = open_([this](const archive::Kept& kept) { tell(kept); }); });
     const auto is_due = [this] {
         return asked_ || is_ending_ || (!queue_.empty() && steady_clock::now() - queue_.front().at >= kHold);
     };
@@ -104,7 +104,7 @@ void Keeper::work() {
         std::deque<Posted> batch = std::exchange(queue_, {});
         const auto asked = std::exchange(asked_, std::nullopt);
         const auto durability =
-            is_ending_ ? exhibit::Durability::Flushed : asked.value_or(exhibit::Durability::Written);
+            is_ending_ ? archive::Durability::Flushed : asked.value_or(archive::Durability::Written);
         const std::size_t count = batch.size();
         waiting_for_the_disk([&] { do_together(std::move(batch), durability); });
         done_ += count;
@@ -112,15 +112,15 @@ void Keeper::work() {
     }
 }
 
-void Keeper::do_together(std::deque<Posted> batch, exhibit::Durability durability) {
-    exhibit::Trouble last;
-    const auto note = [&](const exhibit::Trouble& trouble) {
+void Keeper::do_together(std::deque<Posted> batch, archive::Durability durability) {
+    archive::Trouble last;
+    const auto note = [&](const archive::Trouble& trouble) {
         const std::scoped_lock lock(mutex_);
         if (trouble && *trouble != last_trouble_) base::log::error("state: {}", *trouble);
         if (trouble) last_trouble_ = *trouble;
         if (trouble) last = trouble;
     };
-    const exhibit::Trouble of_all = archive_->together(durability, [&] {
+    const archive::Trouble of_all = archive_->together(durability, [&] {
         for (const Posted& one : batch) note(one.work(*archive_));
     });
     note(of_all);

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "exhibit/archive.hpp"
+#include "archive/archive.hpp"
 
 namespace quadrat::kiosk {
 
@@ -17,9 +17,9 @@ namespace quadrat::kiosk {
 // what has gathered is written as one; what could not be kept is logged, once for each kind of trouble.
 class Keeper {
   public:
-    using Work = std::function<exhibit::Trouble(exhibit::Archive&)>;
+    using Work = std::function<archive::Trouble(archive::Archive&)>;
     using Ticket = std::uint64_t;
-    using Open = std::function<exhibit::Archive(const exhibit::TellKept& tell)>;
+    using Open = std::function<archive::Archive(const archive::TellKept& tell)>;
 
     enum class Urgency {
         Flushed,  // at once, with all before it; on the disk when it is done
@@ -28,7 +28,7 @@ class Keeper {
     };
     static constexpr std::chrono::seconds kHold{15};
 
-    explicit Keeper(exhibit::Archive archive);
+    explicit Keeper(archive::Archive archive);
     // Opens it on that thread: first reads what was kept, and tells; then writes, for as long as the disk takes.
     explicit Keeper(Open open);
     ~Keeper();  // does all that was asked for, then ends
@@ -36,8 +36,8 @@ class Keeper {
     Keeper& operator=(const Keeper&) = delete;
 
     // What the last run left; nothing until that is known.
-    std::optional<exhibit::Kept> kept();
-    std::optional<exhibit::Kept> kept_within(std::chrono::milliseconds patience);
+    std::optional<archive::Kept> kept();
+    std::optional<archive::Kept> kept_within(std::chrono::milliseconds patience);
 
     Ticket post(Work work, Urgency urgency);
     bool is_done(Ticket ticket, std::chrono::nanoseconds patience = {});  // within it
@@ -52,17 +52,17 @@ class Keeper {
         Urgency urgency;
         std::chrono::steady_clock::time_point at;
     };
-    void tell(const exhibit::Kept& kept);
+    void tell(const archive::Kept& kept);
     void work();
-    void do_together(std::deque<Posted> batch, exhibit::Durability durability);
+    void do_together(std::deque<Posted> batch, archive::Durability durability);
 
-    std::optional<exhibit::Archive> archive_;  // of the thread alone, once that runs
+    std::optional<archive::Archive> archive_;  // of the thread alone, once that runs
     Open open_;
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::optional<exhibit::Kept> kept_;
+    std::optional<archive::Kept> kept_;
     std::deque<Posted> queue_;
-    std::optional<exhibit::Durability> asked_;  // by what is urgent among them
+    std::optional<archive::Durability> asked_;  // by what is urgent among them
     Ticket posted_ = 0;
     Ticket done_ = 0;
     bool is_ending_ = false;

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "backup/staged.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "base/text_file.hpp"
-#include "kiosk/backup/staged.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -39,7 +39,7 @@ SiteWords words_in(const fs::path& file) {
 }
 
 // The whole lesson, on a thread of its own.
-std::optional<SiteWords> learnt(const fs::path& folder, const SiteWords& known, const exhibit::WordAnswers& answers) {
+std::optional<SiteWords> learnt(const fs::path& folder, const SiteWords& known, const archive::WordAnswers& answers) {
     if (answers.unreadable > 0)
         base::log::warn("words: {} answers speak of what this program does not know, and are left out",
                         answers.unreadable);
@@ -94,7 +94,7 @@ void keep_site_words(const fs::path& folder, const breeding::Lessons& lessons) {
     base::write_file(words_file(folder), to_json(lessons));
 }
 
-std::int64_t night_of(exhibit::WallTime local) {
+std::int64_t night_of(archive::WallTime local) {
     return std::chrono::floor<std::chrono::days>(local - std::chrono::hours{3}).time_since_epoch().count();
 }
 
@@ -104,7 +104,7 @@ std::optional<breeding::WordMap> School::map_before() const {
     return before->map;
 }
 
-void School::begin(exhibit::WordAnswers answers) {
+void School::begin(archive::WordAnswers answers) {
     const std::scoped_lock lock(mutex_);
     if (lesson_.valid()) return;
     lesson_ = std::async(std::launch::async, [folder = folder_, known = known_, answers = std::move(answers)] {

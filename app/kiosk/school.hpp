@@ -5,8 +5,8 @@
 #include <mutex>
 #include <optional>
 
+#include "archive/archive.hpp"
 #include "breeding/words/lessons.hpp"
-#include "exhibit/archive.hpp"
 
 namespace quadrat::kiosk {
 
@@ -28,7 +28,7 @@ std::optional<SiteWords> previous_site_words(const std::filesystem::path& folder
 void keep_site_words(const std::filesystem::path& folder, const breeding::Lessons& lessons);
 
 // The night a moment of the site's own time belongs to, counted in days: it changes at three in the morning.
-std::int64_t night_of(exhibit::WallTime local);
+std::int64_t night_of(archive::WallTime local);
 
 // Trains the word map on what visitors said, beside everything else: nobody waits for it.
 class School {
@@ -42,7 +42,7 @@ class School {
 
     // Begins to train on these answers and the curator's lessons; from any thread. One that is under way goes on
     // instead. What is refused, and why, is logged; what is taken is kept on disk.
-    void begin(exhibit::WordAnswers answers);
+    void begin(archive::WordAnswers answers);
 
     // Takes over what was learnt, if anything was; true when the map is another.
     bool take();

@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "genome/speech.hpp"
-#include "kiosk/head_start.hpp"
+#include "nursery/head_start.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -30,7 +30,7 @@ constexpr const char* kButtonNames[] = {"A", "B", "C", "D", "Back"};
 
 }  // namespace
 
-exhibit::Timings timings_of(const Configuration& configuration) {
+exhibit::Timings timings_of(const site::Configuration& configuration) {
     exhibit::Timings timings;
     timings.patience = milliseconds_of(configuration.visit.patience_s);
     timings.countdown = milliseconds_of(configuration.visit.countdown_s);
@@ -50,7 +50,7 @@ exhibit::Timings timings_of(const Configuration& configuration) {
     return timings;
 }
 
-breeding::BreederOptions breeder_options_of(const Configuration& configuration) {
+breeding::BreederOptions breeder_options_of(const site::Configuration& configuration) {
     breeding::BreederOptions options;
     options.kind = breeding::breeder_named(configuration.breeding.breeder);
     options.genome = configuration.breeding.genome == "classic" ? genome::Genome::Classic : genome::Genome::Full;
@@ -64,7 +64,7 @@ breeding::BreederOptions breeder_options_of(const Configuration& configuration) 
     return options;
 }
 
-Show::Show(const Configuration& configuration, ShowOptions options, std::unique_ptr<Keeper> keeper)
+Show::Show(const site::Configuration& configuration, ShowOptions options, std::unique_ptr<Keeper> keeper)
     : timings_(timings_of(configuration)),
       breeder_options_(breeder_options_of(configuration)),
       options_(std::move(options)),
@@ -78,10 +78,10 @@ Show::Show(const Configuration& configuration, ShowOptions options, std::unique_
     for (const std::string& name : configuration.breeding.locked) locked_.push_back(genome::aspect_named(name).value());
 }
 
-Show::Show(const Configuration& configuration, ShowOptions options, exhibit::Archive archive)
+Show::Show(const site::Configuration& configuration, ShowOptions options, archive::Archive archive)
     : Show(configuration, std::move(options), std::make_unique<Keeper>(std::move(archive))) {}
 
-void Show::open(Instant now) {
+void Show::open(base::Instant now) {
     study();
     if (!take_up(now)) step(exhibit::opening(now), now);
 }
@@ -90,7 +90,7 @@ void Show::open(Instant now) {
 void Show::study() {
     studied_night_ = night_of(options_.local_time());
     study_ = keeper_->post(
-        [school = school_](const exhibit::Archive& archive) -> exhibit::Trouble {
+        [school = school_](const archive::Archive& archive) -> archive::Trouble {
             school->begin(archive.word_answers());
             return std::nullopt;
         },
@@ -99,10 +99,10 @@ void Show::study() {
 
 void Show::study_at_night() {
     if (school_->take()) breeder_options_.map = school_->map();
-    if (state_.screen == Screen::Attract && night_of(options_.local_time()) != studied_night_) study();
+    if (state_.screen == exhibit::Screen::Attract && night_of(options_.local_time()) != studied_night_) study();
 }
 
-void Show::happen(const exhibit::Event& event, Instant now) {
+void Show::happen(const exhibit::Event& event, base::Instant now) {
     const float progress = growing_progress();
     if (std::exchange(progress_, progress) != progress)
         step(exhibit::next(state_, exhibit::Grew{}, now, timings_), now);
@@ -112,11 +112,11 @@ void Show::happen(const exhibit::Event& event, Instant now) {
     regrow_gallery();
 }
 
-void Show::step(exhibit::Step step, Instant now) {
-    const Screen before = state_.screen;
+void Show::step(exhibit::Step step, base::Instant now) {
+    const exhibit::Screen before = state_.screen;
     state_ = std::move(step.state);
     for (const exhibit::Wish& wish : step.wishes) std::visit([&](const auto& one) { carry_out(one, now); }, wish);
-    if (before != state_.screen && state_.screen == Screen::Attract) gallery_.open(now);
+    if (before != state_.screen && state_.screen == exhibit::Screen::Attract) gallery_.open(now);
 }
 
 breeding::Session Show::fresh_session() {
@@ -141,19 +141,19 @@ void Show::grow_offer(int generation, Keeper::Ticket kept) {
     grower_.order({std::move(candidates), session_->flight()});
 }
 
-exhibit::Generation Show::generation_of(const genome::Pick& answers) const {
-    exhibit::Generation generation;
+archive::Generation Show::generation_of(const genome::Pick& answers) const {
+    archive::Generation generation;
     generation.round = session_->offer().round;
     generation.seed = session_->seed();
     generation.breeder = session_->breeder().name();
     generation.deeds = deeds_;
-    generation.digest = exhibit::digest_of(session_->offer());
+    generation.digest = archive::digest_of(session_->offer());
     generation.answers = answers;
     return generation;
 }
 
 Keeper::Ticket Show::keep_generation(const genome::Pick& answers) {
-    const auto keep = [generation = generation_of(answers), visit = visit_](exhibit::Archive& archive) mutable {
+    const auto keep = [generation = generation_of(answers), visit = visit_](archive::Archive& archive) mutable {
         generation.visit = *visit;
         return archive.append(generation);
     };
@@ -161,27 +161,27 @@ Keeper::Ticket Show::keep_generation(const genome::Pick& answers) {
     return keeper_->post(keep, deeds_.empty() ? Urgency::Written : Urgency::Flushed);
 }
 
-void Show::carry_out(const exhibit::Acknowledge& wish, Instant now) {
+void Show::carry_out(const exhibit::Acknowledge& wish, base::Instant now) {
     last_press_ = wish.button;
     last_press_at_ = now;
     base::log::info("press {} at {:.3f} s", kButtonNames[static_cast<std::size_t>(wish.button)],
                     std::chrono::duration<double>(now).count());
 }
 
-void Show::carry_out(const exhibit::PrepareVisit& wish, Instant /*now*/) {
+void Show::carry_out(const exhibit::PrepareVisit& wish, base::Instant /*now*/) {
     session_.emplace(fresh_session());
     deeds_.clear();
     grow_offer(wish.generation, 0);
 }
 
-void Show::carry_out(const exhibit::BeginVisit& /*wish*/, Instant now) {
+void Show::carry_out(const exhibit::BeginVisit& /*wish*/, base::Instant now) {
     stop_regrowing();
     gallery_.make_room();
     offered_.arrived = now;  // the four grow in before the visitor's eyes
     caption_.clear();        // the last visitor's
     visit_ = std::make_shared<std::int64_t>(0);
     keeper_->post(
-        [visit = visit_, at = options_.wall_time()](exhibit::Archive& archive) {
+        [visit = visit_, at = options_.wall_time()](archive::Archive& archive) {
             const auto begun = archive.begin_visit(at);
             *visit = begun.visit;
             return begun.trouble;
@@ -194,16 +194,16 @@ void Show::carry_out(const exhibit::BeginVisit& /*wish*/, Instant now) {
 void Show::keep_answers(const genome::Pick& answers) {
     const int round = session_->offer().round;
     keeper_->post([visit = visit_, round, answers, at = options_.wall_time()](
-                      exhibit::Archive& archive) { return archive.keep_answers(*visit, round, answers, at); },
+                      archive::Archive& archive) { return archive.keep_answers(*visit, round, answers, at); },
                   Urgency::Soon);
 }
 
-void Show::carry_out(const exhibit::KeepAnswers& wish, Instant /*now*/) {
+void Show::carry_out(const exhibit::KeepAnswers& wish, base::Instant /*now*/) {
     keep_answers(wish.answers);
     const bool is_last_round = state_.rounds + 1 >= timings_.rounds;
     const bool is_last_question = state_.question == genome::kAspects.back();
-    grower_.begin([session = *session_, answered = Answered{wish.answers, is_last_round, is_last_question}] {
-        return head_start(session, answered);
+    grower_.begin([session = *session_, answered = nursery::Answered{wish.answers, is_last_round, is_last_question}] {
+        return nursery::head_start(session, answered);
     });
 }
 
@@ -219,7 +219,7 @@ std::string Show::heredity(const genome::Description& before, const genome::Desc
     return text;
 }
 
-void Show::carry_out(const exhibit::GrowNext& wish, Instant /*now*/) {
+void Show::carry_out(const exhibit::GrowNext& wish, base::Instant /*now*/) {
     keep_answers(wish.answers);
     const auto before = session_->favourite().words;
     session_->next(wish.answers);
@@ -232,13 +232,13 @@ void Show::undo() {
     if (session_->undo() && !deeds_.empty()) deeds_.pop_back();
 }
 
-void Show::carry_out(const exhibit::UndoRound& wish, Instant /*now*/) {
+void Show::carry_out(const exhibit::UndoRound& wish, base::Instant /*now*/) {
     undo();
     caption_.clear();
     grow_offer(wish.generation, keep_generation(wish.answers));
 }
 
-void Show::carry_out(const exhibit::GrowFinale& wish, Instant /*now*/) {
+void Show::carry_out(const exhibit::GrowFinale& wish, base::Instant /*now*/) {
     const bool is_judged =
         std::ranges::any_of(wish.answers.each, [](const auto& answer) { return answer.has_value(); });
     const base::Seed flight = session_->flight();
@@ -272,49 +272,50 @@ std::vector<genome::WordId> Show::words_to_ask() const {
     return asked;
 }
 
-void Show::carry_out(const exhibit::TurnSlider& wish, Instant /*now*/) {
+void Show::carry_out(const exhibit::TurnSlider& wish, base::Instant /*now*/) {
     session_->slide(static_cast<std::size_t>(wish.slider), wish.direction);
-    deeds_.push_back({{}, exhibit::SliderStep{wish.slider, wish.direction}});
+    deeds_.push_back({{}, archive::SliderStep{wish.slider, wish.direction}});
     grow_offer(wish.generation, keep_generation({}));
 }
 
-void Show::carry_out(const exhibit::UndoTurn& wish, Instant /*now*/) {
+void Show::carry_out(const exhibit::UndoTurn& wish, base::Instant /*now*/) {
     undo();
     grow_offer(wish.generation, keep_generation({}));
 }
 
-void Show::carry_out(const exhibit::KeepWord& wish, Instant /*now*/) {
+void Show::carry_out(const exhibit::KeepWord& wish, base::Instant /*now*/) {
     const genome::WordAnswer answer{bred_.recipe, bred_.words, bred_.asked.at(static_cast<std::size_t>(wish.which)),
                                     wish.answer};
     base::log::info("it was called {}", genome::language("en").answers(answer.word).at(answer.step));
     keeper_->post(
-        [answer, at = options_.wall_time()](exhibit::Archive& archive) { return archive.keep_word(answer, at); },
+        [answer, at = options_.wall_time()](archive::Archive& archive) { return archive.keep_word(answer, at); },
         Urgency::Soon);
 }
 
-void Show::carry_out(const exhibit::EndVisit& wish, Instant /*now*/) {
+void Show::carry_out(const exhibit::EndVisit& wish, base::Instant /*now*/) {
     ++visits_ended_;
     if (is_in_fleet_) {
         constexpr const char* kNames[] = {"finished", "left", "stuck"};
         keeper_->post([text = fmt::format(R"({{"ended_ms":{},"ending":"{}","rounds":{}}})",
                                           options_.wall_time().time_since_epoch().count(),
                                           kNames[static_cast<std::size_t>(wish.ending)], wish.rounds)](
-                          exhibit::Archive& archive) { return archive.post("visits", text); },
+                          archive::Archive& archive) { return archive.post("visits", text); },
                       Urgency::Soon);
     }
     keeper_->post([visit = visit_, wish, at = options_.wall_time()](
-                      exhibit::Archive& archive) { return archive.end_visit(*visit, wish.ending, wish.rounds, at); },
+                      archive::Archive& archive) { return archive.end_visit(*visit, wish.ending, wish.rounds, at); },
                   Urgency::Soon);
     constexpr const char* kEndings[] = {"with its finale", "unanswered", "because its landscapes did not come"};
     base::log::info("the visit ends {}, after {} rounds", kEndings[static_cast<std::size_t>(wish.ending)], wish.rounds);
 }
 
-const Act* Show::waiting_for_upload() {
+const nursery::Act* Show::waiting_for_upload() {
     if (!waiting_) return nullptr;
     if (!waiting_->act) {
         auto scenes = grower_.take();
         if (!scenes) return nullptr;
-        waiting_->act = std::make_unique<Act>(Act{std::move(*scenes), waiting_->recipes, ++acts_, {}});
+        waiting_->act =
+            std::make_unique<nursery::Act>(nursery::Act{std::move(*scenes), waiting_->recipes, ++acts_, {}});
     }
     return waiting_->act.get();
 }
@@ -323,12 +324,12 @@ bool Show::is_kept_within(std::chrono::nanoseconds patience) {
     return !waiting_ || keeper_->is_done(waiting_->kept, patience) || keeper_->waited_for() >= kDiskPatience;
 }
 
-void Show::uploaded(Instant now) {
+void Show::uploaded(base::Instant now) {
     if (waiting_for_upload() == nullptr || !is_kept_within({})) return;
     Waiting done = std::move(*waiting_);
     waiting_.reset();
     // A landscape that is turned stays where the eye is; four new ones grow in.
-    done.act->arrived = state_.screen == Screen::Slide ? offered_.arrived : now;
+    done.act->arrived = state_.screen == exhibit::Screen::Slide ? offered_.arrived : now;
     if (done.is_finale) {
         finale_ = *done.act;
         gallery_.hang(finale_);
@@ -346,7 +347,7 @@ void Show::finish_growing() {
     if (is_regrowing_ || (waiting_ && !waiting_->act)) grower_.wait();
 }
 
-void Show::follow(const Configuration& configuration) {
+void Show::follow(const site::Configuration& configuration) {
     // The breeder is that of the start, and with it how it is spoken to.
     const exhibit::Asking asking = timings_.asking;
     const int sliders = timings_.sliders;
@@ -358,7 +359,7 @@ void Show::follow(const Configuration& configuration) {
 }
 
 void Show::remember(const std::string& name, std::string text) {
-    keeper_->post([name, text = std::move(text)](exhibit::Archive& archive) { return archive.remember(name, text); },
+    keeper_->post([name, text = std::move(text)](archive::Archive& archive) { return archive.remember(name, text); },
                   Urgency::Soon);
 }
 
@@ -369,43 +370,43 @@ std::string Show::state_trouble() const {
                        std::chrono::duration_cast<std::chrono::seconds>(waited).count());
 }
 
-const Act& Show::on_stage() const {
-    if (state_.screen == Screen::Finale || state_.screen == Screen::Describe) return finale_;
-    if (state_.screen == Screen::Attract && !gallery_.act().scenes.empty()) return gallery_.act();
+const nursery::Act& Show::on_stage() const {
+    if (state_.screen == exhibit::Screen::Finale || state_.screen == exhibit::Screen::Describe) return finale_;
+    if (state_.screen == exhibit::Screen::Attract && !gallery_.act().scenes.empty()) return gallery_.act();
     return offered_;
 }
 
-std::vector<const Act*> Show::in_use() const {
+std::vector<const nursery::Act*> Show::in_use() const {
     return {&offered_, &finale_, &gallery_.act(), refined_ ? &*refined_ : nullptr};
 }
 
 bool Show::can_go_back() const {
     switch (state_.screen) {
-        case Screen::Ask:
+        case exhibit::Screen::Ask:
             return state_.question != genome::Aspect::Trees || (session_ && session_->can_undo());
-        case Screen::Slide:
+        case exhibit::Screen::Slide:
             return state_.turns_to_undo > 0;
-        case Screen::Describe:
+        case exhibit::Screen::Describe:
             return true;
         default:
             return false;
     }
 }
 
-std::optional<Asked> Show::asked() const {
+std::optional<stage::Asked> Show::asked() const {
     const genome::Language& language = genome::language(language_);
-    if (state_.screen == Screen::Describe) {
+    if (state_.screen == exhibit::Screen::Describe) {
         const genome::WordId id = bred_.asked.at(static_cast<std::size_t>(state_.described));
-        return Asked{fmt::format("describe.{}", name_of(word(id).aspect)), language.answers(id), std::nullopt};
+        return stage::Asked{fmt::format("describe.{}", name_of(word(id).aspect)), language.answers(id), std::nullopt};
     }
-    if (state_.screen != Screen::Slide || !session_) return std::nullopt;
+    if (state_.screen != exhibit::Screen::Slide || !session_) return std::nullopt;
     const auto slider = session_->breeder().slider(static_cast<std::size_t>(state_.slider));
     if (!slider) return std::nullopt;
-    ShownSlider shown{"", std::string(slider->name), static_cast<float>(slider->share)};
+    stage::ShownSlider shown{"", std::string(slider->name), static_cast<float>(slider->share)};
     if (slider->word)
         shown = {std::string(language.end(*slider->word, false)), std::string(language.end(*slider->word, true)),
                  shown.share};
-    return Asked{"slide", {"←", "→", "−", "+"}, shown};
+    return stage::Asked{"slide", {"←", "→", "−", "+"}, shown};
 }
 
 }  // namespace quadrat::kiosk

@@ -10,7 +10,8 @@ using exhibit::Screen;
 
 // What a visit had no room for, when the four of the next stand and nobody has come.
 void Show::regrow_gallery() {
-    if (state_.screen != Screen::Attract || waiting_ || offered_.scenes.empty() || is_regrowing_ || !is_refined())
+    if (state_.screen != exhibit::Screen::Attract || waiting_ || offered_.scenes.empty() || is_regrowing_ ||
+        !is_refined())
         return;
     const auto recipe = gallery_.missing();
     if (!recipe) return;
@@ -23,15 +24,15 @@ void Show::stop_regrowing() {
     if (std::exchange(is_regrowing_, false)) refined_.reset();
 }
 
-const Act* Show::waiting_to_refine() {
+const nursery::Act* Show::waiting_to_refine() {
     if (!waiting_ && !refined_) {
         grower_.refine();
-        std::optional<Scenes> scenes;
+        std::optional<nursery::Scenes> scenes;
         if (!is_regrowing_)
             scenes = grower_.take_refined();
         else if (is_refined())  // nobody waits for what comes back to the gallery
             scenes = grower_.take();
-        if (scenes) refined_ = Act{std::move(*scenes), {}, acts_, {}};
+        if (scenes) refined_ = nursery::Act{std::move(*scenes), {}, acts_, {}};
     }
     return refined_ ? &*refined_ : nullptr;
 }
@@ -43,7 +44,7 @@ void Show::refined() {
         refined_.reset();
         return;
     }
-    for (Act* act : {&offered_, &finale_}) {
+    for (nursery::Act* act : {&offered_, &finale_}) {
         if (act->number != refined_->number) continue;
         for (std::size_t i = 0; i < act->scenes.size(); ++i) gallery_.replace(act->scenes[i], refined_->scenes[i]);
         act->scenes = refined_->scenes;

@@ -12,12 +12,12 @@ namespace quadrat::kiosk {
 
 using exhibit::Screen;
 
-bool Show::take_up(Instant now) {
+bool Show::take_up(base::Instant now) {
     if (has_asked_keeper_) return false;
     const auto kept = keeper_->kept();
     if (!kept) return false;
     has_asked_keeper_ = true;
-    const bool is_free = state_.screen == Screen::Attract && visits_ended_ == 0;
+    const bool is_free = state_.screen == exhibit::Screen::Attract && visits_ended_ == 0;
     if (!kept->interrupted || !is_free) return false;
     const std::optional<breeding::Session> prepared = session_;
     if (resume(*kept->interrupted, now)) return true;
@@ -26,7 +26,7 @@ bool Show::take_up(Instant now) {
 }
 
 // What is wrong; "" when the session is the one that was interrupted.
-std::string Show::why_not_resumed(const exhibit::Generation& kept, const breeding::WordMap& map) {
+std::string Show::why_not_resumed(const archive::Generation& kept, const breeding::WordMap& map) {
     session_.reset();
     try {
         breeding::BreederOptions options = breeder_options_;
@@ -36,7 +36,7 @@ std::string Show::why_not_resumed(const exhibit::Generation& kept, const breedin
             return fmt::format("the breeder is {} now, and was {}", breeder.name(), kept.breeder);
         for (const genome::Aspect aspect : locked_) breeder.set_lock(aspect, breeding::Lock::Locked);
         session_.emplace(std::move(breeder), kept.seed);
-        for (const exhibit::Deed& deed : kept.deeds) {
+        for (const archive::Deed& deed : kept.deeds) {
             if (deed.step && static_cast<std::size_t>(deed.step->slider) >= session_->breeder().sliders())
                 throw base::InputError(fmt::format("there is no slider {}", deed.step->slider));
             if (deed.step)
@@ -48,12 +48,12 @@ std::string Show::why_not_resumed(const exhibit::Generation& kept, const breedin
         session_.reset();
         return error.what();
     }
-    if (exhibit::digest_of(session_->offer()) == kept.digest) return "";
+    if (archive::digest_of(session_->offer()) == kept.digest) return "";
     session_.reset();
     return "the breeding is tuned differently now, so the four would not be the same";
 }
 
-bool Show::resume(const exhibit::Generation& kept, Instant now) {
+bool Show::resume(const archive::Generation& kept, base::Instant now) {
     std::string why_not = why_not_resumed(kept, school_->map());
     // The visit may have begun before the last lesson.
     if (const auto before = why_not.empty() ? std::nullopt : school_->map_before())
@@ -66,7 +66,7 @@ bool Show::resume(const exhibit::Generation& kept, Instant now) {
     base::log::info("taking up visit {} at round {}, which was interrupted", kept.visit, kept.round);
     deeds_ = kept.deeds;
     std::vector<genome::Pick> picks;
-    for (const exhibit::Deed& deed : kept.deeds) picks.push_back(deed.pick);
+    for (const archive::Deed& deed : kept.deeds) picks.push_back(deed.pick);
     step({is_sliding() ? exhibit::resumed_sliding(kept.round - 1, now)
                        : exhibit::resumed(std::move(picks), kept.answers, now),
           {}},

@@ -13,6 +13,7 @@
 
 #include "mesh/image.hpp"
 #include "render/gl/work.hpp"
+#include "render/ground_by.hpp"
 #include "render/hanging.hpp"
 #include "render/passes/reach.hpp"
 #include "scene/scene.hpp"
@@ -26,12 +27,6 @@ struct Detail {
     float alpha = 1;
     float scale = 1;  // of each side of the views, 0.25 to 1, drawn smaller and spread; signs stay sharp
     int samples = 1;  // a pixel, 1 or 4: edges are smooth. Not where views are drawn smaller, nor where a GPU has none
-};
-
-// Of which triangles a land's square is drawn; the country around it is of blocks.
-enum class GroundBy {
-    Blocks,  // squares at powers of two, whose vertices move from level to level (passes/blocks)
-    Roam     // triangles halved where the ground is rough for its distance, as it is (mesh/roam)
 };
 
 class GpuScene;  // a scene's buffers and textures; freed on the context's thread

@@ -75,7 +75,7 @@ void ViewPainter::draw_ground(const View& view, const Selection& selection, cons
     const CountryOnGpu& country = *scene.country;
     const HeldGround& held = stock.ground;
     gl::bind_uniforms(scene.sky->shadow, passes::kShadowBinding);
-    of(drawn, Kind::Cover) += cover_.draw(scene.cover, selection.cover, stock.cover, selection.cover_wish);
+    of(drawn, Kind::Cover) += cover_.draw(scene.cover, selection.cover, stock.cover);
     gl::Work& work = of(drawn, Kind::Ground);
     work += stone_.draw(country.stone, held.indices(), held.stone());
     if (gl::Wires::are_on()) {

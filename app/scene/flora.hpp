@@ -51,9 +51,11 @@ struct Leaves {
 };
 
 // A crown as one mass, for when it is too far away for its leaves: a closed mesh about where they are dense, so that
-// the sky still shows through what is thin. Its vertices are coloured and shaded as the leaves about them are.
+// the sky still shows through what is thin, and sprays that stand off it. Its vertices are coloured and shaded as the
+// leaves about them are.
 struct CrownMass {
     mesh::Mesh mesh;                 // without texture coordinates
+    std::size_t sprays = 0;          // the last so many of its triangles; each has three vertices of its own, the last
     std::vector<glm::vec3> colours;  // a vertex, linear
     std::vector<float> shades;       // as of leaves
     std::vector<float> ages;

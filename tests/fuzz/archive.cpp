@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whatever lies where the state file should be, the exhibit opens for the public.
-#include "exhibit/archive.hpp"
+#include "archive/archive.hpp"
 
 #include <stdlib.h>
 
@@ -27,7 +27,7 @@ struct Scratch {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-    using namespace quadrat::exhibit;
+    using namespace quadrat::archive;
     static const Scratch scratch;
     const fs::path directory = scratch.directory / "state";
     fs::remove_all(directory);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kiosk/fleet/broker_address.hpp"
+#include "site/broker_address.hpp"
 
 #include <cstdint>
 #include <cstdlib>
 #include <stdexcept>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-    using namespace quadrat::kiosk::fleet;
+    using namespace quadrat::site;
     const std::string_view text{reinterpret_cast<const char*>(bytes), size};
     try {
         const Broker broker = parse_broker(text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kiosk/configuration.hpp"
+#include "site/configuration.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -9,7 +9,7 @@
 // Any bytes are a configuration, or have mistakes: each in one line, with what is wrong, what would be right, and
 // where.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-    using namespace quadrat::kiosk;
+    using namespace quadrat::site;
     const std::string_view toml{reinterpret_cast<const char*>(bytes), size};
     const auto any_font = [](const std::string&) { return std::string{}; };
     const auto last_line = 1 + std::count(toml.begin(), toml.end(), '\n');

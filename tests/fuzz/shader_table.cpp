@@ -4,10 +4,10 @@
 #include <string_view>
 
 #include "base/error.hpp"
-#include "kiosk/benches/shader_table.hpp"
+#include "benches/shader_table.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-    using namespace quadrat::kiosk::benches;
+    using namespace quadrat::benches;
     try {
         const std::string_view text(reinterpret_cast<const char*>(bytes), size);
         if (section_of(shader_table_from(text, "input")).find("</section>") == std::string::npos) std::abort();

@@ -247,7 +247,7 @@ TEST_F(SiteState, HoldsNothingThatIsNeitherBackedUpNorTheMachinesOwn) {
     make_state();
     ASSERT_TRUE(succeeds(tool({"state", "--state", at("state"), "--backup", "site.tar.xz"})));
     // Of this machine or of this moment. Whoever adds a file to the state folder decides where it belongs: here, or to
-    // the site's files in app/kiosk/backup/staged.cpp.
+    // the site's files in app/backup/staged.cpp.
     const std::vector<std::string> own{"lock",        "last-good.toml", "clock.seen", "reboots",       "running",
                                        "health.json", "quadrat.prom",   "faults",     "picture.asked", "picture.png"};
     const std::vector<std::string> backed_up{"quadrat.db", "words.json", "words.previous.json", "buttons.map",

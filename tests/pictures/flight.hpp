@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "display/display.hpp"
-#include "kiosk/easel.hpp"
 #include "mesh/image.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene.hpp"
+#include "stage/easel.hpp"
 
 // Flights drawn frame after frame, with what is far held or drawn anew each time.
 namespace quadrat::tests {
@@ -50,16 +50,16 @@ class Flight {
         double ms = 0;  // to draw it, all of it done
     };
 
-    Flight(kiosk::Easel& easel, const std::vector<std::shared_ptr<const scene::Scene>>& scenes, glm::ivec2 size,
+    Flight(stage::Easel& easel, const std::vector<std::shared_ptr<const scene::Scene>>& scenes, glm::ivec2 size,
            bool is_held)
         : easel_(easel), scenes_(scenes) {
         frame.size = size;
         frame.is_one_of_many = true;
         frame.holds_distance = is_held;
-        const auto places = kiosk::quarters(size.x, size.y);
+        const auto places = stage::quarters(size.x, size.y);
         for (std::size_t i = 0; i < scenes.size(); ++i) {
             render::View view;
-            view.scene = kiosk::upload_now(renderer_, scenes[i]);
+            view.scene = stage::upload_now(renderer_, scenes[i]);
             view.viewport = scenes.size() == 1 ? render::Rect{0, 0, size.x, size.y} : places[i];
             frame.views.push_back(view);
         }
@@ -89,7 +89,7 @@ class Flight {
     render::Frame frame;
 
   private:
-    kiosk::Easel& easel_;
+    stage::Easel& easel_;
     render::Renderer renderer_;
     std::vector<std::shared_ptr<const scene::Scene>> scenes_;
 };

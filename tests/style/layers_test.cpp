@@ -2,37 +2,24 @@
 // Reads layers.txt and checks every include of every source file against it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 
+#include "layer_table.hpp"
 #include "support/source_tree.hpp"
 
 namespace {
 
 using quadrat::tests::SourceFile;
 
-struct Layers {
-    std::map<std::string, std::vector<std::string>> rooms;
-    std::map<std::string, std::vector<std::string>> system;
-};
-
-Layers read_layers() {
-    Layers layers;
-    std::ifstream file(QUADRAT_SOURCE_DIR "/tests/style/layers.txt");
-    auto* table = &layers.rooms;
-    for (std::string line; std::getline(file, line);) {
-        if (line == "[system]") table = &layers.system;
-        const auto colon = line.find(':');
-        if (line.empty() || line[0] == '#' || colon == std::string::npos) continue;
-        std::istringstream names(line.substr(colon + 1));
-        auto& allowed = (*table)[line.substr(0, colon)];
-        for (std::string name; names >> name;) allowed.push_back(name);
-    }
-    return layers;
-}
+using Layers = quadrat::tests::LayerTable;
+using quadrat::tests::read_layers;
 
 bool lies_in(const std::string& path, const std::string& folder) {
     return path == folder || path.starts_with(folder + "/");
@@ -109,13 +96,48 @@ TEST(Layers, SystemHeadersOfADeviceStayInItsRoom) {
     }
 }
 
-// Time enters as an argument: the clock is read in the kiosk, and by a display that waits for its own flips.
-TEST(Layers, OnlyTheKioskAndTheDisplayReadAClock) {
+// Time enters as an argument: who reads a clock, or chance, is listed.
+TEST(Layers, AClockIsReadOnlyWhereTheTableAllowsIt) {
+    const Layers layers = read_layers();
+    ASSERT_TRUE(layers.clocks.contains("clock"));
     for (const SourceFile& file : our_sources()) {
-        if (lies_in(file.path, "app/kiosk") || lies_in(file.path, "app/display")) continue;
-        EXPECT_EQ(file.text.find("_clock::now"), std::string::npos) << file.path;
-        EXPECT_EQ(file.text.find("random_device"), std::string::npos) << file.path;
+        const auto reads = [&](const char* what) { return file.text.find(what) != std::string::npos; };
+        if (!reads("_clock::now") && !reads("random_device")) continue;
+        EXPECT_TRUE(std::ranges::any_of(layers.clocks.at("clock"), [&](const auto& r) {
+            return lies_in(file.path, r);
+        })) << file.path;
     }
+}
+
+TEST(Layers, EveryFolderOfTheTableExists) {
+    const Layers layers = read_layers();
+    const auto expect_there = [](const std::string& folder) {
+        EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(QUADRAT_SOURCE_DIR) / folder)) << folder;
+    };
+    for (const auto* table : {&layers.rooms, &layers.system, &layers.clocks, &layers.paths}) {
+        for (const auto& [name, folders] : *table) {
+            if (table == &layers.rooms) expect_there(name);
+            for (const std::string& folder : folders) expect_there(folder);
+        }
+    }
+}
+
+// A room that includes another, however far away, is not included by it.
+TEST(Layers, NoArrowPointsUpward) {
+    const Layers layers = read_layers();
+    std::map<std::string, std::set<std::string>> below;
+    const std::function<const std::set<std::string>&(const std::string&, int)> reach = [&](const std::string& room,
+                                                                                           int depth) -> const auto& {
+        if (below.contains(room) || depth > 50) return below[room];
+        std::set<std::string> all;
+        for (const std::string& other : layers.rooms.at(room)) {
+            all.insert(other);
+            for (const std::string& further : reach(other, depth + 1)) all.insert(further);
+        }
+        return below[room] = all;
+    };
+    for (const auto& [room, allowed] : layers.rooms)
+        EXPECT_FALSE(reach(room, 0).contains(room)) << room << " can be reached from itself";
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include "display/egl/offscreen_target.hpp"
 #include "display/monotonic.hpp"
 #include "display/options.hpp"
-#include "display/pacing.hpp"
+#include "tempo/flight_log.hpp"
 
 namespace quadrat::display {
 namespace {
@@ -50,19 +50,20 @@ class HeadlessDisplay final : public Display {
         if (context_ && context_->is_lost()) begin_anew();
         return canvas();
     }
-    Presented present() override {
-        if (!context_)
-            return {Outcome::Fault, shown_frame_, shown_at_, {}, "the GPU was reset, and does not start again"};
+    Presented present(const tempo::HandOver& how) override {
+        if (!context_) return told(Outcome::Fault, {}, "the GPU was reset, and does not start again");
         ++frame_;
-        if (!options_.paces.empty())
-            take_as_a_screen_would();
-        else
+        if (options_.paces.empty())
             glFlush();
-        if (power_ == Power::Off) return {Outcome::Off, shown_frame_, shown_at_, {}, "switched off"};
-        if (!options_.paces.empty()) return {Outcome::Shown, shown_frame_, shown_at_, period(), {}};
+        else
+            take_as_a_screen_would(how);
+        if (power_ == Power::Off) return told(Outcome::Off, {}, "switched off");
+        if (!options_.paces.empty()) return told(Outcome::Shown, period(), "");
+        flights_.handed_over(frame_, how, display_now());
         shown_frame_ = frame_;
         shown_at_ = monotonic_now();
-        return {Outcome::Shown, shown_frame_, shown_at_, {}, {}};
+        flights_.shown(base::DisplayTime{shown_at_}, {});
+        return told(Outcome::Shown, {}, "");
     }
     void set_power(Power power) override { power_ = power; }
 
@@ -75,23 +76,35 @@ class HeadlessDisplay final : public Display {
             if (refreshed_at_ >= began_at_ + pace.from) now = &pace;
         return Instant{static_cast<Instant::rep>(1e9 / now->hz)};
     }
+    Presented told(Outcome outcome, Instant period, const char* reason) {
+        return {outcome,
+                shown_frame_,
+                base::DisplayTime{shown_at_},
+                period,
+                reason,
+                flights_.take_finished(),
+                flights_.in_flight_since()};
+    }
     // At the first refresh after it was drawn, and the frame before it was shown.
-    void take_as_a_screen_would() {
+    void take_as_a_screen_would(const tempo::HandOver& how) {
         glFinish();
         wait_for_flip();
+        if (how.not_before)
+            std::this_thread::sleep_until(std::chrono::steady_clock::time_point{how.not_before->time_since_epoch()});
         const Instant now = monotonic_now();
         refreshed_at_ += ((now - refreshed_at_) / period() + 1) * period();
         is_in_flight_ = true;
         frame_in_flight_ = frame_;
-        if (pacing_.waits(now)) wait_for_flip();
+        flights_.handed_over(frame_, how, base::DisplayTime{now});
+        if (how.then == tempo::HandOver::Then::Wait) wait_for_flip();
     }
     void wait_for_flip() {
         if (!std::exchange(is_in_flight_, false)) return;
         std::this_thread::sleep_until(std::chrono::steady_clock::time_point{refreshed_at_});
-        if (power_ == Power::Off) return pacing_.interrupted();
+        if (power_ == Power::Off) return flights_.interrupted();
         shown_frame_ = frame_in_flight_;
         shown_at_ = refreshed_at_;
-        pacing_.shown(shown_at_, period());
+        flights_.shown(base::DisplayTime{shown_at_}, period());
     }
     void begin_anew() {
         const Size size = target_->size();
@@ -116,7 +129,7 @@ class HeadlessDisplay final : public Display {
     Instant shown_at_{0};
     Instant began_at_ = monotonic_now();
     Instant refreshed_at_ = began_at_;  // or will be, where a frame is in flight
-    Pacing pacing_;
+    tempo::FlightLog flights_;
     bool is_in_flight_ = false;
     std::uint64_t frame_in_flight_ = 0;
 };

@@ -44,7 +44,7 @@ class KmsDisplay final : public Display {
         take_console();
         return canvas_ = dressed(hardware_.canvas());
     }
-    Presented present() override { return keeper_.present(); }
+    Presented present(const tempo::HandOver& how) override { return keeper_.present(how); }
     void set_power(Power power) override { keeper_.set_power(power); }
 
   private:

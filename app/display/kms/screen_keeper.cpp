@@ -29,13 +29,13 @@ void ScreenKeeper::attend() {
     feed(event::Tick{});
 }
 
-Presented ScreenKeeper::present() {
+Presented ScreenKeeper::present(const tempo::HandOver& how) {
     ++frame_;
     attend();
     if (state_.phase == Phase::Running) {
-        show_frame();
+        show_frame(how);
     } else {
-        pacing_.interrupted();
+        flights_.interrupted();
         take_news(kUnseenFrame);
     }
     return told();
@@ -77,8 +77,8 @@ void ScreenKeeper::take_news(Instant at_most) {
         std::visit(Overloaded{[this](const FlipShown& shown) {
                                   if (!state_.flip_since) return;  // of a screen that was lost meanwhile
                                   shown_at_ = sane_flip_time(shown_at_, shown.at, hardware_.now());
-                                  shown_frame_ = frame_in_flight_;
-                                  pacing_.shown(shown_at_, hardware_.period());
+                                  shown_frame_ = handed_over_;
+                                  flights_.shown(base::DisplayTime{shown_at_}, hardware_.period());
                                   feed(event::FlipEnded{});
                               },
                               [this](const auto& moved) { feed(moved); }},
@@ -92,15 +92,23 @@ void ScreenKeeper::wait_for_flip() {
     }
 }
 
-void ScreenKeeper::show_frame() {
+// What happens meanwhile is taken.
+void ScreenKeeper::wait_until(base::DisplayTime at) {
+    while (state_.phase == Phase::Running && hardware_.now() < at.time_since_epoch())
+        take_news(std::min(at.time_since_epoch() - hardware_.now(), kLookAtTheClock));
+}
+
+void ScreenKeeper::show_frame(const tempo::HandOver& how) {
     wait_for_flip();
+    if (how.not_before) wait_until(*how.not_before);
     while (state_.phase == Phase::Running) {
         const std::optional<Refusal> refusal = hardware_.flip();
         if (!refusal) return feed(event::ContextLost{});
         if (*refusal == Refusal::None) {
-            frame_in_flight_ = frame_;
+            handed_over_ = frame_;
+            flights_.handed_over(frame_, how, base::DisplayTime{hardware_.now()});
             feed(event::FlipStarted{});
-            if (pacing_.waits(hardware_.now())) wait_for_flip();
+            if (how.then == tempo::HandOver::Then::Wait) wait_for_flip();
             return;
         }
         feed(event::FlipRefused{*refusal});
@@ -108,9 +116,14 @@ void ScreenKeeper::show_frame() {
     }
 }
 
-Presented ScreenKeeper::told() const {
-    return {outcome_of(state_.phase), shown_frame_, shown_at_,
-            state_.phase == Phase::Running ? hardware_.period() : Instant{0}, state_.reason};
+Presented ScreenKeeper::told() {
+    return {outcome_of(state_.phase),
+            shown_frame_,
+            base::DisplayTime{shown_at_},
+            state_.phase == Phase::Running ? hardware_.period() : Instant{0},
+            state_.reason,
+            flights_.take_finished(),
+            flights_.in_flight_since()};
 }
 
 }  // namespace quadrat::display

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "display/pacing.hpp"
 #include "display/kms/screen_hardware.hpp"
+#include "tempo/flight_log.hpp"
 
 namespace quadrat::display {
 
@@ -12,10 +12,10 @@ class ScreenKeeper {
 
     // Takes the news; may set the screen up, switch it off or lose it. Between frames only.
     void attend();
-    // Hands over the frame that was drawn. With a screen it waits for it to be shown, 2 s at most, or, where there is
-    // no time for that (pacing.hpp), for the frame before it; without one it waits a tenth of a second for news, so
-    // that the show goes on slowly and costs nothing.
-    Presented present();
+    // Hands over the frame that was drawn, not before `how` says. With a screen it waits for it to be shown, 2 s at
+    // most, or, drawing ahead, for the frame before it; without one it waits a tenth of a second for news, so that the
+    // show goes on slowly and costs nothing.
+    Presented present(const tempo::HandOver& how = {});
     void set_power(Power power) { feed(event::PowerAsked{power}); }
     const ScreenState& state() const { return state_; }
 
@@ -24,16 +24,17 @@ class ScreenKeeper {
     void perform(const ScreenAction& action);
     void take_news(Instant at_most);
     void wait_for_flip();
-    void show_frame();
-    Presented told() const;
+    void wait_until(base::DisplayTime at);
+    void show_frame(const tempo::HandOver& how);
+    Presented told();
 
     ScreenHardware& hardware_;
     ScreenState state_;
-    Pacing pacing_;
+    tempo::FlightLog flights_;
     std::vector<ScreenEvent> queue_;
     bool is_feeding_ = false;
     std::uint64_t frame_ = 0;
-    std::uint64_t frame_in_flight_ = 0;
+    std::uint64_t handed_over_ = 0;  // the last frame that was
     std::uint64_t shown_frame_ = 0;
     Instant shown_at_{0};
 };

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include <cctype>
+#include <thread>
 #include <utility>
 
 #include "base/error.hpp"
@@ -15,6 +16,7 @@
 #include "display/monotonic.hpp"
 #include "display/options.hpp"
 #include "display/window/keys.hpp"
+#include "tempo/flight_log.hpp"
 
 namespace quadrat::display {
 namespace {
@@ -127,13 +129,20 @@ class WindowDisplay final : public Display {
         if (eglGetCurrentContext() != context_) glfwMakeContextCurrent(window_.get());
         return canvas();
     }
-    Presented present() override {
+    Presented present(const tempo::HandOver& how) override {
         ++frame_;
-        if (power_ == Power::Off) return {Outcome::Off, shown_frame_, shown_at_, period_, "switched off"};
+        if (power_ == Power::Off) {
+            flights_.interrupted();
+            return {Outcome::Off, shown_frame_, shown_at_, period_, "switched off"};
+        }
+        if (how.not_before)
+            std::this_thread::sleep_until(std::chrono::steady_clock::time_point{how.not_before->time_since_epoch()});
+        flights_.handed_over(frame_, how, display_now());
         glfwSwapBuffers(window_.get());
         shown_frame_ = frame_;
-        shown_at_ = monotonic_now();
-        return {Outcome::Shown, shown_frame_, shown_at_, period_, {}};
+        shown_at_ = display_now();
+        flights_.shown(shown_at_, period_);
+        return {Outcome::Shown, shown_frame_, shown_at_, period_, {}, flights_.take_finished(), {}};
     }
     void set_power(Power power) override {
         if (power == Power::Off && power_ == Power::On) {
@@ -170,7 +179,8 @@ class WindowDisplay final : public Display {
     Power power_ = Power::On;
     std::uint64_t frame_ = 0;
     std::uint64_t shown_frame_ = 0;
-    std::chrono::nanoseconds shown_at_{0};
+    base::DisplayTime shown_at_{};
+    tempo::FlightLog flights_;
 };
 
 }  // namespace

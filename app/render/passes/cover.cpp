@@ -5,11 +5,13 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
 #include <span>
 #include <utility>
 
 #include "base/seed.hpp"
 #include "render/passes/air.hpp"
+#include "render/gl/wires.hpp"
 #include "render/passes/cloud_shadow.hpp"
 #include "render/passes/encode.hpp"
 #include "render/passes/packing.hpp"
@@ -19,11 +21,9 @@ namespace {
 
 constexpr float kTurn_rad = 6.2831853F;
 constexpr float kGoldenAngle_rad = 2.3999632F;
-constexpr float kWhole_m = 5.5F;  // to this distance, in a quarter of a screen of 1080 lines, all blades are drawn
+constexpr float kWhole_m = 8.0F;  // to this distance, in a quarter of a screen of 1080 lines, all blades are drawn
 constexpr float kUsual_px = 703;  // pixels per radian there
-constexpr float kMostRadius_m = 2;
-constexpr std::size_t kVerticesPerBlade = 3;
-constexpr float kGust = 0.16F;  // of a blade's height
+constexpr float kGust = 0.22F;  // of a blade's height, at most
 
 struct CoverVertex {
     glm::vec3 at;
@@ -32,29 +32,42 @@ struct CoverVertex {
     std::uint16_t rank;
 };
 
-// Blades of one kind in shuffled order: the golden angle spreads any prefix evenly.
+struct CoverMesh {
+    std::vector<CoverVertex> vertices;
+    std::vector<std::uint16_t> indices;
+};
+
+// Parts of one kind in shuffled order: the golden angle spreads any prefix evenly.
 class Tufts {
   public:
-    explicit Tufts(std::uint64_t seed, int blades, std::vector<CoverVertex>& to)
-        : blades_(blades), random_(base::Seed{seed}), to_(to) {}
+    Tufts(std::uint64_t seed, int parts, CoverMesh& to) : parts_(parts), random_(base::Seed{seed}), to_(to) {}
 
-    glm::vec2 foot(int i) const {
-        const float radius = std::sqrt((static_cast<float>((i * 7) % blades_) + 0.5F) / static_cast<float>(blades_));
-        const float turn = kGoldenAngle_rad * static_cast<float>(i);
+    glm::vec2 foot(int part) const {
+        const float radius = std::sqrt((static_cast<float>((part * 7) % parts_) + 0.5F) / static_cast<float>(parts_));
+        const float turn = kGoldenAngle_rad * static_cast<float>(part);
         return radius * glm::vec2{std::cos(turn), std::sin(turn)};
     }
     base::RandomStream& random() { return random_; }
 
-    void vertex(int i, const glm::vec3& at, const glm::vec3& aside, float tone, float accent = 0) {
-        const float rank = static_cast<float>(i) / static_cast<float>(blades_);
-        to_.push_back({at, aside, unsigned_byte(0.5F * tone), unsigned_byte(accent),
-                       static_cast<std::uint16_t>(65535.0F * rank)});
+    // What follows belongs to this part.
+    void begin(int part) {
+        rank_ = static_cast<std::uint16_t>(65535.0F * static_cast<float>(part) / static_cast<float>(parts_));
+        first_ = static_cast<std::uint16_t>(to_.vertices.size());
+    }
+    void vertex(const glm::vec3& at, const glm::vec3& aside, float tone, float accent = 0) {
+        to_.vertices.push_back({at, aside, unsigned_byte(0.5F * tone), unsigned_byte(accent), rank_});
+    }
+    // Of the part's vertices.
+    void triangle(int a, int b, int c) {
+        for (const int k : {a, b, c}) to_.indices.push_back(static_cast<std::uint16_t>(first_ + k));
     }
 
   private:
-    int blades_;
+    int parts_;
     base::RandomStream random_;
-    std::vector<CoverVertex>& to_;
+    CoverMesh& to_;
+    std::uint16_t rank_ = 0;
+    std::uint16_t first_ = 0;
 };
 
 glm::vec2 any_way(base::RandomStream& random) {
@@ -62,25 +75,35 @@ glm::vec2 any_way(base::RandomStream& random) {
     return {std::cos(turn), std::sin(turn)};
 }
 
-constexpr int kGrassBlades = 34;
-void add_grass(std::vector<CoverVertex>& to) {
-    Tufts tufts(0x67'72'61'73, kGrassBlades, to);
-    for (int i = 0; i < kGrassBlades; ++i) {
+// Three blades side by side that share their feet: seven vertices instead of nine.
+constexpr int kGrassRows = 12;
+constexpr int kBladesARow = 3;
+void add_grass(CoverMesh& to) {
+    Tufts tufts(0x67'72'61'73, kGrassRows, to);
+    for (int row = 0; row < kGrassRows; ++row) {
         base::RandomStream& random = tufts.random();
-        const glm::vec2 foot = tufts.foot(i);
+        const glm::vec2 foot = tufts.foot(row);
         const glm::vec2 way = any_way(random);
-        const glm::vec2 tip = 0.82F * foot + random.between(0.25F, 0.75F) * any_way(random);
-        const float high = random.between(0.55F, 1.1F);
-        const glm::vec3 aside = random.between(0.022F, 0.040F) * glm::vec3{way.x, 0, way.y};
-        const float tone = random.between(0.84F, 1.16F);
-        tufts.vertex(i, {foot.x, 0, foot.y}, -aside, 0.50F * tone);
-        tufts.vertex(i, {foot.x, 0, foot.y}, aside, 0.56F * tone);
-        tufts.vertex(i, {tip.x, high, tip.y}, glm::vec3{0}, 1.38F * tone);
+        const float width = random.between(0.045F, 0.075F);
+        const float tone = random.between(0.86F, 1.14F);
+        const glm::vec2 lean = random.between(0.10F, 0.45F) * any_way(random);
+        tufts.begin(row);
+        for (int k = 0; k <= kBladesARow; ++k) {
+            const glm::vec2 out = width * (static_cast<float>(k) - 1.5F) * way;
+            tufts.vertex({foot.x, 0, foot.y}, {out.x, 0, out.y}, (k % 2 == 0 ? 0.50F : 0.58F) * tone);
+        }
+        for (int k = 0; k < kBladesARow; ++k) {
+            const glm::vec2 out = width * (static_cast<float>(k) - 1) * way;
+            const glm::vec2 tip = 0.88F * foot + lean + random.between(0.10F, 0.40F) * any_way(random);
+            const float light = random.between(0.92F, 1.08F);
+            tufts.vertex({tip.x, random.between(0.55F, 1.1F), tip.y}, {out.x, 0, out.y}, 1.38F * tone * light);
+            tufts.triangle(k, k + 1, kBladesARow + 1 + k);
+        }
     }
 }
 
 constexpr int kCushionLeaves = 26;
-void add_cushion(std::vector<CoverVertex>& to) {
+void add_cushion(CoverMesh& to) {
     Tufts tufts(0x63'75'73'68, kCushionLeaves, to);
     for (int i = 0; i < kCushionLeaves; ++i) {
         base::RandomStream& random = tufts.random();
@@ -89,86 +112,105 @@ void add_cushion(std::vector<CoverVertex>& to) {
         const float dome = 1 - 0.75F * glm::dot(foot, foot);
         const glm::vec2 out = 0.30F * foot + 0.25F * any_way(random);
         const glm::vec2 way = any_way(random);
-        const glm::vec3 aside = random.between(0.14F, 0.24F) * glm::vec3{way.x, 0.35F * random.between(-1, 1), way.y};
+        const glm::vec3 aside = random.between(0.10F, 0.17F) * glm::vec3{way.x, 0.35F * random.between(-1, 1), way.y};
         const float tone = random.between(0.86F, 1.14F);
-        tufts.vertex(i, {foot.x, 0.35F * dome, foot.y}, -aside, 0.72F * tone);
-        tufts.vertex(i, {foot.x, 0.45F * dome, foot.y}, aside, 0.92F * tone);
-        tufts.vertex(i, {foot.x + out.x, dome * random.between(0.75F, 1.1F), foot.y + out.y}, glm::vec3{0},
+        tufts.begin(i);
+        tufts.vertex({foot.x, 0.35F * dome, foot.y}, -aside, 0.72F * tone);
+        tufts.vertex({foot.x, 0.45F * dome, foot.y}, aside, 0.92F * tone);
+        tufts.vertex({foot.x + out.x, dome * random.between(0.75F, 1.1F), foot.y + out.y}, glm::vec3{0},
                      1.22F * tone);
+        tufts.triangle(0, 1, 2);
     }
 }
 
-// Stems, each with a head of two triangles after it.
-constexpr int kFlowerParts = 27;
-void add_flowers(std::vector<CoverVertex>& to) {
-    Tufts tufts(0x66'6C'6F'77, kFlowerParts, to);
-    for (int i = 0; i < kFlowerParts; i += 3) {
+// Stems, each with a head of two triangles.
+constexpr int kStems = 12;
+constexpr int kTrianglesAStem = 3;
+void add_flowers(CoverMesh& to) {
+    Tufts tufts(0x66'6C'6F'77, kStems, to);
+    for (int i = 0; i < kStems; ++i) {
         base::RandomStream& random = tufts.random();
         const glm::vec2 foot = tufts.foot(i);
         const glm::vec2 tip = 0.9F * foot + 0.35F * any_way(random);
-        const float high = random.between(0.75F, 1.15F);
+        const glm::vec3 top{tip.x, random.between(0.75F, 1.15F), tip.y};
         const glm::vec2 way = any_way(random);
-        const glm::vec3 aside = 0.03F * glm::vec3{way.x, 0, way.y};
-        tufts.vertex(i, {foot.x, 0, foot.y}, -aside, 0.72F);
-        tufts.vertex(i, {foot.x, 0, foot.y}, aside, 0.80F);
-        tufts.vertex(i, {tip.x, high, tip.y}, glm::vec3{0}, 1.25F);
-        const float size = random.between(0.085F, 0.13F);
+        const glm::vec3 aside = 0.028F * glm::vec3{way.x, 0, way.y};
+        tufts.begin(i);
+        tufts.vertex({foot.x, 0, foot.y}, -aside, 0.72F);
+        tufts.vertex({foot.x, 0, foot.y}, aside, 0.80F);
+        tufts.vertex(top, glm::vec3{0}, 1.25F);
+        tufts.triangle(0, 1, 2);
+        const float size = random.between(0.045F, 0.075F);
         const glm::vec3 wide = size * glm::vec3{way.x, 0, way.y};
         const glm::vec3 deep = size * glm::vec3{-way.y, 0.75F, way.x};
-        for (const float side : {-1.0F, 1.0F}) {
-            const int part = i + (side < 0 ? 1 : 2);
-            tufts.vertex(part, {tip.x, high, tip.y}, -wide, 1, 0.92F);
-            tufts.vertex(part, {tip.x, high, tip.y}, wide, 1, 1);
-            tufts.vertex(part, {tip.x, high, tip.y}, side * deep, 1, 0.72F);
-        }
+        tufts.vertex(top, -wide, 1, 0.92F);
+        tufts.vertex(top, wide, 1, 1);
+        tufts.vertex(top, -deep, 1, 0.72F);
+        tufts.vertex(top, deep, 1, 0.78F);
+        tufts.triangle(3, 4, 5);
+        tufts.triangle(3, 4, 6);
     }
 }
 
 // A stone of six facets, and two small ones beside it.
-constexpr int kStoneFacets = 18;
-void add_stones(std::vector<CoverVertex>& to) {
-    Tufts tufts(0x73'74'6F'6E, kStoneFacets, to);
-    int facet = 0;
-    for (const glm::vec3 stone : {glm::vec3{0, 0, 1}, glm::vec3{1.9F, 0.8F, 0.5F}, glm::vec3{-1.1F, 1.7F, 0.38F}}) {
+constexpr int kStones = 3;
+constexpr int kFacets = 6;
+void add_stones(CoverMesh& to) {
+    Tufts tufts(0x73'74'6F'6E, kStones, to);
+    constexpr std::array<glm::vec3, kStones> kPlaces{
+        {{0, 0, 1}, {1.9F, 0.8F, 0.5F}, {-1.1F, 1.7F, 0.38F}}};  // across, along, size
+    for (int i = 0; i < kStones; ++i) {
+        const glm::vec3 stone = kPlaces[static_cast<std::size_t>(i)];
         base::RandomStream& random = tufts.random();
         const glm::vec3 top{stone.x + 0.25F * stone.z * random.between(-1, 1), stone.z * random.between(0.8F, 1.0F),
                             stone.y + 0.25F * stone.z * random.between(-1, 1)};
-        std::array<glm::vec3, 6> rim;
+        std::array<glm::vec3, kFacets> rim;
         for (std::size_t k = 0; k < rim.size(); ++k) {
-            const float turn = kTurn_rad * (static_cast<float>(k) + random.between(-0.3F, 0.3F)) / 6;
+            const float turn = kTurn_rad * (static_cast<float>(k) + random.between(-0.3F, 0.3F)) / kFacets;
             const float out = stone.z * random.between(0.75F, 1.1F);
             rim[k] = {stone.x + out * std::cos(turn), -0.25F, stone.y + out * std::sin(turn)};
         }
+        tufts.begin(i);
         for (std::size_t k = 0; k < rim.size(); ++k) {
-            const float tone = 0.82F + 0.36F * static_cast<float>((k * 5) % 6) / 5;
-            tufts.vertex(facet, rim[k], glm::vec3{0}, 0.72F * tone);
-            tufts.vertex(facet, rim[(k + 1) % rim.size()], glm::vec3{0}, 0.72F * tone);
-            tufts.vertex(facet, top, glm::vec3{0}, 1.15F * tone);
-            ++facet;
+            const float tone = 0.82F + 0.36F * static_cast<float>((k * 5) % kFacets) / (kFacets - 1);
+            tufts.vertex(rim[k], glm::vec3{0}, 0.72F * tone);
+            tufts.vertex(rim[(k + 1) % rim.size()], glm::vec3{0}, 0.72F * tone);
+            tufts.vertex(top, glm::vec3{0}, 1.15F * tone);
+            const int first = 3 * static_cast<int>(k);
+            tufts.triangle(first, first + 1, first + 2);
         }
     }
 }
 
-constexpr std::array<int, scene::kCoverKinds> kBlades{kGrassBlades, kCushionLeaves, kFlowerParts, kStoneFacets};
+// A kind's parts, of which a prefix stands for all.
+struct Parts {
+    int count;
+    int triangles;  // of each
+    int vertices;
+};
+constexpr std::array<Parts, scene::kCoverKinds> kParts{{{kGrassRows, kBladesARow, 2 * kBladesARow + 1},
+                                                        {kCushionLeaves, 1, 3},
+                                                        {kStems, kTrianglesAStem, 7},
+                                                        {kStones, kFacets, 3 * kFacets}}};
 
-CoverInstance instance_of(const scene::Tuft& tuft) {
+CoverTuft kept(const scene::Tuft& tuft) {
     const glm::vec3 shown = encode(tuft.sent);
     return {tuft.root_m,
-            {unsigned_byte(0.5F + 0.5F * std::cos(tuft.yaw_rad)), unsigned_byte(0.5F + 0.5F * std::sin(tuft.yaw_rad)),
-             unsigned_byte(tuft.radius_m / kMostRadius_m), unsigned_byte(0.5F * tuft.height_m)},
-            {unsigned_byte(shown.r), unsigned_byte(shown.g), unsigned_byte(shown.b), unsigned_byte(encode(tuft.lit))},
-            {}};
+            tuft.radius_m * glm::vec2{std::cos(tuft.yaw_rad), std::sin(tuft.yaw_rad)},
+            tuft.height_m,
+            {unsigned_byte(shown.r), unsigned_byte(shown.g), unsigned_byte(shown.b), unsigned_byte(encode(tuft.lit))}};
 }
 
-// In this view, through its air and under its clouds.
-CoverInstance seen_through_air(CoverInstance tuft, const CoverWish& wish) {
-    const glm::vec4 haze = haze_at(*wish.view, tuft.root_m);
-    const float clouds = wish.clouds ? cloud_light_at(*wish.view, *wish.clouds, tuft.root_m) : 1;
-    const float clear = wish.view->sunlight.w * (1 - haze.a) * clouds;
-    for (std::uint8_t& byte : tuft.ground_lit)
-        byte = static_cast<std::uint8_t>(std::min(static_cast<float>(byte) * clear + 0.5F, 255.0F));
-    for (int c = 0; c < 3; ++c) tuft.veil[static_cast<std::size_t>(c)] = unsigned_byte(haze[c] * haze.a);
-    return tuft;
+// Of a wave of turns of 2 pi: near enough to a sine, for what sways.
+float wave(float turns) {
+    const float t = turns - std::floor(turns) - 0.5F;
+    return 8 * t * (1 - 2 * std::abs(t));
+}
+
+// Gusts travel over the land, with eddies in them.
+float gust_at(const glm::vec3& at_m, float seconds) {
+    const float turns = 0.30F * seconds - 0.037F * at_m.x - 0.027F * at_m.z;
+    return (wave(turns) + 0.6F * wave(2.3F * turns + 0.31F * at_m.x)) / 1.6F;
 }
 
 float nearest_m(const scene::Sward::Cell& cell, const glm::vec3& eye_m) {
@@ -184,10 +226,30 @@ float reach_m(const CoverOfScene& cover, const CoverWish& wish) {
     return cover.reach_m * std::min(std::pow(wish.alpha, 0.3F), 1.0F);
 }
 
-// As the shader has it.
+// Of a tuft's blades, those that are drawn.
 float share_at(float distance, float whole) {
     const float share = std::min(whole / std::max(distance, 1e-3F), 1.0F);
     return share * std::sqrt(share);
+}
+
+// In this view, through its air and under its clouds.
+CoverInstance seen(const CoverTuft& tuft, const CoverWish& wish, float whole, float ends_m, float grown) {
+    const glm::vec4 haze = haze_at(*wish.view, tuft.root_m);
+    const float clouds = wish.clouds ? cloud_light_at(*wish.view, *wish.clouds, tuft.root_m) : 1;
+    const float clear = wish.view->sunlight.w * (1 - haze.a) * clouds;
+    const float distance_m = glm::distance(tuft.root_m, wish.eye_m());
+    const float ending = std::clamp(3.2F - 3.2F * distance_m / ends_m, 0.0F, 1.0F);
+    const float widened = 1 / std::sqrt(std::max(share_at(distance_m, whole), 1e-4F));
+    CoverInstance instance{tuft.root_m,
+                           {glm::packHalf1x16(tuft.turn_m.x), glm::packHalf1x16(tuft.turn_m.y),
+                            glm::packHalf1x16(tuft.height_m * ending * grown), glm::packHalf1x16(widened)},
+                           tuft.ground_lit,
+                           {}};
+    for (std::uint8_t& byte : instance.ground_lit)
+        byte = static_cast<std::uint8_t>(std::min(static_cast<float>(byte) * clear + 0.5F, 255.0F));
+    for (int c = 0; c < 3; ++c) instance.veil_gust[static_cast<std::size_t>(c)] = unsigned_byte(haze[c] * haze.a);
+    instance.veil_gust[3] = unsigned_byte(0.5F + 0.5F * gust_at(tuft.root_m, wish.view->eye_seconds.w));
+    return instance;
 }
 
 // Shares are grouped by half powers of two, so that few batches serve all.
@@ -203,7 +265,7 @@ void add_cover(gl::Slices& slices, CoverOfScene& cover, const std::shared_ptr<co
         cover.blossom = source->sward.blossom;
         cover.reach_m = source->sward.reach_m;
         cover.tufts.reserve(source->sward.tufts.size());
-        for (const scene::Tuft& tuft : source->sward.tufts) cover.tufts.push_back(instance_of(tuft));
+        for (const scene::Tuft& tuft : source->sward.tufts) cover.tufts.push_back(kept(tuft));
     });
 }
 
@@ -220,17 +282,19 @@ CoverPass::CoverPass()
                sizeof(CoverInstance),
                gl::Advance::PerInstance,
                {{8, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(CoverInstance, root_m)},
-                {9, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(CoverInstance, turn_size)},
+                {9, 4, GL_HALF_FLOAT, gl::Numbers::AsTheyAre, offsetof(CoverInstance, turn_size)},
                 {10, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(CoverInstance, ground_lit)},
-                {11, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(CoverInstance, veil)}}}} {
-    std::vector<CoverVertex> vertices;
+                {11, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(CoverInstance, veil_gust)}}}} {
+    CoverMesh mesh;
     std::size_t kind = 0;
     for (const auto make : {add_grass, add_cushion, add_flowers, add_stones}) {  // as scene::CoverKind names them
-        first_vertices_[kind++] = vertices.size();
-        make(vertices);
+        first_indices_[kind++] = mesh.indices.size();
+        make(mesh);
     }
-    vertices_ = gl::Buffer{GL_ARRAY_BUFFER, vertices.size() * sizeof(CoverVertex)};
-    vertices_.write<CoverVertex>(0, vertices);
+    vertices_ = gl::Buffer{GL_ARRAY_BUFFER, mesh.vertices.size() * sizeof(CoverVertex)};
+    vertices_.write<CoverVertex>(0, mesh.vertices);
+    indices_ = gl::Buffer{GL_ELEMENT_ARRAY_BUFFER, mesh.indices.size() * sizeof(std::uint16_t)};
+    indices_.write<std::uint16_t>(0, mesh.indices);
 }
 
 CoverSeen look_at_cover(const CoverOfScene& cover, const Frustum& frustum, const CoverWish& wish) {
@@ -248,13 +312,14 @@ CoverSeen look_at_cover(const CoverOfScene& cover, const Frustum& frustum, const
             frustum.may_see_box(cell.low_m, cell.high_m))
             cells.push_back({i, bucket_of(share_at(distance, whole))});
     }
-    CoverSeen seen;
+    const float grown = 0.1F + 0.9F * glm::smoothstep(0.0F, 0.7F, wish.growth);
+    CoverSeen shown;
     for (std::size_t kind = 0; kind < scene::kCoverKinds; ++kind) {
         for (int bucket = 0; bucket < kBuckets; ++bucket) {
             const bool is_stone = kind == static_cast<std::size_t>(scene::CoverKind::Stone);
-            const auto all = static_cast<float>(kBlades[kind]);
-            const auto blades = static_cast<std::size_t>(std::ceil(all * (is_stone ? 1 : share_of(bucket))));
-            CoverSeen::Batch batch{static_cast<scene::CoverKind>(kind), blades, seen.instances.size(), 0};
+            const auto all = static_cast<float>(kParts[kind].count);
+            const auto parts = static_cast<std::size_t>(std::ceil(all * (is_stone ? 1 : share_of(bucket))));
+            CoverSeen::Batch batch{static_cast<scene::CoverKind>(kind), parts, shown.instances.size(), 0};
             for (const Seen& s : cells) {
                 if (s.bucket != bucket) continue;
                 const scene::Sward::Cell& cell = cover.cells[s.cell];
@@ -262,36 +327,34 @@ CoverSeen look_at_cover(const CoverOfScene& cover, const Frustum& frustum, const
                 for (std::size_t k = 0; k < kind; ++k) first += cell.counts[k];
                 for (std::size_t i = first; i < first + cell.counts[kind]; ++i)
                     if (wish.reach.holds_standing({cover.tufts[i].root_m.x, cover.tufts[i].root_m.z}, 0))
-                        seen.instances.push_back(seen_through_air(cover.tufts[i], wish));
+                        shown.instances.push_back(seen(cover.tufts[i], wish, whole, reach, grown));
             }
-            batch.count = seen.instances.size() - batch.first;
+            batch.count = shown.instances.size() - batch.first;
             if (batch.count == 0) continue;
-            seen.triangles += batch.count * blades;
-            seen.batches.push_back(batch);
+            shown.triangles += batch.count * parts * static_cast<std::size_t>(kParts[kind].triangles);
+            shown.batches.push_back(batch);
         }
     }
-    return seen;
+    return shown;
 }
 
-gl::Work CoverPass::draw(const CoverOfScene& cover, const CoverSeen& seen, const gl::StreamBuffer& instances,
-                         const CoverWish& wish) const {
+gl::Work CoverPass::draw(const CoverOfScene& cover, const CoverSeen& seen, const gl::StreamBuffer& instances) const {
     if (seen.batches.empty()) return {};
     program_.use();
-    const float grown = glm::smoothstep(0.0F, 0.7F, wish.growth);
-    glUniform4f(0, whole_m(wish), 1 / reach_m(cover, wish), 0.1F + 0.9F * grown, kGust);
     const glm::vec3 blossom = encode(cover.blossom);
-    glUniform4f(1, blossom.r, blossom.g, blossom.b, 0);
+    glUniform4f(0, blossom.r, blossom.g, blossom.b, kGust);
     layout_.bind();
     layout_.feed(0, vertices_.name());
+    layout_.feed_indices(indices_.name());
     glDisable(GL_CULL_FACE);
     gl::Work work;
     for (const CoverSeen::Batch& batch : seen.batches) {
         layout_.feed(1, instances.name(), batch.first * sizeof(CoverInstance));
-        const std::size_t vertices = batch.blades * kVerticesPerBlade;
-        const std::size_t first = first_vertices_[static_cast<std::size_t>(batch.kind)];
-        glDrawArraysInstanced(GL_TRIANGLES, static_cast<GLint>(first), static_cast<GLsizei>(vertices),
-                              static_cast<GLsizei>(batch.count));
-        work += {1, batch.count * batch.blades, batch.count * vertices};
+        const auto kind = static_cast<std::size_t>(batch.kind);
+        const std::size_t triangles = batch.parts * static_cast<std::size_t>(kParts[kind].triangles);
+        gl::draw_triangles(GL_UNSIGNED_SHORT, first_indices_[kind], 3 * triangles, batch.count);
+        work += {1, batch.count * triangles,
+                 batch.count * batch.parts * static_cast<std::size_t>(kParts[kind].vertices)};
     }
     glEnable(GL_CULL_FACE);
     return work;

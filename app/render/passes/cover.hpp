@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <vector>
@@ -19,17 +21,26 @@
 
 namespace quadrat::render::passes {
 
-// A tuft as the GPU reads it. What is the same for all of it (air, the clouds' shadow) is worked out once, on the CPU.
+// A tuft as the GPU reads it. What is the same for all of it (air, the clouds' shadow, the wind, how many blades stand
+// for all) is worked out once, on the CPU: a vertex has three times as many instructions as a blade has pixels.
 struct CoverInstance {
     glm::vec3 root_m;
-    std::array<std::uint8_t, 4> turn_size;   // cosine and sine of the yaw; radius, height
-    std::array<std::uint8_t, 4> ground_lit;  // shown, and in a view what the air and the clouds leave of it
-    std::array<std::uint8_t, 4> veil;        // shown, of the air before it in a view
+    glm::u16vec4 turn_size;                  // halves: cosine and sine of the yaw times the radius; height; widened
+    std::array<std::uint8_t, 4> ground_lit;  // shown: what the air and the clouds leave of it
+    std::array<std::uint8_t, 4> veil_gust;   // shown, of the air before it; the gust there, 1/2: none
+};
+
+// As it is kept.
+struct CoverTuft {
+    glm::vec3 root_m{0};
+    glm::vec2 turn_m{0};  // cosine and sine of the yaw, times the radius
+    float height_m = 0;
+    std::array<std::uint8_t, 4> ground_lit{};  // shown, of the ground; of white
 };
 
 // A scene's cover, kept on the processor's side: what is near is sent anew each frame, a few dozen kilobytes.
 struct CoverOfScene {
-    std::vector<CoverInstance> tufts;  // as scene::Sward has them
+    std::vector<CoverTuft> tufts;  // as scene::Sward has them
     std::vector<scene::Sward::Cell> cells;
     glm::vec3 blossom{0};  // linear
     float reach_m = 1;
@@ -41,7 +52,7 @@ void add_cover(gl::Slices& slices, CoverOfScene& cover, const std::shared_ptr<co
 struct CoverSeen {
     struct Batch {
         scene::CoverKind kind;
-        std::size_t blades;  // a prefix of the kind's
+        std::size_t parts;  // a prefix of the kind's: rows of blades, leaves, stems, stones
         std::size_t first;   // instances
         std::size_t count;
     };
@@ -60,7 +71,7 @@ struct CoverWish {
     glm::vec3 eye_m() const { return glm::vec3{view->eye_seconds}; }
 };
 
-// Fewer blades per tuft the farther it is, and with less detail.
+// Fewer parts per tuft the farther it is, and with less detail.
 CoverSeen look_at_cover(const CoverOfScene& cover, const Frustum& frustum, const CoverWish& wish);
 
 class CoverPass {
@@ -68,14 +79,14 @@ class CoverPass {
     CoverPass();
 
     // The instances lie in the buffer.
-    gl::Work draw(const CoverOfScene& cover, const CoverSeen& seen, const gl::StreamBuffer& instances,
-                  const CoverWish& wish) const;
+    gl::Work draw(const CoverOfScene& cover, const CoverSeen& seen, const gl::StreamBuffer& instances) const;
 
   private:
     gl::Program program_;
     gl::VertexArray layout_;
     gl::Buffer vertices_;
-    std::array<std::size_t, scene::kCoverKinds> first_vertices_{};
+    gl::Buffer indices_;
+    std::array<std::size_t, scene::kCoverKinds> first_indices_{};
 };
 
 }  // namespace quadrat::render::passes

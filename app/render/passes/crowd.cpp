@@ -6,8 +6,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <utility>
 
 #include "render/passes/air.hpp"
+#include "render/passes/canopy.hpp"
 #include "render/passes/cloud_shadow.hpp"
 #include "render/passes/packing.hpp"
 
@@ -25,12 +27,13 @@ constexpr float kMergedTo = 0.15F;
 constexpr float kMergedFrom_px = 44;  // and how high it is then
 constexpr float kMergedTo_px = 24;
 constexpr float kLeavesMerged = 0.55F;   // of the blades are not needed then
+constexpr float kMassA_px2 = 0.15F;  // triangles, of a plant as high as wide
 constexpr float kMass_px = 13;           // of a tree so small no more is seen
 constexpr float kMassAlone = 0.7F;       // of its leaves, where its mass stands for so many
 constexpr std::size_t kSimpleMass = 16;  // triangles: no more than the blades that would be seen instead
 // With less fineness than this larger crowns merge too: four blades that stand for thousands are shards.
 constexpr float kLeafyFrom = 0.125F;
-constexpr float kMassFineness = 0.12F;     // a mass is never coarser than with this
+constexpr float kMassFineness = 0.4F;      // a mass is never coarser than with this
 constexpr float kBladesFineness = 0.012F;  // nor what is never a mass: a handful of its blades are flags
 constexpr float kFewestOverMass = 12;      // blades; fewer are left out
 // Blades that would have to be enlarged by so much, and are so long on the screen, are shards in a thin crown, which is
@@ -41,6 +44,13 @@ constexpr float kShardsFrom_fineness = 0.1F;
 constexpr float kShardsTo_fineness = 0.05F;
 constexpr float kShardsFrom_px = 6;
 constexpr float kShardsTo_px = 11;
+constexpr float kLeastClear = 0.05F;
+constexpr float kUsual_px = 90;  // high, of a tree that has its share of triangles
+constexpr float kLeastNear = 0.6F;
+constexpr float kMostNear = 2.2F;
+constexpr float kHiddenFrom = 0.07F;  // of a plant's clear share: what shows less dwindles
+constexpr float kHiddenTo = 0.02F;    // and is gone
+constexpr float kCanopy_px = 10;      // a lower crown hides too little to be worth reckoning
 constexpr float kLeaving = 1.5F;  // a level begins to become the next with so many times the triangles asked for
 constexpr float kLimb_px = 1.3F;  // as thick are limbs that begin to be missed
 constexpr float kShape_px = 11;   // a shorter blade shows no more than that it is one
@@ -52,7 +62,7 @@ float leafiness(float fineness) { return std::min(std::sqrt(fineness / kLeafyFro
 // Of a plant in a picture that is drawn smaller than it is shown. Where there is enough for all, it has as much as
 // ever.
 float drawn_px(const Seen& seen, float scale, float fineness) {
-    return seen.height_px * std::pow(scale, 1 - leafiness(fineness));
+    return seen.worth_px * std::pow(scale, 1 - leafiness(fineness));
 }
 
 std::size_t wood_triangles(const Kind& kind, const Closeness& how) {
@@ -105,6 +115,10 @@ bool is_hidden(const scene::Plant& plant, const Kind& kind, float height_px, con
 
 float fineness_at(int step, const Gathering& g) { return g.fineness * static_cast<float>(step) / kSteps; }
 
+Closeness closeness_of(const Kind& kind, const Seen& seen, const Gathering& g, float fineness) {
+    return closeness(kind, drawn_px(seen, g.scale, fineness), fineness);
+}
+
 // Counted until they are more than `enough`.
 std::size_t triangles_at(int step, const Crowding& view, std::size_t enough) {
     const Gathering& g = *view.gathering;
@@ -112,7 +126,7 @@ std::size_t triangles_at(int step, const Crowding& view, std::size_t enough) {
     std::size_t sum = 0;
     for (const Seen& s : view.sight->seen) {
         const Kind& kind = view.kinds[s.species];
-        const Closeness how = closeness(kind, drawn_px(s, g.scale, fineness), fineness);
+        const Closeness how = closeness_of(kind, s, g, fineness);
         if (kept(s.plant, how.stand) > 0) sum += triangles_of(kind, how);
         if (sum > enough) break;
     }
@@ -244,7 +258,7 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     if (merged > 0 && how.mass_size > 0) {
         // Large crowns are round for their size.
         const float least_fine = kMassFineness * std::clamp(height_px / 40, 1.0F, 2.5F);
-        const float wanted = std::max(fineness, least_fine) * 0.05F * height_px * height_px;
+        const float wanted = std::max(fineness, least_fine) * kMassA_px2 * height_px * height_px;
         const Level mass = level_within(kind.mass_triangles, wanted);
         how.mass_level = mass.at;
         how.mass_to_coarser = mass.to_coarser;
@@ -260,9 +274,58 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     }
     how.share = share_of(wanted_blades);
     how.stand = std::clamp(wanted_blades / fewest, least_stand(height_px), 1.0F);
-    how.is_plain = kind.triangles_per_plain_blade > 0 && blade_px * std::sqrt(fineness / how.share) < kShape_px;
+    how.is_plain = kind.triangles_per_plain_blade > 0 && blade_px * std::sqrt(std::sqrt(fineness / how.share)) < kShape_px;
     return how;
 }
+
+namespace {
+
+// The upper seven tenths of a plant of this height, as it is grown.
+Canopy::Box crown_box(const scene::Plant& plant, const Kind& kind, const Gathering& g) {
+    const float size = plant.scale * (0.25F + 0.75F * grown(g.growth, plant.delay));
+    const float height_m = kind.height_m * size;
+    const glm::mat4& clip = g.view.clip_from_world;
+    const glm::vec4 middle = clip * glm::vec4{plant.root_m + glm::vec3{0, 0.65F * height_m, 0}, 1};
+    const glm::vec4 up = clip * glm::vec4{0, 0.35F * height_m, 0, 0};
+    const float per_w = 1 / std::max(middle.w, 0.5F);
+    const glm::vec2 at = glm::vec2{middle} * per_w;
+    const glm::vec2 rise = glm::vec2{up} * per_w;
+    // Across the picture a metre is as long as the projection's first two rows are.
+    const glm::vec2 metre{glm::length(glm::vec3{clip[0].x, clip[1].x, clip[2].x}),
+                          glm::length(glm::vec3{clip[0].y, clip[1].y, clip[2].y})};
+    const glm::vec2 wide = kind.crown_m * size * per_w * metre;
+    const bool is_upright = std::abs(rise.y) >= std::abs(rise.x);
+    const glm::vec2 half = is_upright ? glm::vec2{wide.x, std::abs(rise.y)} : glm::vec2{std::abs(rise.x), wide.y};
+    return {at - half, at + half};
+}
+
+// What is large is looked at: it has more than its share of the picture's triangles.
+float near_share(float height_px) { return std::clamp(std::sqrt(height_px / kUsual_px), kLeastNear, kMostNear); }
+
+// From near to far. What is half hidden needs fewer triangles; not half as many, for what shows of it shows whole.
+void find_hidden(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Gathering& g, Sight& sight) {
+    std::vector<std::pair<float, std::uint32_t>> order;
+    order.reserve(sight.seen.size());
+    for (std::size_t i = 0; i < sight.seen.size(); ++i) {
+        const glm::vec3 off_m = plants[sight.seen[i].plant].root_m - glm::vec3{g.view.eye_seconds};
+        order.emplace_back(glm::dot(off_m, off_m), static_cast<std::uint32_t>(i));
+    }
+    std::ranges::sort(order);
+    Canopy canopy;
+    for (const auto& [distance2, i] : order) {
+        Seen& seen = sight.seen[i];
+        const scene::Plant& plant = plants[seen.plant];
+        const Kind& kind = kinds[plant.species];
+        const Canopy::Box box = crown_box(plant, kind, g);
+        const float clear = canopy.seen(box);
+        seen.worth_px *= std::sqrt(near_share(seen.height_px) * std::sqrt(std::max(clear, kLeastClear)));
+        seen.shown *= between(kHiddenTo, kHiddenFrom, clear);
+        if (kind.opacity > 0 && seen.height_px >= kCanopy_px) canopy.add(box, kind.opacity * seen.shown);
+    }
+    sight.hidden += std::erase_if(sight.seen, [](const Seen& seen) { return seen.shown <= 0; });
+}
+
+}  // namespace
 
 Sight look(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Frustum& frustum,
            const Gathering& g) {
@@ -286,8 +349,9 @@ Sight look(std::span<const scene::Plant> plants, std::span<const Kind> kinds, co
             ++sight.hidden;
             continue;
         }
-        sight.seen.push_back({static_cast<std::uint32_t>(i), plant.species, height_px, shown});
+        sight.seen.push_back({static_cast<std::uint32_t>(i), plant.species, height_px, height_px, shown});
     }
+    find_hidden(plants, kinds, g, sight);
     return sight;
 }
 
@@ -326,7 +390,7 @@ Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, 
     // By species, then large to small: every level's plants lie side by side, nearest first.
     std::ranges::sort(seen, [](const Seen& a, const Seen& b) {
         if (a.species != b.species) return a.species < b.species;
-        return a.height_px != b.height_px ? a.height_px > b.height_px : a.plant < b.plant;
+        return a.worth_px != b.worth_px ? a.worth_px > b.worth_px : a.plant < b.plant;
     });
     const auto extend = [&](const Batch& batch) {
         for (Batch& last : crowd.batches) {
@@ -342,7 +406,7 @@ Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, 
     };
     for (const Seen& s : seen) {
         const Kind& kind = kinds[s.species];
-        const Closeness how = closeness(kind, drawn_px(s, gathering.scale, crowd.fineness), crowd.fineness);
+        const Closeness how = closeness_of(kind, s, gathering, crowd.fineness);
         if (kept(s.plant, how.stand) <= 0) continue;
         const std::size_t at = instances.size();
         instances.push_back(instance_of(plants[s.plant], kind, s, how, gathering));

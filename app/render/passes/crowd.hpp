@@ -40,6 +40,8 @@ struct Kind {
     std::vector<std::size_t> mass_triangles = {};  // of the crown as one mass, a level, finest first
     float massed = 0;                              // of its leaves, the share that this stands for
     float largest_blade = 100;                     // times its size; beyond it the crown thins instead
+    float crown_m = 1;                             // the radius of its crown, but for what stands out of it
+    float opacity = 0;                             // of the crown, of what lies behind it: 0 to 1
 };
 
 struct Batch {
@@ -85,13 +87,14 @@ struct Sight {
         std::uint32_t plant;
         std::uint32_t species;
         float height_px;  // as shown
+        float worth_px;   // as high is a plant that deserves as many triangles: less where it is behind others
         float shown;      // 1, or less while it fades with distance
     };
     std::vector<Seen> seen;
     std::size_t hidden = 0;  // plants that are in sight but for the ground
 };
 
-// Culls.
+// Culls, and finds what stands behind the crowns of others: hidden ones are left out.
 Sight look(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Frustum& frustum,
            const Gathering& gathering);
 

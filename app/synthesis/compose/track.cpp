@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kStations = 33;
 constexpr float kPeriod_s = 80.0F;
-constexpr float kLeastOverGround_m = 2.2F;  // 1.7 m and room for the spline between stations
+constexpr float kLeastOverGround_m = 1.9F;  // 1.7 m and room for the spline between stations
 constexpr float kLeastOverWater_m = 3.0F;
 
 glm::vec2 toward(float bearing_rad) { return {std::sin(bearing_rad), -std::cos(bearing_rad)}; }
@@ -161,7 +161,7 @@ struct Flown {
 Manner best_manner(const Flown& flown, const scene::Land& land) {
     Manner best{0, 0};
     float most = -1.0e6F;
-    for (const float lift_m : {0.0F, 5.0F, 11.0F, 18.0F}) {
+    for (const float lift_m : {0.0F, 2.0F, 6.0F}) {
         for (const float tilt_deg : {0.0F, -3.5F, 3.0F}) {
             const Manner manner{lift_m, tilt_deg};
             const std::size_t last = flown.plan.stations.size() - 1;
@@ -209,17 +209,17 @@ FlightPlan fitted_to(const scene::Land& land, FlightPlan plan) {
 
 scene::Track fly(const FlightPlan& plan, const scene::Land& land, base::Seed flight) {
     base::RandomStream random{flight.child("height")};
-    const float over_m = random.between(1.6F, 5.5F);
+    const float over_m = random.between(0.0F, 1.6F);
     std::vector<float> eyes_m;
     for (const FlightPlan::Station& station : plan.stations) {
         const float low = clear_m(land, station.at_m, over_m);
-        eyes_m.push_back(std::clamp(sight_m(land, station), low, low + 14.0F));
+        eyes_m.push_back(std::clamp(sight_m(land, station), low, low + 2.5F));
     }
     eyes_m = smoothed_over(eyes_m, 5);
     std::vector<float> pitches;
     for (std::size_t i = 0; i < eyes_m.size(); ++i) {
         const float up = skyline_rad(land, plan.stations[i], eyes_m[i]);
-        pitches.push_back(std::clamp(0.42F * up - glm::radians(4.5F), glm::radians(-6.5F), glm::radians(3.0F)));
+        pitches.push_back(std::clamp(0.42F * up - glm::radians(1.8F), glm::radians(-5.0F), glm::radians(5.0F)));
     }
     pitches = smoothed_over(pitches, 8);
     const Flown flown{plan, eyes_m, pitches};

@@ -99,6 +99,13 @@ void carve_surround(mesh::Field& surround_m, const scene::LandParameters& p) {
     }
 }
 
+void set_distant_colours(scene::Land& land, const Palette& palette, const scene::LandParameters& p) {
+    land.shallow_colour = palette.shallow;
+    land.deep_colour = palette.deep;
+    land.far_colour = scene::mix_colours(scene::mix_colours(palette.lush, palette.dry, 0.4F), palette.scree,
+                                         p.land_gain > 0.45F ? 0.5F : 0.2F);
+}
+
 }  // namespace
 
 scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const scene::Fineness& fineness) {
@@ -157,10 +164,7 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     land.detail_slopes = std::move(detail.slopes);
     land.detail_tile_m = p.ground_detail_m;
     land.snow_line_m = snow_line_m(p);
-    land.shallow_colour = palette.shallow;
-    land.deep_colour = palette.deep;
-    land.far_colour = scene::mix_colours(scene::mix_colours(palette.lush, palette.dry, 0.4F), palette.scree,
-                                         p.land_gain > 0.45F ? 0.5F : 0.2F);
+    set_distant_colours(land, palette, p);
     return land;
 }
 

@@ -278,6 +278,12 @@ scene::Road road_along(std::vector<glm::vec2> line, Ends ends, mesh::Field& h, c
     return road;
 }
 
+void begin_at_rim(std::vector<glm::vec2>& line, const scene::Site& site) {
+    const glm::vec2 home{site.middle_m.x, site.middle_m.z};
+    line.erase(line.begin(), std::find_if(line.begin(), line.end(),
+                                          [&](glm::vec2 p) { return glm::length(p - home) > 0.9F * site.radius_m; }));
+}
+
 }  // namespace
 
 std::vector<scene::Road> make_roads(mesh::Field& height_m, const mesh::Field& surface_m, float cell_m,
@@ -330,13 +336,7 @@ std::vector<scene::Road> make_roads(mesh::Field& height_m, const mesh::Field& su
         std::vector<glm::vec2> corners;
         for (const std::int32_t node : way) corners.push_back(nodes.place_m(node));
         std::vector<glm::vec2> line = rounded(std::move(corners));
-        if (site) {
-            // It begins at the site's rim.
-            const glm::vec2 home{site->middle_m.x, site->middle_m.z};
-            line.erase(line.begin(), std::find_if(line.begin(), line.end(), [&](glm::vec2 p) {
-                           return glm::length(p - home) > 0.9F * site->radius_m;
-                       }));
-        }
+        if (site) begin_at_rim(line, *site);
         if (line.size() < 4) continue;
         roads.push_back(
             road_along(std::move(line), site ? Ends::FirstStays : Ends::Free, height_m, surface_m, cell_m, options));

@@ -177,6 +177,16 @@ struct Grade {
     }
 };
 
+// A sky all white has nothing to look at: it gives way to the land it lights.
+template <typename Dome>
+void dim_white_sky(Dome& dome) {
+    constexpr float kMost = 0.60F;
+    const float bright = scene::luminance(level_light(dome));
+    if (bright <= kMost) return;
+    const float less = std::pow(kMost / bright, 0.75F);
+    fill(dome, [&](const glm::vec3&, int column, int row) { return dome.at(column, row) * less; });
+}
+
 }  // namespace
 
 float overcast(const Parameters& p) {
@@ -237,12 +247,7 @@ Daylight make_daylight(const Parameters& p, const Lights& lights) {
     const float fill_light = day.exposure * kFill * (0.5F + 0.5F * p.ambient_strength) * night_sky;
     fill(day.dome,
          [&](const glm::vec3& d, int column, int row) { return grade(day.dome.at(column, row) * fill_light, d); });
-    // A sky all white has nothing to look at: it gives way to the land it lights.
-    const float bright = scene::luminance(level_light(day.dome));
-    if (const float most = 0.60F; bright > most) {
-        const float less = std::pow(most / bright, 0.75F);
-        fill(day.dome, [&](const glm::vec3&, int column, int row) { return day.dome.at(column, row) * less; });
-    }
+    dim_white_sky(day.dome);
     day.sunlight = light * (day.exposure / kPi);
     // A sun so low that its light alone would be one colour keeps a little of the others.
     day.sunlight = glm::mix(day.sunlight, glm::vec3{brightest(day.sunlight)} * glm::vec3{1, 0.62F, 0.34F},

@@ -12,6 +12,7 @@
 #include <numeric>
 #include <span>
 
+#include "base/seed.hpp"
 #include "mesh/isosurface.hpp"
 #include "mesh/pieces.hpp"
 #include "mesh/progressive.hpp"
@@ -27,6 +28,7 @@ constexpr std::size_t kFewestInside = 10;  // samples; less is no mass
 constexpr std::size_t kFinest = 130;       // vertices
 constexpr std::size_t kCoarsest = 7;
 constexpr std::size_t kFewestTriangles = 8;
+constexpr float kSeen = 1.25F;       // of the light of all leaves about a place, that of those one sees
 constexpr float kMostLarger = 2.2F;  // a clump that stands for those left out
 
 // What the leaves about a sample are, weighted by their area.
@@ -173,6 +175,14 @@ mesh::SparseField field_of(const Density& density, std::size_t& inside) {
     return field;
 }
 
+// Leaves are not all as light: a smooth mass reads as clay. By the place, so that levels agree.
+float mottle(const glm::vec3& at_m) {
+    constexpr float kLighter = 0.30F;
+    const auto cell = [](float m) { return std::lround(m * 1024); };
+    const float chance = base::unit_of(base::hash_of(base::Seed{0x6D}, cell(at_m.x) * 8191 + cell(at_m.y), cell(at_m.z)));
+    return 1 + kLighter * (2 * chance - 1);
+}
+
 scene::CrownMass coloured(const mesh::Mesh& mesh, const Density& density, float share) {
     scene::CrownMass mass;
     mass.share = share;
@@ -187,8 +197,8 @@ scene::CrownMass coloured(const mesh::Mesh& mesh, const Density& density, float 
         if (near.area_m2 <= 0) near = density.between(at_m);
         const float per_m2 = 1 / std::max(near.area_m2, 1e-9F);
         mass.mesh.normals.push_back(out);
-        mass.colours.push_back(near.colour * per_m2);
-        mass.shades.push_back(std::clamp(near.shade * per_m2, 0.0F, 1.0F));
+        mass.colours.push_back(near.colour * per_m2 * mottle(at_m));
+        mass.shades.push_back(std::clamp(kSeen * near.shade * per_m2, 0.0F, 1.0F));
         mass.ages.push_back(std::clamp(near.age * per_m2, 0.0F, 1.0F));
         mass.sways.push_back(std::clamp(near.sway * per_m2, 0.0F, 1.0F));
     }

@@ -27,11 +27,11 @@ void add_trees(scene::Flora& flora, const scene::TreeParameters& p, base::Seed s
     if (p.third_share >= kLeastShare) wanted.push_back({form_of(p, Rank::Third), p.third_share});
     flora.species.resize(wanted.size());
     oneapi::tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
-        const HabitTraits& t = traits(wanted[i].form.habit);
+        const Kind& k = kind(wanted[i].form.habit);
         scene::Species species = make_species(wanted[i].form, seed_of_species(seed, i));
         species.share = wanted[i].share;
-        species.treeline_m = t.treeline * p.stand_treeline_m;
-        species.steepest_slope = t.steepness * p.stand_slope_limit;
+        species.treeline_m = k.treeline * p.stand_treeline_m;
+        species.steepest_slope = k.steepness * p.stand_slope_limit;
         species.moisture = std::clamp(species.moisture + 0.35F * p.stand_moisture_liking, 0.0F, 1.0F);
         flora.species[i] = std::move(species);
     });
@@ -60,7 +60,8 @@ void add_shrubs(scene::Flora& flora, const scene::TreeParameters& p, const Wear&
 
 void add_herbs(scene::Flora& flora, const scene::TreeParameters& p, const Wear& wear, base::Seed seed) {
     const glm::vec3 grass = scene::shifted_colour(wear.grass, 0.86F, 0.78F);
-    scene::Species ferns = fern(scene::shifted_colour(scene::mix_colours(wear.leaf, wear.grass, 0.6F), 0.86F), p.fern_height_m, seed.child("fern"));
+    scene::Species ferns = fern(scene::shifted_colour(scene::mix_colours(wear.leaf, wear.grass, 0.6F), 0.86F),
+                                p.fern_height_m, seed.child("fern"));
     ferns.share = p.fern_share;
     FlowerOptions o;
     o.leaf = wear.grass;
@@ -83,7 +84,7 @@ void add_herbs(scene::Flora& flora, const scene::TreeParameters& p, const Wear& 
 scene::Cover cover_of(const scene::TreeParameters& p, const Wear& wear) {
     scene::Cover cover;
     cover.density = std::clamp(0.25F + 0.85F * p.grass_share, 0.0F, 1.0F);
-    cover.height_m = 0.14F + 0.9F * p.grass_height_m;
+    cover.height_m = 0.20F + 1.1F * p.grass_height_m;
     cover.spread = p.grass_spread;
     cover.cushions = std::clamp(0.45F * (1.2F - p.grass_share), 0.05F, 0.5F);
     cover.flowers = 0.35F * p.flower_share;

@@ -11,48 +11,6 @@
 namespace quadrat::synthesis::trees {
 namespace {
 
-// name, trunk, width, leaf, cover, spread, outward, scatter, own leaf, keeps radii, moisture, width, lowest, treeline,
-// steep
-constexpr std::array<HabitTraits, kHabits> kTraits{{
-    {"broad tree", 0.021F, 0, 1.0F, 1.0F, 1.0F, 0.5F, 0.050F, -1, false, 0.45F, 0.8F, 0.6F, 1.0F, 1.0F},
-    {"oak", 0.026F, 0, 0.95F, 1.05F, 1.0F, 0.5F, 0.045F, -1, false, 0.45F, 0.7F, 0.8F, 0.9F, 1.0F},
-    {"fir", 0.015F, 0, 1.35F, 2.1F, 0.25F, 0.35F, 0.012F, 5, false, 0.5F, 0.8F, 1.0F, 1.35F, 1.25F},
-    {"palm", 0.016F, 0, 1.0F, 1.0F, 0.3F, 0.0F, 0.0F, 8, true, 0.5F, 0.9F, 0.45F, 0.5F, 0.8F},
-    {"cactus", 0.055F, 0, 0.42F, 0.30F, 0.4F, 0.9F, 0.0F, 9, true, 0.0F, 0.5F, 0.8F, 0.7F, 0.9F},
-    {"willow", 0.028F, 0, 0.95F, 1.15F, 0.35F, 0.15F, 0.020F, 1, false, 0.95F, 0.55F, 0.45F, 0.7F, 0.7F},
-    {"poplar", 0.016F, 0, 0.9F, 1.9F, 0.8F, 0.4F, 0.020F, -1, false, 0.7F, 0.7F, 0.5F, 0.8F, 0.8F},
-    {"acacia", 0.021F, 0, 0.85F, 1.0F, 0.9F, 0.2F, 0.030F, -1, false, 0.15F, 0.6F, 0.8F, 0.8F, 0.9F},
-    {"birch", 0.013F, 0, 0.75F, 1.1F, 0.9F, 0.35F, 0.030F, -1, false, 0.5F, 0.8F, 0.6F, 1.2F, 1.1F},
-    {"lime", 0.024F, 0, 0.95F, 1.1F, 1.0F, 0.5F, 0.045F, -1, false, 0.45F, 0.7F, 0.6F, 0.9F, 1.0F},
-    {"stone pine", 0.020F, 0, 1.05F, 2.0F, 0.8F, 0.4F, 0.025F, 5, false, 0.15F, 0.6F, 0.6F, 0.8F, 1.1F},
-    {"elm", 0.021F, 0, 0.9F, 1.0F, 1.0F, 0.45F, 0.040F, -1, false, 0.5F, 0.7F, 0.6F, 0.9F, 1.0F},
-    {"ternary tree", 0.018F, 0, 0.95F, 1.0F, 0.9F, 0.4F, 0.050F, -1, false, 0.4F, 0.8F, 0.6F, 0.9F, 1.0F},
-    {"pine", 0.017F, 0, 1.0F, 1.9F, 0.8F, 0.4F, 0.022F, 5, false, 0.3F, 0.8F, 0.8F, 1.3F, 1.35F},
-    {"cherry", 0.023F, 0, 0.75F, 1.1F, 1.0F, 0.5F, 0.035F, -1, false, 0.45F, 0.6F, 0.8F, 0.8F, 0.9F},
-    {"cypress", 0.015F, 0, 1.0F, 3.0F, 0.45F, 0.45F, 0.014F, 5, false, 0.2F, 0.7F, 0.8F, 0.8F, 1.2F},
-}};
-
-// Which kinds go with each, the closest first.
-using H = Habit;
-constexpr std::array<std::array<Habit, 8>, kHabits> kCompanions{{
-    {H::AsType, H::Birch, H::Lime, H::Poplar, H::Fir, H::Oak, H::Acacia, H::Palm},
-    {H::Oak, H::Lime, H::Birch, H::Elm, H::Cherry, H::Pine, H::Willow, H::Fir},
-    {H::Fir, H::Birch, H::Pine, H::Fir, H::Lime, H::Poplar, H::Oak, H::Palm},
-    {H::Palm, H::Acacia, H::StonePine, H::Palm, H::Cypress, H::Cactus, H::Elm, H::Fir},
-    {H::Cactus, H::Acacia, H::Cactus, H::StonePine, H::Palm, H::Cypress, H::Ternary, H::Fir},
-    {H::Willow, H::Poplar, H::Birch, H::Elm, H::Oak, H::Cherry, H::Lime, H::Fir},
-    {H::Poplar, H::Willow, H::Lime, H::Birch, H::Cherry, H::Cypress, H::Elm, H::Fir},
-    {H::Acacia, H::StonePine, H::Acacia, H::Palm, H::Cactus, H::Elm, H::Ternary, H::Cypress},
-    {H::Birch, H::Fir, H::Pine, H::Lime, H::Willow, H::Poplar, H::Oak, H::Elm},
-    {H::Lime, H::Oak, H::Birch, H::Cherry, H::Elm, H::Poplar, H::Fir, H::Pine},
-    {H::StonePine, H::Cypress, H::Acacia, H::Palm, H::Pine, H::Oak, H::Cactus, H::Fir},
-    {H::Elm, H::Oak, H::Willow, H::Lime, H::Acacia, H::Poplar, H::Pine, H::Palm},
-    {H::Ternary, H::Acacia, H::Elm, H::Palm, H::StonePine, H::Cypress, H::Cherry, H::Cactus},
-    {H::Pine, H::Birch, H::Fir, H::Pine, H::Oak, H::StonePine, H::Lime, H::Elm},
-    {H::Cherry, H::Lime, H::Poplar, H::Birch, H::Cypress, H::Oak, H::Willow, H::Pine},
-    {H::Cypress, H::StonePine, H::Oak, H::Cherry, H::Poplar, H::Palm, H::Acacia, H::Pine},
-}};
-
 // Colours chosen together by eye, sRGB: leaf, second leaf, bark, grass, blossom (the accent).
 struct Dress {
     std::uint32_t leaf, second, bark, grass, blossom;
@@ -97,44 +55,12 @@ glm::vec3 warmer(const glm::vec3& colour, float by) {
 }
 
 // The hue and lightness that go with a kind, whatever the palette: firs are darker, cacti bluer.
-glm::vec3 of_kind(Habit habit, const glm::vec3& leaf) {
-    switch (habit) {
-        case H::Fir:
-            return scene::shifted_colour(scene::mix_colours(leaf, scene::linear_from_srgb_hex(0x38574A), 0.55F), 0.86F);
-        case H::Pine:
-        case H::StonePine:
-            return scene::mix_colours(leaf, scene::linear_from_srgb_hex(0x4C6A48), 0.45F);
-        case H::Cypress:
-            return scene::shifted_colour(scene::mix_colours(leaf, scene::linear_from_srgb_hex(0x44603E), 0.5F), 0.85F);
-        case H::Cactus:
-            return scene::linear_from_srgb_hex(0xD9CFA8);  // its spines
-        case H::Willow:
-            return scene::mix_colours(leaf, scene::linear_from_srgb_hex(0x8FA65A), 0.45F);
-        case H::Palm:
-            return scene::mix_colours(leaf, scene::linear_from_srgb_hex(0x6A9244), 0.5F);
-        case H::Birch:
-            return scene::shifted_colour(leaf, 1.10F);
-        default:
-            return leaf;
-    }
-}
-
-glm::vec3 bark_of_kind(Habit habit, const glm::vec3& bark) {
-    switch (habit) {
-        case H::Birch:
-            return scene::mix_colours(bark, scene::linear_from_srgb_hex(0xD8D2C6), 0.8F);
-        case H::Cactus:
-            return scene::linear_from_srgb_hex(0x5F8250);
-        case H::Palm:
-            return scene::mix_colours(bark, scene::linear_from_srgb_hex(0x8C7C68), 0.6F);
-        case H::Pine:
-        case H::StonePine:
-            return scene::mix_colours(bark, scene::linear_from_srgb_hex(0x8A5A40), 0.55F);
-        case H::Cherry:
-            return scene::mix_colours(bark, scene::linear_from_srgb_hex(0x5A3A34), 0.5F);
-        default:
-            return bark;
-    }
+glm::vec3 tinted(const glm::vec3& colour, const Tint& tint) {
+    const glm::vec3 other = scene::linear_from_srgb_hex(tint.srgb);
+    const glm::vec3 mixed = tint.share <= 0   ? colour
+                            : tint.share >= 1 ? other
+                                              : scene::mix_colours(colour, other, tint.share);
+    return tint.lightness == 1 ? mixed : scene::shifted_colour(mixed, tint.lightness);
 }
 
 // Blossom, fruit and autumn are seasons: half of the range is without, and a whole crown of them is rare.
@@ -176,7 +102,7 @@ void set_shared(Form& f, const scene::TreeParameters& p) {
 
 // The rows that each species has for itself.
 struct Own {
-    Habit habit;
+    int habit;
     float height_m, crown_width, gnarl_deg, limb_density, leaf_length_m, leaf_shape, leaf_density, yellowness,
         lightness, autumn, blossom, bark_lightness;
 };
@@ -190,8 +116,8 @@ struct Own {
             p.rank##_autumn, p.rank##_blossom, p.rank##_bark_lightness                                             \
     }
 Own own_of(const scene::TreeParameters& p, Rank rank) {
-    const auto first = static_cast<Habit>(choice(p.tree_habit, kHabits));
-    const auto companion = [&](float gene) { return kCompanions[static_cast<std::size_t>(first)][choice(gene, 8)]; };
+    const int first = choice(p.tree_habit, kind_count());
+    const auto companion = [&](float gene) { return habit_named(kind(first).companions[choice(gene, 8)]); };
     switch (rank) {
         case Rank::First:
             return {first,
@@ -218,8 +144,6 @@ Own own_of(const scene::TreeParameters& p, Rank rank) {
 
 }  // namespace
 
-const HabitTraits& traits(Habit habit) { return kTraits[static_cast<std::size_t>(habit)]; }
-
 glm::vec3 blossom_colour(float hue) {
     return between({0xF4EEE6, 0xEFB9C6, 0xD0463E, 0xE8853A, 0xF0CB50, 0x9A7CC0}, hue);
 }
@@ -238,20 +162,19 @@ Form form_of(const scene::TreeParameters& p, Rank rank) {
     set_shared(f, p);
     const Own own = own_of(p, rank);
     f.habit = own.habit;
-    // Cacti are not as high as trees.
-    f.height_m = std::clamp(own.height_m, 2.5F, 30.0F) * (f.habit == Habit::Cactus ? 0.5F : 1.0F);
+    const Kind& k = kind(f.habit);
+    f.height_m = std::clamp(own.height_m, 2.5F, 30.0F) * k.height;
     f.crown_width = own.crown_width;
     f.gnarl_deg = own.gnarl_deg;
     f.limb_density = own.limb_density;
     f.leaf_length_m = own.leaf_length_m;
-    f.leaf =
-        static_cast<LeafKind>(traits(f.habit).own_leaf >= 0 ? traits(f.habit).own_leaf : choice(own.leaf_shape, 8));
+    f.leaf = k.own_leaf.value_or(static_cast<LeafKind>(choice(own.leaf_shape, 8)));
     f.leaf_density = own.leaf_density;
     f.blossom = festive(own.blossom);
     const Wear wear = wear_of(p);
     const auto dress = [&](const glm::vec3& colour) {
         const glm::vec3 shifted =
-            scene::shifted_colour(of_kind(f.habit, colour), std::clamp(own.lightness, 0.65F, 1.35F));
+            scene::shifted_colour(tinted(colour, k.leaf_tint), std::clamp(own.lightness, 0.65F, 1.35F));
         return glm::clamp(yellower(shifted, std::clamp(own.yellowness, -1.2F, 1.2F)), 0.0F, 0.9F);
     };
     f.colours.leaf = dress(wear.leaf);
@@ -261,7 +184,7 @@ Form form_of(const scene::TreeParameters& p, Rank rank) {
     f.colours.autumn = festive(own.autumn);
     f.colours.blossom = blossom_colour(p.tree_blossom_hue);
     f.colours.fruit = fruit_colour(p.tree_fruit_hue);
-    f.bark = glm::clamp(scene::shifted_colour(bark_of_kind(f.habit, wear.bark), own.bark_lightness), 0.0F, 0.85F);
+    f.bark = glm::clamp(scene::shifted_colour(tinted(wear.bark, k.bark_tint), own.bark_lightness), 0.0F, 0.85F);
     return f;
 }
 

@@ -1,59 +1,71 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <array>
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/seed.hpp"
 #include "scene/parameters.hpp"
+#include "synthesis/trees/bark.hpp"
 #include "synthesis/trees/foliage.hpp"
 #include "synthesis/trees/skeleton.hpp"
+#include "synthesis/trees/weber_penn.hpp"
 
 namespace quadrat::synthesis::trees {
 
-// What kind a tree is; the order is that of the parameter tree.habit.
-enum class Habit {
-    AsType,
-    Oak,
-    Fir,
-    Palm,
-    Cactus,
-    Willow,
-    Poplar,
-    Acacia,
-    Birch,
-    Lime,
-    StonePine,
-    Elm,
-    Ternary,
-    Pine,
-    Cherry,
-    Cypress
-};
-inline constexpr int kHabits = 16;
+// Which method grows a kind's limbs: a grammar that tree.type chooses, a preset of Weber & Penn, ABOP's ternary tree,
+// space colonisation.
+enum class Grower { ByType, WeberPenn, Ternary, Colonised };
 
-// What a habit is beyond its grower.
-struct HabitTraits {
-    const char* name;
-    float trunk;   // radius at the foot to the height
-    float width;   // of the crown to the height where the grower leaves it open; 0: as it grows
-    float leaf;    // length of a leaf to the gene's
-    float cover;   // of the crown by leaves
-    float spread;  // of leaves: 0 along their twigs to 1 every way
-    float outward;
-    float scatter;     // of leaves about their site, to the height
-    int own_leaf;      // LeafKind that the gene cannot change; -1: the gene's
-    bool keeps_radii;  // of the grower instead of the pipe model
-    float moisture, moisture_width;
-    float lowest_m;
-    float treeline;   // to the gene's
-    float steepness;  // to the gene's
+// Mixed into the palette's colour: so much of an sRGB colour, then so much lighter.
+struct Tint {
+    std::uint32_t srgb = 0;
+    float share = 0;
+    float lightness = 1;
 };
-const HabitTraits& traits(Habit habit);
+
+// A kind of tree, as its file in kinds/ tells it; the files' order is that of the parameter tree.habit. What a file
+// does not name is as here.
+struct Kind {
+    const char* name = "";
+    Grower grower = Grower::WeberPenn;
+    Preset preset = Preset::Broadleaf;  // of WeberPenn
+    bool is_umbrella = false;           // of Colonised: a flat crown on a high stem
+    float trunk = 0.02F;                // radius at the foot to the height
+    float leaf = 1;                     // length of a leaf to the gene's
+    float cover = 1;                    // of the crown by leaves
+    float spread = 1;                   // of leaves: 0 along their twigs to 1 every way
+    float outward = 0.5F;
+    float scatter = 0.04F;               // of leaves about their site, to the height
+    float height = 1;                    // to the gene's
+    bool has_boughs = true;              // false: a stem that no neighbour, no gene of the crown and no root changes
+    bool sags = true;                    // its limbs under what they bear
+    bool keeps_radii = false;            // of the grower instead of the pipe model
+    bool is_rosette = false;             // its leaves are one tuft at the top
+    std::optional<LeafKind> own_leaf{};  // that the gene cannot change
+    float droop = 0;                     // of leaves, besides the gene's
+    float blossom = 0.75F;               // share of sites at most; 0: neither blossom nor fruit
+    Tint leaf_tint{};
+    Tint bark_tint{};
+    std::optional<Bark> own_bark{};  // that the gene cannot change
+    bool is_tender = false;          // frost keeps it away
+    float moisture = 0.45F, moisture_width = 0.8F;
+    float lowest_m = 0.6F;
+    float treeline = 1;                       // to the gene's
+    float steepness = 1;                      // to the gene's
+    std::array<const char*, 8> companions{};  // kinds that go with it, the closest first
+};
+int kind_count();
+const Kind& kind(int habit);             // 0 to kind_count() - 1
+int habit_named(std::string_view kind);  // -1: there is none
 
 // A species' genes, its own and those it shares with the scene's first one.
 struct Form {
-    Habit habit = Habit::AsType;
-    int type = 4;  // ABOP a to d, then the same made less flat
+    int habit = 0;  // its kind
+    int type = 4;   // ABOP a to d, then the same made less flat
     float branch_angle_deg = 41.25F;
     float trunk_contraction = 0.88F;
     float branch_contraction = 0.74F;

@@ -81,40 +81,11 @@ TreeSkeleton grow_ternary(const Form& f, base::Seed seed) {
     return interpret(derive(grammar, how).word, options, seed.child("turtle"));
 }
 
-Preset preset_of(Habit habit) {
-    switch (habit) {
-        case Habit::Fir:
-            return Preset::Fir;
-        case Habit::Palm:
-            return Preset::Palm;
-        case Habit::Cactus:
-            return Preset::Cactus;
-        case Habit::Willow:
-            return Preset::Willow;
-        case Habit::Poplar:
-            return Preset::Poplar;
-        case Habit::Acacia:
-            return Preset::Acacia;
-        case Habit::Birch:
-            return Preset::Birch;
-        case Habit::Elm:
-            return Preset::Elm;
-        case Habit::Pine:
-            return Preset::Pine;
-        case Habit::Cherry:
-            return Preset::Cherry;
-        case Habit::Cypress:
-            return Preset::Cypress;
-        default:
-            return Preset::Broadleaf;
-    }
-}
-
 TreeSkeleton grow_preset(const Form& f, base::Seed seed) {
-    WeberPenn p = weber_penn(preset_of(f.habit));
-    const bool is_stiff = f.habit == Habit::Palm || f.habit == Habit::Cactus;
+    WeberPenn p = weber_penn(kind(f.habit).preset);
+    const bool has_boughs = kind(f.habit).has_boughs;
     const float wider = f.branch_angle_deg / kDefaultAngle_deg;
-    if (!is_stiff) {
+    if (has_boughs) {
         p.base_size = std::clamp(p.base_size + (f.clear_stem < 0 ? p.base_size : 0.35F) * f.clear_stem, 0.02F, 0.7F);
         p.attraction_up += 3.0F * f.limb_rise;
         if (f.leader < -0.5F) p.base_splits += 1;
@@ -123,7 +94,7 @@ TreeSkeleton grow_preset(const Form& f, base::Seed seed) {
     p.level[0].curve_v += 4.0F * f.gnarl_deg;
     for (std::size_t l = 1; l < 3; ++l) {
         WeberPenn::Level& level = p.level[l];
-        if (!is_stiff) level.down_angle = std::clamp(level.down_angle * (0.5F + 0.5F * wider), 12.0F, 110.0F);
+        if (has_boughs) level.down_angle = std::clamp(level.down_angle * (0.5F + 0.5F * wider), 12.0F, 110.0F);
         level.branches *= l == 1 ? f.limb_density : 0.6F + 0.4F * f.limb_density;
         level.length *= std::clamp(1.0F + 1.2F * (f.branch_contraction - kDefaultBranch), 0.7F, 1.25F);
         level.curve_v += 5.0F * (f.gnarl_deg - 4.0F);
@@ -133,7 +104,7 @@ TreeSkeleton grow_preset(const Form& f, base::Seed seed) {
 }
 
 TreeSkeleton grow_colonised(const Form& f, base::Seed seed) {
-    const bool is_umbrella = f.habit == Habit::StonePine;
+    const bool is_umbrella = kind(f.habit).is_umbrella;
     Colonisation c;
     c.crown_base = std::clamp((is_umbrella ? 0.55F : 0.22F) + 0.22F * f.clear_stem, 0.06F, 0.75F);
     c.crown_radius = is_umbrella ? 0.46F : 0.36F;
@@ -156,17 +127,17 @@ TreeSkeleton grow_colonised(const Form& f, base::Seed seed) {
 }
 
 TreeSkeleton grow_stem(const Form& f, base::Seed seed) {
-    switch (f.habit) {
-        case Habit::AsType:
+    switch (kind(f.habit).grower) {
+        case Grower::ByType:
             return grow_by_type(f, seed);
-        case Habit::Ternary:
+        case Grower::Ternary:
             return grow_ternary(f, seed);
-        case Habit::Lime:
-        case Habit::StonePine:
+        case Grower::Colonised:
             return grow_colonised(f, seed);
-        default:
-            return grow_preset(f, seed);
+        case Grower::WeberPenn:
+            break;
     }
+    return grow_preset(f, seed);
 }
 
 // Leaves out the limbs that are not wanted, with all that they bear.
@@ -188,11 +159,12 @@ void prune(TreeSkeleton& skeleton, const Wanted& is_wanted) {
 
 // Neighbours shade the sides: of the low limbs some have died.
 void crowd(TreeSkeleton& skeleton, const Form& f, base::Seed seed) {
-    if (f.habit == Habit::Palm || f.habit == Habit::Cactus) return;
+    const Kind& k = kind(f.habit);
+    if (!k.has_boughs) return;
     const float dead_below = 0.55F * f.crowding * skeleton.high_m.y;
     prune(skeleton, [&](const Limb& limb, std::size_t i) {
         if (limb.order != 1) return true;
-        if (f.habit == Habit::AsType &&
+        if (k.grower == Grower::ByType &&
             base::unit_of(base::hash_of(seed, static_cast<std::int64_t>(i), 5)) > f.limb_density)
             return false;
         const float alive = limb.nodes.front().at_m.y / std::max(dead_below, 1.0e-3F);
@@ -272,7 +244,7 @@ TreeSkeleton grow_stems(const Form& f, base::Seed seed) {
 
 // Roots that run out into the ground; with meta-tubes they join the trunk smoothly.
 void add_roots(TreeSkeleton& skeleton, const Form& f, base::Seed seed) {
-    if (f.root_flare < 0.12F || f.habit == Habit::Palm || f.habit == Habit::Cactus) return;
+    if (f.root_flare < 0.12F || !kind(f.habit).has_boughs) return;
     const std::size_t stems = skeleton.limbs.size();
     for (std::size_t s = 0; s < stems; ++s) {
         if (skeleton.limbs[s].parent >= 0) continue;
@@ -301,15 +273,15 @@ void add_roots(TreeSkeleton& skeleton, const Form& f, base::Seed seed) {
 }  // namespace
 
 TreeSkeleton grow_skeleton(const Form& f, base::Seed seed) {
-    const HabitTraits& t = traits(f.habit);
+    const Kind& k = kind(f.habit);
     TreeSkeleton skeleton = grow_stems(f, seed);
     const float size = f.height_m / std::max(skeleton.high_m.y, 0.2F);
-    const float wide = f.habit == Habit::Palm || f.habit == Habit::Cactus ? 1 : f.crown_width;
+    const float wide = k.has_boughs ? f.crown_width : 1;
     stretch(skeleton, {size * wide, size, size * wide}, size * f.girth);
-    if (!t.keeps_radii) {
+    if (!k.keeps_radii) {
         PipeModel pipes;
         pipes.exponent = f.taper;
-        pipes.trunk_radius_m = t.trunk * f.girth * f.height_m / std::sqrt(static_cast<float>(f.stems));
+        pipes.trunk_radius_m = k.trunk * f.girth * f.height_m / std::sqrt(static_cast<float>(f.stems));
         pipes.least_radius_m = 0.0011F * f.height_m;
         set_pipe_radii(skeleton, pipes);
     }
@@ -319,7 +291,7 @@ TreeSkeleton grow_skeleton(const Form& f, base::Seed seed) {
     base::RandomStream random{seed.child("light")};
     const float bearing = random.between(0, 6.2831853F);
     Forces forces;
-    forces.sag = f.habit == Habit::Cactus ? 0 : f.sag;
+    forces.sag = k.sags ? f.sag : 0;
     forces.wind = -f.wind_lean * upwind;
     forces.light = f.light_seeking * glm::normalize(glm::vec3{0.6F * std::cos(bearing), 1, 0.6F * std::sin(bearing)});
     bend(skeleton, forces);

@@ -103,7 +103,8 @@ LeafShape spray_of(const Twig& twig) {
     return shape;
 }
 
-// From afar a spray is three leaves of a triangle each that cover as much, by vertices of their own.
+// From afar a spray is three leaves of a triangle each that cover as much, about a gap: each shares its corners with
+// its neighbours, six vertices in all.
 LeafShape with_plain_form(LeafShape shape) {
     const auto area = [&shape](const std::vector<std::uint32_t>& triangles) {
         float sum = 0;
@@ -114,27 +115,31 @@ LeafShape with_plain_form(LeafShape shape) {
         }
         return sum;
     };
-    struct Leaf {
-        float foot, angle_rad, length;
-    };
-    constexpr std::array<Leaf, 3> kLeaves{{{0.42F, 0.0F, 0.56F}, {0.14F, 0.8F, 0.58F}, {0.20F, -0.8F, 0.58F}}};
-    constexpr float kLengths = 0.56F + 0.58F + 0.58F;
-    const float half = area(shape.triangles) * shape.width / kLengths;  // of the width of each
-    shape.plain.clear();
-    for (const Leaf& leaf : kLeaves) {
-        const auto first = static_cast<std::uint32_t>(shape.outline.size());
-        const glm::vec2 along{std::cos(leaf.angle_rad), std::sin(leaf.angle_rad)};
-        const glm::vec2 aside{-along.y, along.x};
-        const glm::vec2 foot = glm::vec2{leaf.foot, 0} + 0.12F * leaf.length * along;
-        for (const glm::vec2& p : {foot - half * aside, foot + leaf.length * along, foot + half * aside})
+    // The corners of the gap lie on a circle, and the tips between them on a wider one; both are then sized to cover as
+    // much as the spray does.
+    constexpr float kGap = 0.42F;
+    constexpr float kTurn_rad = 2.0943951F;
+    constexpr glm::vec2 kMiddle{0.52F, 0};
+    const float wanted = area(shape.triangles) * shape.width;
+    // Each leaf: a side of the gap times what the tip stands over it, halved.
+    const float unit_area = 3 * 0.5F * (1.7320508F * kGap) * (1 - 0.5F * kGap);
+    const float size = std::sqrt(wanted / unit_area);
+    const auto first = static_cast<std::uint32_t>(shape.outline.size());
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        const float turn = kTurn_rad * static_cast<float>(k);
+        for (const bool is_tip : {false, true}) {
+            const float at = is_tip ? turn : turn - 0.5F * kTurn_rad;
+            const glm::vec2 p = kMiddle + size * (is_tip ? 1.0F : kGap) * glm::vec2{std::cos(at), std::sin(at)};
             shape.outline.push_back({p.x, p.y / shape.width});
-        shape.on_blade.insert(shape.on_blade.end(), {{1, 0.1F}, {0, 1}, {1, 0.1F}});
-        shape.lightness.insert(shape.lightness.end(), {0.9F, 1.12F, 0.9F});
-        shape.plain.insert(shape.plain.end(), {first, first + 1, first + 2});
+            shape.on_blade.push_back(is_tip ? glm::vec2{0, 1} : glm::vec2{1, 0.1F});
+            shape.lightness.push_back(is_tip ? 1.14F : 0.90F);
+            // A disc's is a star about it.
+            shape.disc.push_back((is_tip ? 1.3F : 0.75F) * glm::vec2{std::cos(at), std::sin(at)});
+        }
     }
-    // A disc's is a triangle about it, and two of no size.
-    shape.disc.insert(shape.disc.end(), {{1.2F, 0}, {-0.6F, 1.04F}, {-0.6F, -1.04F}});
-    shape.disc.insert(shape.disc.end(), 6, glm::vec2{0});
+    shape.plain.clear();
+    for (std::uint32_t k = 0; k < 3; ++k)
+        shape.plain.insert(shape.plain.end(), {first + 2 * k, first + 2 * k + 1, first + (2 * k + 2) % 6});
     return shape;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "synthesis/trees/bark.hpp"
+#include "synthesis/trees/crown_fringe.hpp"
 #include "synthesis/trees/crown_mass.hpp"
 #include "synthesis/trees/leaf_picture.hpp"
 #include "synthesis/trees/wood_levels.hpp"
@@ -15,24 +16,24 @@ namespace {
 constexpr int kBarkSide = 128;
 
 FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
-    const HabitTraits& t = traits(f.habit);
+    const Kind& k = kind(f.habit);
     const LeafShape& shape = spray_shape(f.leaf);
     FoliageOptions o;
     o.kind = f.leaf;
     // Leaves of a large tree are seen from farther away: sprays of them.
-    o.length_m = 1.15F * t.leaf * f.leaf_length_m * std::sqrt(std::clamp(species.height_m / 13.0F, 0.45F, 1.6F));
+    o.length_m = 0.68F * k.leaf * f.leaf_length_m * std::sqrt(std::clamp(species.height_m / 13.0F, 0.45F, 1.6F));
     o.width = f.leaf_width;
     o.fold = f.leaf_fold;
-    o.scatter_m = t.scatter * species.height_m;
+    o.scatter_m = 0.7F * k.scatter * species.height_m * (1 - 0.75F * f.bareness);
     o.clumping = f.leaf_clumping;
-    o.droop = f.leaf_droop + (f.habit == Habit::Willow ? 0.5F : 0.0F);
-    o.spread = t.spread;
-    o.outward = t.outward;
+    o.droop = f.leaf_droop + k.droop;
+    o.spread = k.spread;
+    o.outward = k.outward;
     o.flower_m = std::max(0.55F * o.length_m, 0.16F);
     o.fruit_m = f.fruit_m;
     o.colours = f.colours;
     const auto most = kMostLeafTriangles * 3 / shape.triangles.size();
-    if (f.habit == Habit::Palm) {
+    if (k.is_rosette) {
         o.length_m = 0.30F * species.height_m * std::sqrt(6.0F / std::max(species.height_m, 6.0F)) *
                      (0.6F + 0.9F * f.leaf_length_m);
         o.blades = static_cast<std::size_t>(static_cast<float>(30 * f.stems) * f.leaf_density);
@@ -45,7 +46,7 @@ FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
         const float r = species.crown_radius_m;
         const float crown_m2 = r * r + 0.4F * r * species.height_m;
         const float blade_m2 = o.length_m * o.length_m * shape.width * f.leaf_width;
-        const float wanted = 10.0F * t.cover * f.leaf_density * crown_m2 / blade_m2;
+        const float wanted = 15.0F * k.cover * f.leaf_density * crown_m2 / blade_m2;
         o.blades = static_cast<std::size_t>(std::clamp(wanted, 160.0F, static_cast<float>(most)));
         // What the budget denies in number is given in size.
         const float missing = wanted / static_cast<float>(o.blades);
@@ -78,39 +79,36 @@ TreeSkeleton skeleton_of_species(const Form& form, base::Seed seed) {
 }
 
 scene::Species make_species(const Form& f, base::Seed seed) {
-    const HabitTraits& t = traits(f.habit);
+    const Kind& k = kind(f.habit);
     TreeSkeleton skeleton = skeleton_of_species(f, seed);
-    if (f.habit != Habit::Palm && f.habit != Habit::Cactus)
-        set_organs(skeleton, 0.75F * f.blossom, 0.2F * f.fruit, seed.child("organs"));
-    if (f.habit == Habit::Cactus) set_organs(skeleton, 0.3F * f.blossom, 0.2F * f.fruit, seed.child("organs"));
+    if (k.blossom > 0) set_organs(skeleton, k.blossom * f.blossom, 0.2F * f.fruit, seed.child("organs"));
     scene::Species species;
-    species.name = t.name;
+    species.name = k.name;
     species.height_m = skeleton.high_m.y;
-    species.crown_radius_m = f.habit == Habit::Palm ? 0.28F * skeleton.high_m.y : crown_radius(skeleton);
+    species.crown_radius_m = k.is_rosette ? 0.28F * skeleton.high_m.y : crown_radius(skeleton);
     species.trunk_radius_m = skeleton.limbs.front().nodes.front().radius_m * (f.stems > 1 ? 2.2F : 1.0F);
     species.wood = wood_levels(skeleton);
     const FoliageOptions foliage = foliage_of(f, species);
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
-    if (f.habit != Habit::Palm) species.masses = crown_masses(species.leaves);
+    if (!k.is_rosette) species.masses = crown_masses(species.leaves);
+    add_fringe(species.masses);
     if (species.leaves.blades > 0) add_spindle(species.wood, species.height_m, species.trunk_radius_m);
     set_coarser(species.wood);
     // Twigs are all the crown that a bare tree has: they are left out later.
     for (scene::Wood& wood : species.wood) wood.left_out_m *= 1 + 2.5F * f.bareness;
-    if (f.habit == Habit::Palm) {
+    if (k.is_rosette) {
         species.crown_radius_m = std::max(species.crown_radius_m, 0.8F * foliage.length_m);
         species.height_m += 0.3F * foliage.length_m;
     }
     species.bark_colour = f.bark;
-    const Bark kind = f.habit == Habit::Birch    ? Bark::Banded
-                      : f.habit == Habit::Cactus ? Bark::Furrowed
-                                                 : static_cast<Bark>(f.bark_kind);
-    species.bark = bark_picture(bark_relief(kind, seed.child("bark"), kBarkSide), f.bark_depth);
+    const Bark bark = k.own_bark.value_or(static_cast<Bark>(f.bark_kind));
+    species.bark = bark_picture(bark_relief(bark, seed.child("bark"), kBarkSide), f.bark_depth);
     if (species.leaves.blades > 0) species.leaf = leaf_picture(f.leaf, seed.child("leaf"));
     species.bark_tile_m = f.bark_tile_m * std::clamp(species.trunk_radius_m / 0.28F, 0.5F, 1.6F);
-    species.lowest_m = t.lowest_m;
-    species.is_tender = f.habit == Habit::Palm || f.habit == Habit::Cactus || f.habit == Habit::Acacia;
-    species.moisture = t.moisture;
-    species.moisture_width = t.moisture_width;
+    species.lowest_m = k.lowest_m;
+    species.is_tender = k.is_tender;
+    species.moisture = k.moisture;
+    species.moisture_width = k.moisture_width;
     return species;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "scene/colour.hpp"
+#include "synthesis/trees/crown_fringe.hpp"
 #include "synthesis/trees/crown_mass.hpp"
 #include "synthesis/trees/foliage.hpp"
 #include "synthesis/trees/leaf_picture.hpp"
@@ -280,6 +281,7 @@ scene::Species shrub(const ShrubOptions& o, base::Seed seed) {
     foliage.colours.blossom = o.blossom;
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
     species.masses = crown_masses(species.leaves);
+    add_fringe(species.masses);
     species.leaf = leaf_picture(foliage.kind, seed.child("leaf"));
     species.bark_colour = o.bark;
     species.height_m = o.height_m;

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "display/display.hpp"
-#include "kiosk/easel.hpp"
-#include "kiosk/picture.hpp"
+#include "stage/easel.hpp"
+#include "pictures/picture.hpp"
 #include "pictures/flight.hpp"
 
 namespace {
@@ -50,8 +50,8 @@ int main(int argc, char** argv) {
     const auto scale = std::strtof(word(7, "1").c_str(), nullptr);
 
     std::vector<std::shared_ptr<const scene::Scene>> scenes;
-    for (std::uint64_t i = 0; i < 4; ++i) scenes.push_back(kiosk::grow(genome::random_recipe(base::Seed{seed + i})));
-    kiosk::Easel easel(size.width, size.height);
+    for (std::uint64_t i = 0; i < 4; ++i) scenes.push_back(nursery::grow(genome::random_recipe(base::Seed{seed + i})));
+    stage::Easel easel(size.width, size.height);
     tests::Flight held(easel, scenes, {size.width, size.height}, true);
     tests::Flight anew(easel, scenes, {size.width, size.height}, false);
     held.frame.detail.scale = anew.frame.detail.scale = scale;
@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
         const tests::Off off = tests::off(a.pixels, b.pixels);
         fmt::print("{:3} rms {:.2f} worst tile {:.2f} triangles {} of {} ms {:.1f} of {:.1f}\n", n, off.rms, off.worst,
                    a.drawn.triangles, b.drawn.triangles, a.ms, b.ms);
-        if (n + 1 == frames) kiosk::write_image(argv[3], above_one_another(a.pixels, b.pixels));
+        if (n + 1 == frames) pictures::write_image(argv[3], above_one_another(a.pixels, b.pixels));
     }
     return 0;
 }

@@ -12,10 +12,10 @@
 #include <string>
 
 #include "breeding/session.hpp"
-#include "kiosk/easel.hpp"
-#include "kiosk/picture.hpp"
+#include "pictures/picture.hpp"
 #include "pictures/weather.hpp"
 #include "scene/camera.hpp"
+#include "stage/easel.hpp"
 #include "support/values.hpp"
 #include "synthesis/compose/view_merit.hpp"
 
@@ -48,8 +48,8 @@ std::vector<Offered> first_offer(std::uint64_t seed, const Values& extra) {
     return offered;
 }
 
-kiosk::Picture picture_of(const Offered& offered, int width, int height) {
-    kiosk::Picture picture;
+pictures::Picture picture_of(const Offered& offered, int width, int height) {
+    pictures::Picture picture;
     picture.scenes = {offered.recipe};
     picture.width = width;
     picture.height = height;
@@ -66,22 +66,22 @@ void for_each_offered(std::uint64_t first, std::uint64_t seeds, const Values& ex
 
 int sheet(std::uint64_t first, std::uint64_t seeds, const std::string& file, const Values& extra) {
     constexpr int kWidth = 480;
-    kiosk::Easel easel(kWidth * 2, 540);
-    std::vector<kiosk::SheetEntry> entries;
+    stage::Easel easel(kWidth * 2, 540);
+    std::vector<pictures::SheetEntry> entries;
     for_each_offered(first, seeds, extra, [&](const Offered& offered) {
         const mesh::Image drawn = easel.draw(picture_of(offered, kWidth * 2, 540));
-        entries.push_back({kiosk::scaled_to(drawn, kWidth), offered.name()});
+        entries.push_back({pictures::scaled_to(drawn, kWidth), offered.name()});
     });
-    kiosk::write_image(file, kiosk::contact_sheet(entries, 4, kWidth));
+    pictures::write_image(file, pictures::contact_sheet(entries, 4, kWidth));
     return 0;
 }
 
 int each(std::uint64_t first, std::uint64_t seeds, const std::filesystem::path& folder, const Values& extra) {
     std::filesystem::create_directories(folder);
-    kiosk::Easel easel(1280, 720);
+    stage::Easel easel(1280, 720);
     for_each_offered(first, seeds, extra, [&](const Offered& offered) {
-        const kiosk::Picture picture = picture_of(offered, 1280, 720);
-        kiosk::write_picture(folder / (offered.name() + ".png"), easel.draw(picture), kiosk::to_json(picture));
+        const pictures::Picture picture = picture_of(offered, 1280, 720);
+        pictures::write_picture(folder / (offered.name() + ".png"), easel.draw(picture), pictures::to_json(picture));
     });
     return 0;
 }
@@ -97,15 +97,15 @@ std::string fault_of(const ValueRange& values, float flat) {
 }
 
 int measure(std::uint64_t first, std::uint64_t seeds, const Values& extra) {
-    kiosk::Easel easel(640, 360);
+    stage::Easel easel(640, 360);
     int broken = 0;
     int count = 0;
     float flat_sum = 0;
     fmt::print("offer    range  p95   mean  flat  sky   water near  far   subject\n");
     for_each_offered(first, seeds, extra, [&](const Offered& offered) {
-        const kiosk::Picture picture = picture_of(offered, 640, 360);
-        const auto scene = kiosk::grow(offered.recipe, kiosk::fineness_of(picture.land_samples));
-        const mesh::Image drawn = easel.draw(picture, kiosk::Scenes{scene});
+        const pictures::Picture picture = picture_of(offered, 640, 360);
+        const auto scene = nursery::grow(offered.recipe, pictures::fineness_of(picture.land_samples));
+        const mesh::Image drawn = easel.draw(picture, nursery::Scenes{scene});
         const ValueRange values = values_of(drawn);
         const float flat = flat_share(drawn);
         const Place subject = subject_of(drawn);

@@ -12,9 +12,9 @@
 #include <string>
 
 #include "genome/parameter_rules.hpp"
-#include "kiosk/easel.hpp"
-#include "kiosk/picture.hpp"
+#include "pictures/picture.hpp"
 #include "pictures/weather.hpp"
+#include "stage/easel.hpp"
 #include "support/exposure.hpp"
 #include "support/finite.hpp"
 
@@ -23,10 +23,10 @@ namespace {
 using namespace quadrat;
 using namespace quadrat::tests;
 
-void add(std::vector<kiosk::SheetEntry>& sheet, kiosk::Easel& easel, genome::Recipe recipe, const std::string& caption,
-         int width, int height) {
+void add(std::vector<pictures::SheetEntry>& sheet, stage::Easel& easel, genome::Recipe recipe,
+         const std::string& caption, int width, int height) {
     for (const genome::Aspect aspect : genome::kAspects) genome::make_consistent(aspect, recipe.values);
-    kiosk::Picture picture;
+    pictures::Picture picture;
     picture.scenes = {recipe};
     picture.width = width;
     picture.height = height;
@@ -36,8 +36,8 @@ void add(std::vector<kiosk::SheetEntry>& sheet, kiosk::Easel& easel, genome::Rec
 
 int weather_sheet(const std::string& file, const Values& extra) {
     constexpr int kWidth = 480;
-    kiosk::Easel easel(kWidth, 270);
-    std::vector<kiosk::SheetEntry> sheet;
+    stage::Easel easel(kWidth, 270);
+    std::vector<pictures::SheetEntry> sheet;
     for (const Hour& weather : weathers())
         for (const Hour& hour : hours()) {
             genome::Recipe recipe = place();
@@ -46,14 +46,14 @@ int weather_sheet(const std::string& file, const Values& extra) {
             set_all(recipe, extra);
             add(sheet, easel, recipe, fmt::format("{}, {}", weather.name, hour.name), kWidth, 270);
         }
-    kiosk::write_image(file, kiosk::contact_sheet(sheet, 4, kWidth));
+    pictures::write_image(file, pictures::contact_sheet(sheet, 4, kWidth));
     return 0;
 }
 
 int hours_sheet(const std::string& file, const Values& extra) {
     constexpr int kWidth = 480;
-    kiosk::Easel easel(kWidth, 270);
-    std::vector<kiosk::SheetEntry> sheet;
+    stage::Easel easel(kWidth, 270);
+    std::vector<pictures::SheetEntry> sheet;
     // Heights and bearings of the sun over a day in April at 50 degrees north, every two hours.
     struct Position {
         int hour;
@@ -72,34 +72,34 @@ int hours_sheet(const std::string& file, const Values& extra) {
         set_all(recipe, extra);
         add(sheet, easel, recipe, fmt::format("{} h", p.hour), kWidth, 270);
     }
-    kiosk::write_image(file, kiosk::contact_sheet(sheet, 3, kWidth));
+    pictures::write_image(file, pictures::contact_sheet(sheet, 3, kWidth));
     return 0;
 }
 
 int genomes_sheet(const std::string& file, std::uint64_t first, const Values& extra) {
     constexpr int kWidth = 400;
-    kiosk::Easel easel(kWidth, 225);
-    std::vector<kiosk::SheetEntry> sheet;
+    stage::Easel easel(kWidth, 225);
+    std::vector<pictures::SheetEntry> sheet;
     for (std::uint64_t seed = first; seed < first + 48; ++seed) {
         genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
         set_all(recipe, extra);
         add(sheet, easel, recipe, fmt::format("seed:{}", seed), kWidth, 225);
     }
-    kiosk::write_image(file, kiosk::contact_sheet(sheet, 8, kWidth));
+    pictures::write_image(file, pictures::contact_sheet(sheet, 8, kWidth));
     return 0;
 }
 
 int measure(std::uint64_t count) {
-    kiosk::Easel easel(320, 180);
+    stage::Easel easel(320, 180);
     int broken = 0;
     for (std::uint64_t seed = 1; seed <= count; ++seed) {
-        kiosk::Picture picture;
+        pictures::Picture picture;
         picture.scenes = {genome::random_recipe(base::Seed{seed})};
         picture.width = 320;
         picture.height = 180;
         picture.land_samples = 129;
-        const auto scene = kiosk::grow(picture.scenes[0], kiosk::fineness_of(picture.land_samples));
-        const tests::Exposure e = tests::exposure_of(easel.draw(picture, kiosk::Scenes{scene}));
+        const auto scene = nursery::grow(picture.scenes[0], pictures::fineness_of(picture.land_samples));
+        const tests::Exposure e = tests::exposure_of(easel.draw(picture, nursery::Scenes{scene}));
         const bool is_night = picture.scenes[0].values[genome::ParameterId::night_share] > 0;
         std::string fault = tests::not_finite(*scene->sky, scene->exposure);
         if (fault.empty()) fault = tests::fault_of(e, is_night);

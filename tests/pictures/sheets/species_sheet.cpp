@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "kiosk/easel.hpp"
-#include "kiosk/picture.hpp"
+#include "pictures/picture.hpp"
+#include "stage/easel.hpp"
 #include "synthesis/compose/light.hpp"
 #include "synthesis/compose/openness.hpp"
 #include "synthesis/grow.hpp"
@@ -88,20 +88,20 @@ int main(int argc, char** argv) {
             return 2;
         }
     }
-    kiosk::Easel easel(width, height);
-    std::vector<kiosk::SheetEntry> entries;
+    stage::Easel easel(width, height);
+    std::vector<pictures::SheetEntry> entries;
     struct Shot {
         float growth, alpha;
     };
     constexpr Shot kShots[] = {{0.35F, 1}, {0.65F, 1}, {1, 8}, {1, 0.4F}, {1, 0.08F}, {1, 0.015F}};
-    for (int habit = 0; habit < synthesis::trees::kHabits; ++habit) {
+    for (int habit = 0; habit < synthesis::trees::kind_count(); ++habit) {
         if (!only.empty() && only.find(fmt::format(",{},", habit)) == std::string::npos) continue;
         values.set(genome::ParameterId::tree_habit, static_cast<float>(habit));
         const auto scene = stand_alone(values, base::Seed{seed});
         const scene::Species& species = scene->flora->species.front();
         for (const Shot& shot : kShots) {
             if (!only.empty() && (shot.growth < 1 || shot.alpha < 1)) continue;
-            kiosk::Picture picture;
+            pictures::Picture picture;
             picture.width = width;
             picture.height = height;
             picture.growth = shot.growth;
@@ -118,9 +118,9 @@ int main(int argc, char** argv) {
         }
     }
     if (entries.size() == 1) {
-        kiosk::write_image(argv[1], entries.front().pixels);
+        pictures::write_image(argv[1], entries.front().pixels);
         return 0;
     }
-    kiosk::write_image(argv[1], kiosk::contact_sheet(entries, columns, width));
+    pictures::write_image(argv[1], pictures::contact_sheet(entries, columns, width));
     return 0;
 }

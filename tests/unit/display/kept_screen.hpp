@@ -20,13 +20,13 @@ class KeptScreen : public ::testing::Test {
         while (screen.now() < end) last = present();
         return last;
     }
-    Presented present() {
-        const Presented told = keeper.present();
+    Presented present(const tempo::HandOver& how = {}) {
+        const Presented told = keeper.present(how);
         EXPECT_GE(told.shown_frame, newest) << "a frame shown is never taken back";
-        EXPECT_GE(told.shown_at, latest) << "time never runs backwards";
+        EXPECT_GE(told.shown_at.time_since_epoch(), latest) << "time never runs backwards";
         EXPECT_EQ(told.reason.empty(), told.outcome == Outcome::Shown) << told.reason;
         newest = told.shown_frame;
-        latest = told.shown_at;
+        latest = told.shown_at.time_since_epoch();
         return told;
     }
     void start_running() {

@@ -21,7 +21,7 @@ class NamedScreen final : public display::Display {
     std::string renderer() const override { return renderer_; }
     display::Canvas canvas() const override { return {}; }
     display::Canvas begin_frame() override { return {}; }
-    display::Presented present() override { return {}; }
+    display::Presented present(const tempo::HandOver&) override { return {}; }
     void set_power(display::Power) override {}
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kiosk/gallery.hpp"
+#include "nursery/gallery.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@ namespace {
 using namespace std::chrono_literals;
 using exhibit::Screen;
 
-Act finale(std::uint64_t seed) {
-    Act act;
+nursery::Act finale(std::uint64_t seed) {
+    nursery::Act act;
     act.scenes = {std::make_shared<const scene::Scene>()};
     act.recipes = {genome::random_recipe(base::Seed{seed})};
     act.number = static_cast<int>(seed);
@@ -26,35 +26,35 @@ Act finale(std::uint64_t seed) {
 }
 
 TEST(Gallery, TheNewestComesFirstAndTheOldestGo) {
-    Gallery gallery;
-    std::vector<Act> acts;
+    nursery::Gallery gallery;
+    std::vector<nursery::Act> acts;
     for (std::uint64_t n = 1; n <= 5; ++n) {
         acts.push_back(finale(n));
         gallery.hang(acts.back());
     }
-    EXPECT_EQ(gallery.act().scenes, (Scenes{acts[4].scenes[0], acts[3].scenes[0], acts[2].scenes[0]}));
+    EXPECT_EQ(gallery.act().scenes, (nursery::Scenes{acts[4].scenes[0], acts[3].scenes[0], acts[2].scenes[0]}));
     EXPECT_EQ(gallery.act().number, 5);
     EXPECT_FALSE(gallery.missing());
 }
 
 TEST(Gallery, WhatWentComesBackInItsOrder) {
-    Gallery gallery;
+    nursery::Gallery gallery;
     gallery.make_room();
     EXPECT_TRUE(gallery.act().scenes.empty());
     EXPECT_FALSE(gallery.missing());
-    const Act first = finale(1);
-    const Act second = finale(2);
+    const nursery::Act first = finale(1);
+    const nursery::Act second = finale(2);
     gallery.hang(first);
     gallery.hang(second);
     gallery.make_room();
     EXPECT_EQ(gallery.act().scenes, second.scenes);
-    const Act third = finale(3);
+    const nursery::Act third = finale(3);
     gallery.hang(third);
-    EXPECT_EQ(gallery.act().scenes, (Scenes{third.scenes[0], second.scenes[0]}));
+    EXPECT_EQ(gallery.act().scenes, (nursery::Scenes{third.scenes[0], second.scenes[0]}));
     ASSERT_TRUE(gallery.missing());
     EXPECT_EQ(*gallery.missing(), first.recipes[0]);
     gallery.bring_back(first.scenes[0]);
-    EXPECT_EQ(gallery.act().scenes, (Scenes{third.scenes[0], second.scenes[0], first.scenes[0]}));
+    EXPECT_EQ(gallery.act().scenes, (nursery::Scenes{third.scenes[0], second.scenes[0], first.scenes[0]}));
     EXPECT_FALSE(gallery.missing());
 }
 
@@ -68,10 +68,10 @@ class Visits : public testing::Test {
         show_.emplace(configuration_,
                       ShowOptions{base::Seed{1},
                                   {1, {65, 64, 128}},
-                                  [] { return exhibit::WallTime{}; },
-                                  [] { return exhibit::WallTime{}; },
+                                  [] { return archive::WallTime{}; },
+                                  [] { return archive::WallTime{}; },
                                   ""},
-                      exhibit::Archive::open(folder_.path(), {}).archive);
+                      archive::Archive::open(folder_.path(), {}).archive);
         show_->open(now_);
         settle();
     }
@@ -97,32 +97,32 @@ class Visits : public testing::Test {
     // To the finale of a visit, which is given.
     std::shared_ptr<const scene::Scene> breed() {
         press();
-        EXPECT_EQ(show_->state().screen, Screen::Ask);
-        for (int i = 0; i < 100 && show_->state().screen != Screen::Finale; ++i) press();
-        EXPECT_EQ(show_->state().screen, Screen::Finale);
+        EXPECT_EQ(show_->state().screen, exhibit::Screen::Ask);
+        for (int i = 0; i < 100 && show_->state().screen != exhibit::Screen::Finale; ++i) press();
+        EXPECT_EQ(show_->state().screen, exhibit::Screen::Finale);
         settle();
         return show_->on_stage().scenes.at(0);
     }
     std::shared_ptr<const scene::Scene> play() {
         const auto bred = breed();
-        for (int i = 0; i < 600 && show_->state().screen != Screen::Attract; ++i) frame();
-        EXPECT_EQ(show_->state().screen, Screen::Attract);
+        for (int i = 0; i < 600 && show_->state().screen != exhibit::Screen::Attract; ++i) frame();
+        EXPECT_EQ(show_->state().screen, exhibit::Screen::Attract);
         return bred;
     }
-    const Act& gallery() const { return *show_->in_use()[2]; }
+    const nursery::Act& gallery() const { return *show_->in_use()[2]; }
 
     tests::TemporaryFolder folder_;
-    Configuration configuration_;
-    Instant now_{0};
+    site::Configuration configuration_;
+    base::Instant now_{0};
     std::optional<Show> show_;
 };
 
 TEST_F(Visits, MakeRoomAndWhatTheyBredGrowsAgainAfterThem) {
-    Scenes bred;
+    nursery::Scenes bred;
     for (int visit = 0; visit < 4; ++visit) {
         bred.insert(bred.begin(), play());
         settle();
-        bred.resize(std::min(bred.size(), Gallery::kMost));
+        bred.resize(std::min(bred.size(), nursery::Gallery::kMost));
         ASSERT_EQ(show_->on_stage().scenes.size(), bred.size());
         for (std::size_t i = 0; i < bred.size(); ++i) {
             const scene::Scene& shown = *show_->on_stage().scenes[i];
@@ -133,7 +133,7 @@ TEST_F(Visits, MakeRoomAndWhatTheyBredGrowsAgainAfterThem) {
         press();
         EXPECT_EQ(gallery().scenes.size(), 1) << "a visit needs the room";
         EXPECT_EQ(show_->on_stage().scenes.size(), genome::kCandidates);
-        for (int i = 0; i < 2000 && show_->state().screen != Screen::Attract; ++i) frame();  // they walk away
+        for (int i = 0; i < 2000 && show_->state().screen != exhibit::Screen::Attract; ++i) frame();  // they walk away
     }
 }
 
@@ -141,15 +141,15 @@ TEST_F(Visits, AreNotKeptWaitingByWhatGrowsForTheGallery) {
     play();
     play();
     breed();
-    for (int i = 0; i < 2000 && show_->state().screen != Screen::Attract; ++i) {
+    for (int i = 0; i < 2000 && show_->state().screen != exhibit::Screen::Attract; ++i) {
         now_ += 10ms;
         show_->happen(exhibit::Tick{}, now_);
     }
-    ASSERT_EQ(gallery().scenes.size(), Gallery::kMost - 1) << "the oldest is not back yet";
+    ASSERT_EQ(gallery().scenes.size(), nursery::Gallery::kMost - 1) << "the oldest is not back yet";
     ASSERT_TRUE(show_->is_growing());
     const auto bred = play();
     settle();
-    ASSERT_EQ(show_->on_stage().scenes.size(), Gallery::kMost);
+    ASSERT_EQ(show_->on_stage().scenes.size(), nursery::Gallery::kMost);
     EXPECT_EQ(show_->on_stage().scenes[0]->light.ground, bred->light.ground);
 }
 

@@ -15,29 +15,29 @@ namespace {
 using namespace std::chrono_literals;
 using Urgency = Keeper::Urgency;
 
-exhibit::WallTime noon() { return exhibit::WallTime{std::chrono::hours{12}}; }
+archive::WallTime noon() { return archive::WallTime{std::chrono::hours{12}}; }
 
-exhibit::Archive opened(const std::filesystem::path& folder, const exhibit::TellKept& tell = {}) {
-    return exhibit::Archive::open(folder, noon(), {}, tell).archive;
+archive::Archive opened(const std::filesystem::path& folder, const archive::TellKept& tell = {}) {
+    return archive::Archive::open(folder, noon(), {}, tell).archive;
 }
 
-exhibit::Trouble nothing(exhibit::Archive&) { return std::nullopt; }
+archive::Trouble nothing(archive::Archive&) { return std::nullopt; }
 
 TEST(Keeper, WritesWhatCanWaitWithWhatCannot) {
     const tests::TemporaryFolder folder;
     {
         Keeper keeper(opened(folder.path()));
         const auto first =
-            keeper.post([](exhibit::Archive& archive) { return archive.remember("a", "1"); }, Urgency::Soon);
+            keeper.post([](archive::Archive& archive) { return archive.remember("a", "1"); }, Urgency::Soon);
         std::this_thread::sleep_for(50ms);
         EXPECT_FALSE(keeper.is_done(first)) << "it waits for company";
         const auto second =
-            keeper.post([](exhibit::Archive& archive) { return archive.remember("b", "2"); }, Urgency::Flushed);
+            keeper.post([](archive::Archive& archive) { return archive.remember("b", "2"); }, Urgency::Flushed);
         keeper.wait(second);
         EXPECT_TRUE(keeper.is_done(first));
-        keeper.post([](exhibit::Archive& archive) { return archive.remember("c", "3"); }, Urgency::Soon);
+        keeper.post([](archive::Archive& archive) { return archive.remember("c", "3"); }, Urgency::Soon);
     }
-    const exhibit::Archive archive = opened(folder.path());
+    const archive::Archive archive = opened(folder.path());
     EXPECT_EQ(archive.remembered("a"), "1");
     EXPECT_EQ(archive.remembered("b"), "2");
     EXPECT_EQ(archive.remembered("c"), "3") << "an orderly end loses nothing";
@@ -47,7 +47,7 @@ TEST(Keeper, TellsWhatWasKeptBeforeTheDiskHasTakenAnything) {
     const tests::TemporaryFolder folder;
     ASSERT_EQ(opened(folder.path()).remember("buttons", "fine"), std::nullopt);
     std::promise<void> disk;
-    Keeper keeper([&](const exhibit::TellKept& tell) {
+    Keeper keeper([&](const archive::TellKept& tell) {
         auto archive = opened(folder.path(), tell);
         disk.get_future().wait();
         return archive;
@@ -74,12 +74,12 @@ class ShowOnASlowDisk : public testing::Test {
         before.happen(exhibit::Pressed{exhibit::Choice::A}, 5s);
     }
     ShowOptions options() const { return {base::Seed{4}, {1, {65, 64, 128}}, noon, noon, folder_.path()}; }
-    static void ready(Show& show, Instant now) {
+    static void ready(Show& show, base::Instant now) {
         show.finish_growing();
         if (show.waiting_for_upload() != nullptr) show.uploaded(now);
     }
     std::unique_ptr<Show> slow_show() {
-        auto keeper = std::make_unique<Keeper>([this](const exhibit::TellKept& tell) {
+        auto keeper = std::make_unique<Keeper>([this](const archive::TellKept& tell) {
             disk_.get_future().wait();
             return opened(folder_.path(), tell);
         });
@@ -92,7 +92,7 @@ class ShowOnASlowDisk : public testing::Test {
     }
 
     tests::TemporaryFolder folder_;
-    Configuration configuration_;
+    site::Configuration configuration_;
     std::promise<void> disk_;
     Keeper* keeper_ = nullptr;
 };

@@ -21,14 +21,14 @@ namespace {
 using namespace std::chrono_literals;
 using tests::FakeGpioMachine;
 
-constexpr Instant kPeriod = display::testing::ScriptedScreen::kPeriod;
+constexpr base::Instant kPeriod = display::testing::ScriptedScreen::kPeriod;
 constexpr std::size_t kPresses = 3000;
 
 // The screen's clock is the only one.
-class EmulatedClock : public Clock {
+class EmulatedClock : public base::Clock {
   public:
     explicit EmulatedClock(display::testing::ScriptedScreen& screen) : screen_(screen) {}
-    Instant now() override { return screen_.now(); }
+    base::Instant now() override { return screen_.now(); }
 
   private:
     display::testing::ScriptedScreen& screen_;
@@ -37,9 +37,9 @@ class EmulatedClock : public Clock {
 // Where a finger is: closed for 80 ms, some 350 ms apart, at moments that have nothing to do with frames.
 struct Finger {
     std::mt19937 random{1848};
-    std::vector<Instant> presses;
+    std::vector<base::Instant> presses;
     Finger() {
-        for (Instant at = 3s; presses.size() < kPresses; at += 350ms + Instant{random() % 100'000'000})
+        for (base::Instant at = 3s; presses.size() < kPresses; at += 350ms + base::Instant{random() % 100'000'000})
             presses.push_back(at);
     }
 };
@@ -47,8 +47,8 @@ struct Finger {
 // What drives a real screen, on a scripted one without a GPU; drawing takes a while.
 class EmulatedScreen : public display::Display {
   public:
-    EmulatedScreen(display::testing::ScriptedScreen& screen, std::function<void(Instant)> world,
-                   std::function<void(Instant, Instant)> seen)
+    EmulatedScreen(display::testing::ScriptedScreen& screen, std::function<void(base::Instant)> world,
+                   std::function<void(base::Instant, base::Instant)> seen)
         : Display("emulated"), screen_(screen), keeper_(screen), world_(std::move(world)), seen_(std::move(seen)) {}
     std::string_view kind() const override { return "emulated"; }
     std::string description() const override { return "emulated"; }
@@ -60,26 +60,27 @@ class EmulatedScreen : public display::Display {
         world_(begun_);
         return {};
     }
-    display::Presented present() override {
-        screen_.spend(2ms + Instant{random_() % 12'000'000});
-        const display::Presented presented = keeper_.present();
-        if (presented.outcome == display::Outcome::Shown) seen_(begun_, presented.shown_at);
+    display::Presented present(const tempo::HandOver& how) override {
+        screen_.spend(2ms + base::Instant{random_() % 12'000'000});
+        const display::Presented presented = keeper_.present(how);
+        if (presented.outcome == display::Outcome::Shown) seen_(begun_, presented.shown_at.time_since_epoch());
         return presented;
     }
+    base::DisplayTime now() const override { return base::DisplayTime{screen_.now()}; }
     void set_power(display::Power) override {}
 
   private:
     display::testing::ScriptedScreen& screen_;
     display::ScreenKeeper keeper_;
-    std::function<void(Instant)> world_;
-    std::function<void(Instant, Instant)> seen_;
+    std::function<void(base::Instant)> world_;
+    std::function<void(base::Instant, base::Instant)> seen_;
     std::mt19937 random_{7};
-    Instant begun_{0};
+    base::Instant begun_{0};
 };
 
 struct Latencies {
-    std::vector<Instant> frame, lamp;
-    static double at_ms(std::vector<Instant> all, double share) {
+    std::vector<base::Instant> frame, lamp;
+    static double at_ms(std::vector<base::Instant> all, double share) {
         std::sort(all.begin(), all.end());
         const auto index = static_cast<std::size_t>(share * static_cast<double>(all.size() - 1));
         return std::chrono::duration<double, std::milli>(all.at(index)).count();
@@ -87,25 +88,25 @@ struct Latencies {
 };
 
 // Plays all presses. `move` opens or closes the contact at a moment; `is_lit` tells its lamp, if it has one.
-Latencies measure(firmware_io::ButtonSource& buttons, const std::function<void(bool, Instant)>& move,
+Latencies measure(firmware_io::ButtonSource& buttons, const std::function<void(bool, base::Instant)>& move,
                   const std::function<bool()>& is_lit) {
     const tests::TemporaryFolder folder;
-    Configuration configuration;
+    site::Configuration configuration;
     configuration.picture.land_samples = 65;
     Show show(
         configuration,
-        {base::Seed{1}, {1, {65, 64, 128}}, [] { return exhibit::WallTime{}; }, [] { return exhibit::WallTime{}; }, ""},
-        exhibit::Archive::open(folder.path(), {}).archive);
+        {base::Seed{1}, {1, {65, 64, 128}}, [] { return archive::WallTime{}; }, [] { return archive::WallTime{}; }, ""},
+        archive::Archive::open(folder.path(), {}).archive);
     const Finger finger;
     display::testing::ScriptedScreen hardware;
     EmulatedClock clock(hardware);
-    Panel panel(buttons);
+    staff::Panel panel(buttons);
     Latencies latencies;
     std::atomic<bool> stop{false};
     std::size_t closed = 0, opened = 0;
-    std::optional<Instant> waiting;
+    std::optional<base::Instant> waiting;
     bool lamp_before = false;
-    const auto world = [&](Instant now) {
+    const auto world = [&](base::Instant now) {
         while (opened < closed && finger.presses[opened] + 80ms <= now) move(false, finger.presses[opened++] + 80ms);
         while (closed < kPresses && finger.presses[closed] <= now) {
             lamp_before = is_lit();
@@ -114,14 +115,15 @@ Latencies measure(firmware_io::ButtonSource& buttons, const std::function<void(b
         }
         stop = closed == kPresses && opened == kPresses;
     };
-    const auto seen = [&](Instant polled, Instant shown) {
+    const auto seen = [&](base::Instant polled, base::Instant shown) {
         if (!waiting || show.last_press_at() < *waiting - kPeriod) return;
         latencies.frame.push_back(shown - *waiting);
         if (is_lit() != lamp_before) latencies.lamp.push_back(polled - *waiting);
         waiting.reset();
     };
     EmulatedScreen screen(hardware, world, seen);
-    RunLoopParts parts{configuration, clock, screen, panel, buttons, show};
+    tempo::Tempo tempo({tempo::Governing::Fixed, {}});
+    RunLoopParts parts{configuration, clock, screen, panel, buttons, show, tempo};
     parts.stop = &stop;
     run_loop(parts);
     return latencies;
@@ -143,7 +145,7 @@ TEST(Latency, FromAGpioEdgeToTheFrameAndToTheLamp) {
     firmware_io::gpio::GpioButtons buttons{std::make_unique<tests::FakeGpioHost>(machine), wiring};
     const firmware_io::gpio::LinePlace contact{"/dev/gpiochip0", 0}, lamp{"/dev/gpiochip0", 1};
     const Latencies latencies = measure(
-        buttons, [&](bool is_closed, Instant at) { machine->move(contact, is_closed, at); },
+        buttons, [&](bool is_closed, base::Instant at) { machine->move(contact, is_closed, at); },
         [&] { return machine->lit[lamp]; });
     expect_prompt(latencies);
     // A lamp that breathes may be dark just then: most presses are seen in it, and all of those at once.
@@ -156,7 +158,7 @@ TEST(Latency, FromAHidReportToTheFrame) {
     const auto device = tests::five_button_device();
     firmware_io::hid::HidButtons buttons{std::make_unique<tests::FakeHidHost>(tests::FakeHidDevices{device}), {}};
     const Latencies latencies = measure(
-        buttons, [&](bool is_closed, Instant) { device->send({static_cast<std::uint8_t>(is_closed ? 2 : 0)}); },
+        buttons, [&](bool is_closed, base::Instant) { device->send({static_cast<std::uint8_t>(is_closed ? 2 : 0)}); },
         [] { return false; });
     expect_prompt(latencies);
 }

@@ -13,16 +13,16 @@
 namespace quadrat::kiosk {
 namespace {
 
-using exhibit::WallTime;
+using archive::WallTime;
 using genome::Aspect;
 using genome::WordId;
 using namespace std::chrono_literals;
 
-const WallTime kNoon{std::chrono::sys_days{std::chrono::year{2031} / 2 / 3} + 12h};
+const archive::WallTime kNoon{std::chrono::sys_days{std::chrono::year{2031} / 2 / 3} + 12h};
 
 // What a visitor says who sees scenes as the map of now means them.
-exhibit::WordAnswers sensible_answers(int count) {
-    exhibit::WordAnswers answers;
+archive::WordAnswers sensible_answers(int count) {
+    archive::WordAnswers answers;
     base::RandomStream chance{base::Seed{8}};
     for (int i = 0; i < count; ++i) {
         genome::WordAnswer answer;
@@ -38,7 +38,7 @@ exhibit::WordAnswers sensible_answers(int count) {
     return answers;
 }
 
-bool learn(School& school, const exhibit::WordAnswers& answers) {
+bool learn(School& school, const archive::WordAnswers& answers) {
     school.begin(answers);
     school.wait();
     return school.take();
@@ -108,7 +108,7 @@ TEST(School, RemembersWhatItLearntWhenTheAnswersAreLost) {
 }
 
 TEST(Night, ChangesAtThreeInTheMorning) {
-    const WallTime midnight{std::chrono::sys_days{std::chrono::year{2031} / 2 / 3}};
+    const archive::WallTime midnight{std::chrono::sys_days{std::chrono::year{2031} / 2 / 3}};
     EXPECT_EQ(night_of(midnight + 3h), night_of(midnight + 26h + 59min));
     EXPECT_EQ(night_of(midnight + 2h + 59min) + 1, night_of(midnight + 3h));
 }
@@ -128,7 +128,7 @@ class ShowAtNight : public testing::Test {
         options.local_time = [this] { return local_; };
         options.state = folder_.path();
         auto show =
-            std::make_unique<Show>(configuration_, options, exhibit::Archive::open(folder_.path(), kNoon).archive);
+            std::make_unique<Show>(configuration_, options, archive::Archive::open(folder_.path(), kNoon).archive);
         show->open(now_);
         settle(*show);
         return show;
@@ -146,9 +146,11 @@ class ShowAtNight : public testing::Test {
     }
     void visit_describing(Show& show, exhibit::Choice answer) {
         using exhibit::Choice;
-        for (const Choice button : {Choice::A, Choice::A, Choice::B, Choice::C}) press(show, button);
+        for (const exhibit::Choice button :
+             {exhibit::Choice::A, exhibit::Choice::A, exhibit::Choice::B, exhibit::Choice::C})
+            press(show, button);
         ASSERT_EQ(show.state().screen, exhibit::Screen::Finale);
-        press(show, Choice::A);
+        press(show, exhibit::Choice::A);
         for (int word = 0; word < configuration_.visit.describe_words; ++word) {
             ASSERT_EQ(show.state().screen, exhibit::Screen::Describe);
             ASSERT_TRUE(show.asked());
@@ -160,16 +162,16 @@ class ShowAtNight : public testing::Test {
     std::size_t taught() { return site_words(folder_.path()).lessons.visitors.size(); }
 
     tests::TemporaryFolder folder_;
-    Configuration configuration_;
-    WallTime local_ = kNoon;
-    Instant now_{0};
+    site::Configuration configuration_;
+    archive::WallTime local_ = kNoon;
+    base::Instant now_{0};
 };
 
 TEST_F(ShowAtNight, AsksForOneWordOfEachAspectAndKeepsTheAnswers) {
     auto show = opened();
     visit_describing(*show, exhibit::Choice::D);
     show.reset();  // all is kept
-    const auto answers = exhibit::Archive::open(folder_.path(), kNoon).archive.word_answers().readable;
+    const auto answers = archive::Archive::open(folder_.path(), kNoon).archive.word_answers().readable;
     ASSERT_EQ(answers.size(), 3U);
     std::set<Aspect> asked;
     for (const genome::WordAnswer& answer : answers) {
@@ -184,7 +186,9 @@ TEST_F(ShowAtNight, AsksForOneWordOfEachAspectAndKeepsTheAnswers) {
 TEST_F(ShowAtNight, SettingsMayChangeWhileItAsks) {
     auto show = opened();
     using exhibit::Choice;
-    for (const Choice button : {Choice::A, Choice::A, Choice::B, Choice::C, Choice::A}) press(*show, button);
+    for (const exhibit::Choice button :
+         {exhibit::Choice::A, exhibit::Choice::A, exhibit::Choice::B, exhibit::Choice::C, exhibit::Choice::A})
+        press(*show, button);
     ASSERT_EQ(show->state().screen, exhibit::Screen::Describe);
     configuration_.visit.describe_words = 10;
     configuration_.visit.language = "de";
@@ -193,22 +197,22 @@ TEST_F(ShowAtNight, SettingsMayChangeWhileItAsks) {
     for (int word = 0; word < 10; ++word) {
         ASSERT_EQ(show->state().screen, exhibit::Screen::Describe) << word;
         ASSERT_TRUE(show->asked());
-        press(*show, Choice::B);
+        press(*show, exhibit::Choice::B);
     }
     EXPECT_EQ(show->state().screen, exhibit::Screen::Attract);
-    press(*show, Choice::A);
+    press(*show, exhibit::Choice::A);
     EXPECT_EQ(show->state().screen, exhibit::Screen::Ask);
 }
 
 TEST_F(ShowAtNight, TrainsAtItsStartAndEveryNightButNotByDay) {
     {
-        exhibit::Archive archive = exhibit::Archive::open(folder_.path(), kNoon).archive;
+        archive::Archive archive = archive::Archive::open(folder_.path(), kNoon).archive;
         for (const auto& answer : sensible_answers(20).readable)
             EXPECT_EQ(archive.keep_word(answer, kNoon), std::nullopt);
     }
     auto show = opened();
     EXPECT_EQ(taught(), 20U) << "at its start";
-    exhibit::Archive beside = exhibit::Archive::open(folder_.path(), kNoon).archive;
+    archive::Archive beside = archive::Archive::open(folder_.path(), kNoon).archive;
     for (const auto& answer : sensible_answers(30).readable) EXPECT_EQ(beside.keep_word(answer, kNoon), std::nullopt);
     local_ += 14h;  // two in the night
     settle(*show);
@@ -237,30 +241,30 @@ TEST_F(ShowAtNight, SlidersAreTurnedTakenBackAndTakenUpAfterAPowerCut) {
     configuration_.breeding.breeder = "sliders";
     auto show = opened();
     using exhibit::Choice;
-    press(*show, Choice::A);
+    press(*show, exhibit::Choice::A);
     ASSERT_EQ(show->state().screen, exhibit::Screen::Slide);
     ASSERT_TRUE(show->asked() && show->asked()->slider);
     EXPECT_EQ(show->asked()->slider->share, 0.5F);
     EXPECT_EQ(show->on_stage().scenes.size(), 1U);
     const genome::Recipe before = show->on_stage().recipes.front();
-    press(*show, Choice::D);
+    press(*show, exhibit::Choice::D);
     EXPECT_EQ(show->asked()->slider->share, 0.75F);
     const genome::Recipe turned = show->on_stage().recipes.front();
     EXPECT_NE(turned.values, before.values);
     EXPECT_EQ(turned.seeds, before.seeds);
     EXPECT_EQ(turned.flight, before.flight) << "seen from the same place";
-    press(*show, Choice::D);
-    press(*show, Choice::Back);
+    press(*show, exhibit::Choice::D);
+    press(*show, exhibit::Choice::Back);
     EXPECT_EQ(show->on_stage().recipes.front(), turned);
     show.reset();  // the plug is pulled
     show = opened();
     EXPECT_EQ(show->state().screen, exhibit::Screen::Slide);
     EXPECT_EQ(show->on_stage().recipes.front(), turned);
-    press(*show, Choice::B);
+    press(*show, exhibit::Choice::B);
     const std::string high = show->asked()->slider->high;
     EXPECT_EQ(high, genome::language("en").end(WordId::sparse, true));
-    press(*show, Choice::C);
-    press(*show, Choice::C);
+    press(*show, exhibit::Choice::C);
+    press(*show, exhibit::Choice::C);
     EXPECT_EQ(show->state().screen, exhibit::Screen::Finale) << "three actions are a round";
 }
 

@@ -61,7 +61,7 @@ class WatchedScreen : public display::Display {
     std::string renderer() const override { return ""; }
     display::Canvas canvas() const override { return {}; }
     display::Canvas begin_frame() override { return {}; }
-    display::Presented present() override {
+    display::Presented present(const tempo::HandOver&) override {
         auto& told = with_landscapes == 0 ? before_first : with_landscapes == 1 ? before_second : later;
         for (std::string& line : systemd_.take()) told.push_back(std::move(line));
         if (!show_.on_stage().scenes.empty() && ++with_landscapes == 3) stop_ = true;
@@ -87,18 +87,19 @@ bool has(const std::vector<std::string>& told, std::string_view beginning) {
 TEST(Service, IsReadyOnceAFrameWithLandscapesIsOutAndHasTimeUntilThen) {
     const tests::TemporaryFolder folder;
     const NotifySocket systemd(folder.path());
-    Configuration configuration;
+    site::Configuration configuration;
     configuration.picture.land_samples = 65;
     Show show(
         configuration,
-        {base::Seed{1}, {1, {65, 64, 128}}, [] { return exhibit::WallTime{}; }, [] { return exhibit::WallTime{}; }, ""},
-        exhibit::Archive::open(folder.path(), {}).archive);
+        {base::Seed{1}, {1, {65, 64, 128}}, [] { return archive::WallTime{}; }, [] { return archive::WallTime{}; }, ""},
+        archive::Archive::open(folder.path(), {}).archive);
     firmware_io::MergedButtons buttons{{}};
-    Panel panel(buttons);
+    staff::Panel panel(buttons);
     std::atomic<bool> stop{false};
     WatchedScreen screen(systemd, show, stop);
-    SteadyClock clock;
-    RunLoopParts parts{configuration, clock, screen, panel, buttons, show};
+    base::SteadyClock clock;
+    tempo::Tempo tempo({tempo::Governing::Fixed, {}});
+    RunLoopParts parts{configuration, clock, screen, panel, buttons, show, tempo};
     parts.stop = &stop;
     run_loop(parts);
     ASSERT_EQ(screen.with_landscapes, 3);

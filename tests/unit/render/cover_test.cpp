@@ -23,7 +23,7 @@ CoverOfScene meadow() {
         cell.high_m = {2, 0.5F, -near_m};
         cell.counts = {70, 20, 5, 5};
         for (int tuft = 0; tuft < 100; ++tuft)
-            cover.tufts.push_back({{0, 0, -near_m - 0.04F * static_cast<float>(tuft)}, {}, {200, 200, 200, 200}, {}});
+            cover.tufts.push_back({{0, 0, -near_m - 0.04F * static_cast<float>(tuft)}, {0.4F, 0}, 0.3F, {200, 200, 200, 200}});
         cover.cells.push_back(cell);
     }
     return cover;
@@ -55,7 +55,7 @@ TEST(Cover, PalesIntoTheAirWithDistance) {
     for (const CoverInstance& a : seen.instances)
         for (const CoverInstance& b : seen.instances) {
             if (a.root_m.z <= b.root_m.z) continue;  // b is farther
-            ASSERT_LE(a.veil[0], b.veil[0]);
+            ASSERT_LE(a.veil_gust[0], b.veil_gust[0]);
             ASSERT_GE(a.ground_lit[0], b.ground_lit[0]);
         }
 }
@@ -64,15 +64,15 @@ TEST(Cover, NamesEachInstanceOfEachBatchOnce) {
     const CoverSeen seen = seen_at(1);
     ASSERT_FALSE(seen.batches.empty());
     std::size_t next = 0;
-    std::size_t triangles = 0;
+    std::size_t parts = 0;
     for (const CoverSeen::Batch& batch : seen.batches) {
         EXPECT_EQ(batch.first, next);
-        EXPECT_GT(batch.blades, 0U);
+        EXPECT_GT(batch.parts, 0U);
         next += batch.count;
-        triangles += batch.count * batch.blades;
+        parts += batch.count * batch.parts;
     }
     EXPECT_EQ(next, seen.instances.size());
-    EXPECT_EQ(triangles, seen.triangles);
+    EXPECT_GE(seen.triangles, parts);
 }
 
 TEST(Cover, DrawsFewerBladesOfWhatIsFarther) {
@@ -82,7 +82,7 @@ TEST(Cover, DrawsFewerBladesOfWhatIsFarther) {
     ASSERT_NE(first, seen.batches.end());
     for (const CoverSeen::Batch& batch : seen.batches) {
         if (!grass(batch)) continue;
-        EXPECT_LE(batch.blades, first->blades);
+        EXPECT_LE(batch.parts, first->parts);
     }
     EXPECT_LT(seen.triangles, seen.instances.size() * 20);
 }

@@ -105,6 +105,74 @@ TEST(Crowd, DrawsTheBladesItsInstancesAskFor) {
     }
 }
 
+// Ten rows of trees, one behind the other.
+std::vector<scene::Plant> rows() {
+    std::vector<scene::Plant> plants;
+    for (int row = 0; row < 10; ++row) {
+        for (int k = -12; k <= 12; ++k) {
+            scene::Plant plant;
+            plant.root_m = {2.5F * static_cast<float>(k) + 0.7F * static_cast<float>(row % 3), 0,
+                            -40.0F - 6.0F * static_cast<float>(row)};
+            plants.push_back(plant);
+        }
+    }
+    return plants;
+}
+
+Gathering seen_with_crowns() {
+    Gathering g = looking_from_the_camera();
+    g.view.clip_from_world = scene::clip_from_view(kCamera, 16.0F / 9) * scene::view_from_world(kCamera);
+    return g;
+}
+
+TEST(Crowd, DrawsLessOfWhatStandsBehindOtherCrowns) {
+    const auto plants = rows();
+    Kind kind = leafy();
+    kind.crown_m = 3;
+    std::vector<Instance> all;
+    const std::vector<Kind> clear{kind};
+    const Crowd before = gathered(plants, clear, seen_with_crowns(), all);
+    kind.opacity = 0.85F;
+    std::vector<Instance> some;
+    const std::vector<Kind> opaque{kind};
+    const Crowd now = gathered(plants, opaque, seen_with_crowns(), some);
+    EXPECT_LT(some.size(), all.size());
+    EXPECT_LT(now.triangles, before.triangles / 2);
+    // Of the first row none is missing, and none has fewer blades.
+    const auto share_of = [](const std::vector<Instance>& instances, const scene::Plant& plant) {
+        const auto at = std::ranges::find_if(
+            instances, [&](const Instance& i) { return glm::vec3{i.root_scale} == plant.root_m; });
+        return at == instances.end() ? 0.0F : at->turn_grown_share.w;
+    };
+    for (const scene::Plant& plant : plants) {
+        EXPECT_LE(share_of(some, plant), share_of(all, plant));
+        if (plant.root_m.z > -41) {
+            EXPECT_GT(share_of(some, plant), 0.5F * share_of(all, plant));
+        }
+    }
+}
+
+// However plants stand before each other, a batch's instances are those that ask for it.
+TEST(Crowd, BatchesOfHalfHiddenPlantsHoldTheirOwn) {
+    const auto plants = rows();
+    Kind kind = leafy();
+    kind.crown_m = 3;
+    kind.opacity = 0.6F;
+    const std::vector<Kind> kinds{kind};
+    std::vector<Instance> instances;
+    const Crowd crowd = gathered(plants, kinds, seen_with_crowns(), instances, 60'000);
+    std::vector<int> parts(instances.size());
+    for (const Batch& batch : crowd.batches) {
+        ASSERT_LE(batch.first + batch.count, instances.size());
+        for (std::size_t i = batch.first; i < batch.first + batch.count; ++i) {
+            ++parts[i];
+            const bool are_leaves = batch.part == Batch::Part::Leaves;
+            EXPECT_TRUE(!are_leaves || static_cast<float>(batch.blades) + 0.5F >= instances[i].turn_grown_share.w * 2100.0F);
+        }
+    }
+    EXPECT_TRUE(std::ranges::all_of(parts, [](int n) { return n >= 1 && n <= 3; }));
+}
+
 TEST(Crowd, WithinASpeciesNearPlantsComeBeforeFarOnes) {
     auto plants = forest(1500, 0);
     for (scene::Plant& plant : plants) plant.scale = 1;

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "benches/benches.hpp"
+#include "scene/parameters.hpp"
+#include "synthesis/grow.hpp"
+#include "synthesis/land/drainage.hpp"
+#include "synthesis/land/erosion.hpp"
+#include "synthesis/land/field_methods.hpp"
+#include "synthesis/land/rivers.hpp"
+
+namespace quadrat::benches {
+namespace {
+
+using namespace synthesis::land;
+
+class Threads {
+  public:
+    explicit Threads(int count)
+        : limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count)) {}
+
+  private:
+    tbb::global_control limit_;
+};
+
+// The best of several: what the work costs when nothing else is in its way.
+double best_ms(int runs, const std::function<void()>& work) {
+    double best = milliseconds_of(work);
+    for (int i = 1; i < runs; ++i) best = std::min(best, milliseconds_of(work));
+    return best;
+}
+
+// The same in processor time, for work on one core: what others do on the machine does not count.
+double best_cpu_ms(int runs, const std::function<void()>& work) {
+    double best = 1.0e30;
+    for (int i = 0; i < runs; ++i) {
+        const double before = machine::cpu_seconds();
+        work();
+        best = std::min(best, 1.0e3 * (machine::cpu_seconds() - before));
+    }
+    return best;
+}
+
+FieldRequest request(int size) {
+    FieldRequest r;
+    r.size = size;
+    r.octaves = 8;
+    r.features = 2.5F;
+    r.seed = base::Seed{5};
+    return r;
+}
+
+// Hills of some two hundred metres, a third of them under the sea.
+mesh::Field hills(int size) {
+    mesh::Field field = make_field(*field_method("fbm"), request(size));
+    for (float& h : field.samples) h = 220 * h + 60;
+    return field;
+}
+
+double msamples_a_second(const char* method, int size) {
+    const double ms = best_cpu_ms(9, [&] { field_method(method)->make(request(size)); });
+    return 1.0e-3 * size * size / ms;
+}
+
+void add_water(Results& results) {
+    const mesh::Field ground = hills(1025);
+    const auto work = [&] { drained_area_m2(drain(ground, 0), 2); };
+    {
+        const Threads one(1);
+        results.push_back({"land.water_ms", best_cpu_ms(9, work), "ms", 1});
+    }
+    const Threads two(2);
+    results.push_back({"land.water_ms", best_ms(9, work), "ms", 2});
+}
+
+void add_erosion(Results& results) {
+    const mesh::Field ground = hills(513);
+    for (const int threads : {1, 2}) {
+        const Threads some(threads);
+        const double ms = best_ms(9, [&] {
+            mesh::Field carved = ground;
+            carve_valleys(carved, 2, {});
+        });
+        results.push_back({"land.erosion_ms", ms, "ms", threads});
+    }
+}
+
+// Heights, valleys and water of ever larger fields of one cell: the slope of log time over log cells.
+double cost_exponent() {
+    std::vector<double> xs;
+    std::vector<double> ys;
+    for (int size = 257; size <= 4097; size = 2 * size - 1) {
+        const double ms = best_cpu_ms(size < 1000 ? 5 : 2, [&] {
+            mesh::Field field = hills(size);
+            carve_valleys(field, 2, {});
+            make_fresh_water(field, 2, {});
+        });
+        xs.push_back(2 * std::log(static_cast<double>(size)));
+        ys.push_back(std::log(ms));
+    }
+    const auto n = static_cast<double>(xs.size());
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (std::size_t i = 0; i < xs.size(); ++i) {
+        sx += xs[i];
+        sy += ys[i];
+        sxx += xs[i] * xs[i];
+        sxy += xs[i] * ys[i];
+    }
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+}  // namespace
+
+void land(Results& results) {
+    {
+        const Threads one(1);
+        results.push_back({"land.fbm_msamples", msamples_a_second("fbm", 1025), "Msamples/s", 1});
+        results.push_back({"land.diamond_square_msamples", msamples_a_second("diamond-square", 2049), "Msamples/s", 1});
+    }
+    add_water(results);
+    add_erosion(results);
+    {
+        const Threads one(1);
+        results.push_back({"land.cost_exponent", cost_exponent(), "of cells", 1});
+    }
+    over_threads(results, "land.scene_ms", [](const genome::Recipe& r) {
+        synthesis::grow_land(scene::realise(r.values).land, r.seeds[genome::Aspect::Land]);
+    });
+    const double four_ms = best_ms(5, [] {
+        for (std::uint64_t i = 1; i <= genome::kCandidates; ++i) {
+            const genome::Recipe r = genome::random_recipe(base::Seed{i});
+            synthesis::grow_land(scene::realise(r.values).land, r.seeds[genome::Aspect::Land]);
+        }
+    });
+    results.push_back({"land.generation_ms", four_ms, "ms", cores()});
+}
+
+}  // namespace quadrat::benches

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text_file.hpp"
+#include "commands/commands.hpp"
+#include "pictures/image_file.hpp"
+#include "pictures/mask.hpp"
+#include "pictures/picture.hpp"
+#include "pictures/relief.hpp"
+#include "synthesis/land/constraint_text.hpp"
+#include "synthesis/land/erosion.hpp"
+#include "synthesis/land/field_methods.hpp"
+#include "synthesis/land/masks.hpp"
+
+namespace quadrat::commands {
+namespace {
+
+namespace land = synthesis::land;
+using synthesis::noise::Window;
+
+struct Options {
+    std::string method;
+    std::string output;
+    int size = 513;
+    std::uint64_t seed = 1;
+    float features = 4;
+    int octaves = 9;
+    float gain = 0.5F;
+    std::string window;
+    std::string fix_file;
+    std::string line_file;
+    std::string mask_file;
+    std::string mask_range;
+    std::optional<float> mask_nodata;
+    std::vector<float> mask_heights{-1, 1};
+    int mask_reach = 0;  // 0: a thirty-second of the size
+    std::vector<float> range{-2, 2};
+    float burrs = 0;
+    int smooth = 0;
+    int erode = 0;
+    float repose_deg = 0;
+    bool is_relief = false;
+
+    bool has_filters() const { return burrs > 0 || smooth > 0 || erode > 0 || repose_deg > 0; }
+    bool needs_the_whole() const { return has_filters() || !mask_file.empty(); }
+};
+
+struct Interrupted {};
+
+volatile std::sig_atomic_t is_interrupted = 0;
+
+// While it lives, Ctrl-C and a polite kill are noted instead of obeyed.
+class InterruptsNoted {
+  public:
+    InterruptsNoted() {
+        is_interrupted = 0;
+        before_int_ = std::signal(SIGINT, note);
+        before_term_ = std::signal(SIGTERM, note);
+    }
+    ~InterruptsNoted() {
+        std::signal(SIGINT, before_int_);
+        std::signal(SIGTERM, before_term_);
+    }
+    InterruptsNoted(const InterruptsNoted&) = delete;
+    InterruptsNoted& operator=(const InterruptsNoted&) = delete;
+
+  private:
+    static void note(int) { is_interrupted = 1; }
+    void (*before_int_)(int);
+    void (*before_term_)(int);
+};
+
+void obey_interrupts() {
+    if (is_interrupted != 0) throw Interrupted{};
+}
+
+// Says on standard error how far a long piece of work is; short ones say nothing.
+class Progress {
+  public:
+    explicit Progress(std::string what) : what_(std::move(what)) {}
+    ~Progress() {
+        if (has_spoken_ && is_terminal_) std::fputc('\n', stderr);
+    }
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void at(double share) {
+        obey_interrupts();
+        const int percent = static_cast<int>(100 * share);
+        const auto since = std::chrono::steady_clock::now() - start_;
+        if (since < std::chrono::milliseconds(700) || percent < said_ + (is_terminal_ ? 1 : 10)) return;
+        std::fprintf(stderr, is_terminal_ ? "\r%s: %d %%" : "%s: %d %%\n", what_.c_str(), percent);
+        said_ = percent;
+        has_spoken_ = true;
+    }
+
+  private:
+    std::string what_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    const bool is_terminal_ = ::isatty(STDERR_FILENO) == 1;
+    int said_ = 0;
+    bool has_spoken_ = false;
+};
+
+Window window_from(const std::string& text, int size) {
+    if (text.empty()) return {0, 0, size, size};
+    Window w;
+    char rest = 0;
+    const int read = std::sscanf(text.c_str(), "%d,%d,%d,%d%c", &w.column, &w.row, &w.columns, &w.rows, &rest);
+    if (read != 4 || w.columns < 1 || w.rows < 1)
+        throw base::InputError(
+            fmt::format("--window {}: write COLUMN,ROW,WIDTH,HEIGHT in samples, as 64,0,128,128", text));
+    return w;
+}
+
+std::vector<const land::FieldMethod*> methods_from(const Options& options) {
+    std::vector<const land::FieldMethod*> methods;
+    for (std::size_t at = 0; at <= options.method.size();) {
+        const std::size_t end = std::min(options.method.find(',', at), options.method.size());
+        const std::string name = options.method.substr(at, end - at);
+        at = end + 1;
+        const land::FieldMethod* found = land::field_method(name);
+        if (found == nullptr && name != "all") {
+            std::vector<std::string_view> names;
+            for (const land::FieldMethod& m : land::field_methods()) names.push_back(m.name);
+            throw base::InputError(fmt::format("{} is not a method; there are {}", name, fmt::join(names, ", ")));
+        }
+        for (const land::FieldMethod& m : land::field_methods())
+            if (name == "all" || m.name == name) methods.push_back(&m);
+    }
+    if (methods.size() > 1 && !options.is_relief)
+        throw base::InputError("several methods are drawn side by side with --relief; a field is one method's");
+    return methods;
+}
+
+land::FieldRequest request_from(const Options& options) {
+    land::FieldRequest request;
+    request.size = options.size;
+    request.seed = base::Seed{options.seed};
+    request.features = options.features;
+    request.octaves = options.octaves;
+    request.gain = options.gain;
+    request.window = window_from(options.window, options.size);
+    if (!options.fix_file.empty())
+        request.fixed = land::fixed_points_from(base::read_text(options.fix_file), options.fix_file);
+    if (!options.line_file.empty())
+        request.lines = land::lines_from(base::read_text(options.line_file), options.line_file);
+    land::check(request);
+    return request;
+}
+
+// The method's own field, a band after the other.
+mesh::Field in_bands(const land::FieldMethod& method, land::FieldRequest request, const Window& window,
+                     Progress& progress) {
+    constexpr int kSamplesABand = 1 << 20;
+    const int band = std::max(16, kSamplesABand / window.columns);
+    mesh::Field field(window.columns, window.rows);
+    request.fixed.clear();
+    request.lines.clear();
+    for (int row = 0; row < window.rows; row += band) {
+        request.window = {window.column, window.row + row, window.columns, std::min(band, window.rows - row)};
+        const mesh::Field part = method.make(request);
+        std::copy(part.samples.begin(), part.samples.end(),
+                  field.samples.begin() + static_cast<std::ptrdiff_t>(field.index(0, row)));
+        progress.at(static_cast<double>(row + band) / window.rows);
+    }
+    return field;
+}
+
+void condition(mesh::Field& field, const Window& window, const land::Conditions& conditions, Progress& progress) {
+    constexpr int kBand = 64;
+    for (int row = 0; row < window.rows; row += kBand) {
+        const Window of{window.column, window.row + row, window.columns, std::min(kBand, window.rows - row)};
+        mesh::Field part(of.columns, of.rows);
+        const auto first = field.samples.begin() + static_cast<std::ptrdiff_t>(field.index(0, row));
+        std::copy(first, first + static_cast<std::ptrdiff_t>(part.samples.size()), part.samples.begin());
+        conditions.apply(part, of);
+        std::copy(part.samples.begin(), part.samples.end(), first);
+        progress.at(static_cast<double>(row + kBand) / window.rows);
+    }
+}
+
+mesh::Field mask_for(const Options& options) {
+    std::optional<pictures::MaskRange> range;
+    if (!options.mask_range.empty()) range = pictures::mask_range_from(options.mask_range);
+    pictures::Mask mask = pictures::mask_from(pictures::read_grey_picture(options.mask_file), options.mask_file, range,
+                                              options.mask_nodata);
+    if (mask.holes > 0)
+        std::fprintf(stderr, "%s: %zu of %zu samples are holes; they have what is around them\n",
+                     options.mask_file.c_str(), mask.holes, mask.share.samples.size());
+    if (mask.cut > 0)
+        std::fprintf(stderr, "%s: %zu samples beyond --mask-range %s were cut\n", options.mask_file.c_str(), mask.cut,
+                     options.mask_range.c_str());
+    return std::move(mask.share);
+}
+
+void follow(mesh::Field& field, const Options& options) {
+    mesh::Field mask = mask_for(options);
+    for (float& h : mask.samples) h = options.mask_heights[0] + h * (options.mask_heights[1] - options.mask_heights[0]);
+    const int reach = options.mask_reach > 0 ? options.mask_reach : std::max(1, options.size / 32);
+    const float left = land::follow_mask(field, mask, reach);
+    std::fprintf(stderr, "%s: met within %.4f in the mean over %d by %d samples\n", options.mask_file.c_str(),
+                 static_cast<double>(left), 2 * reach + 1, 2 * reach + 1);
+}
+
+// Erosion thinks in metres: a sample is one, and a height of 1 a ninth of the field's side.
+void filter(mesh::Field& field, const Options& options) {
+    if (options.burrs > 0) land::remove_burrs(field, options.burrs, 3);
+    if (options.smooth > 0) land::smooth(field, options.smooth);
+    if (options.erode == 0 && !(options.repose_deg > 0)) return;
+    constexpr float kCell_m = 2;
+    const float unit_m = kCell_m * static_cast<float>(options.size - 1) / 9;
+    for (float& h : field.samples) h *= unit_m;
+    Progress progress("eroding");
+    for (int step = 0; step < options.erode; ++step) {
+        land::erode_by_streams(field, kCell_m, {.steps = 1, .sea_m = -1.0e9F});
+        progress.at(static_cast<double>(step + 1) / options.erode);
+    }
+    constexpr int kSlides = 400;
+    const float slope = std::tan(options.repose_deg * std::numbers::pi_v<float> / 180.0F);
+    for (int slides = 0; options.repose_deg > 0 && slides < kSlides; slides += 10) {
+        if (land::slide_to_repose(field, kCell_m, slope, 10) <= slope) break;
+        progress.at(static_cast<double>(slides) / kSlides);
+    }
+    for (float& h : field.samples) h /= unit_m;
+}
+
+mesh::Field cut_out(const mesh::Field& field, const Window& w) {
+    mesh::Field part(w.columns, w.rows);
+    for (int y = 0; y < w.rows; ++y)
+        for (int x = 0; x < w.columns; ++x) part.at(x, y) = field.at(w.column + x, w.row + y);
+    return part;
+}
+
+mesh::Field make(const land::FieldMethod& method, const Options& options, const land::FieldRequest& request) {
+    const Window whole{0, 0, options.size, options.size};
+    const Window& made = options.needs_the_whole() ? whole : request.window;
+    Progress progress(std::string(method.name));
+    mesh::Field field = in_bands(method, request, made, progress);
+    if (!options.mask_file.empty()) follow(field, options);
+    if (!request.fixed.empty() || !request.lines.empty()) {
+        land::FieldRequest alone = request;
+        alone.fixed.clear();
+        alone.lines.clear();
+        const land::Conditions conditions(request, [&](int column, int row) {
+            if (!options.mask_file.empty()) return field.at(column, row);
+            alone.window = {column, row, 1, 1};
+            return method.make(alone).at(0, 0);
+        });
+        Progress meeting("meeting what is known");
+        condition(field, made, conditions, meeting);
+    }
+    if (options.has_filters()) filter(field, options);
+    return options.needs_the_whole() ? cut_out(field, request.window) : field;
+}
+
+void write(const mesh::Field& field, const Options& options) {
+    const float low = options.range[0];
+    const float high = options.range[1];
+    const bool is_png = base::ending_of(options.output) == ".png";
+    const std::string bytes = is_png ? pictures::encoded_heights(options.output, field, low, high)
+                                     : pictures::encoded_field(options.output, field);
+    obey_interrupts();
+    base::write_file(options.output, bytes);
+    const auto cut = std::ranges::count_if(field.samples, [&](float h) { return h < low || h > high; });
+    if (is_png && cut > 0)
+        std::fprintf(stderr, "%s: %td heights beyond %g to %g were cut; --range LOW HIGH sets it\n",
+                     options.output.c_str(), cut, static_cast<double>(low), static_cast<double>(high));
+}
+
+void draw_side_by_side(const std::vector<const land::FieldMethod*>& methods, const Options& options,
+                       const land::FieldRequest& request) {
+    constexpr int kSide_px = 480;
+    std::vector<pictures::SheetEntry> entries;
+    for (const land::FieldMethod* method : methods)
+        entries.push_back(
+            {pictures::draw_relief(make(*method, options, request), kSide_px, 0.28F), std::string(method->name)});
+    const auto columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(entries.size()))));
+    obey_interrupts();
+    pictures::write_image(options.output, pictures::contact_sheet(entries, columns, kSide_px));
+}
+
+void check(const Options& options) {
+    if (options.is_relief)
+        base::require_ending(options.output, {".png"}, "a relief");
+    else
+        base::require_ending(options.output, {".exr", ".tif", ".tiff", ".png"}, "a field");
+    if (!options.mask_range.empty()) pictures::mask_range_from(options.mask_range);
+    if (!(options.range[0] < options.range[1]))
+        throw base::InputError("--range: the first height is black and lower than the second, which is white");
+    constexpr int kLargestEroded = 4097;
+    if (options.erode > 0 && options.size > kLargestEroded)
+        throw base::InputError(
+            fmt::format("--erode: a field of {} samples a side; to {} can be eroded", options.size, kLargestEroded));
+}
+
+int run(const Options& options) {
+    check(options);
+    const auto methods = methods_from(options);
+    const land::FieldRequest request = request_from(options);
+    const InterruptsNoted noted;
+    try {
+        if (options.is_relief)
+            draw_side_by_side(methods, options, request);
+        else
+            write(make(*methods.front(), options, request), options);
+    } catch (const Interrupted&) {
+        std::fprintf(stderr, "quadrat: interrupted; %s was not written\n", options.output.c_str());
+        return 128 + SIGINT;
+    }
+    return 0;
+}
+
+void add_constraints(CLI::App& command, Options& options) {
+    command.add_option("--fix", options.fix_file, "Known heights: a file of lines, column row height")
+        ->default_str("none");
+    command
+        .add_option("--lines", options.line_file,
+                    "Known crests and beds: a file of lines, ridge|river and three numbers a corner")
+        ->default_str("none");
+    CLI::Option* mask =
+        command.add_option("--mask", options.mask_file, "A grey picture whose broad course the field follows")
+            ->default_str("none");
+    command
+        .add_option("--mask-range", options.mask_range,
+                    "LOW:HIGH, which of its own numbers are its black and white: metres of an elevation model, say")
+        ->default_str("0:1 of floats, all of whole numbers")
+        ->needs(mask);
+    command
+        .add_option("--mask-nodata", options.mask_nodata, "A number that stands for a hole, besides -9999 and its like")
+        ->default_str("none")
+        ->needs(mask);
+    command.add_option("--mask-heights", options.mask_heights, "Heights of its black and its white")
+        ->expected(2)
+        ->capture_default_str();
+    command.add_option("--mask-reach", options.mask_reach, "How broad that is, samples; 0: a 32nd of the size")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+}
+
+void add_filters(CLI::App& command, Options& options) {
+    command.add_option("--burrs", options.burrs, "Take off burrs that stand higher over their neighbours than this")
+        ->check(CLI::Range(0.0F, 10.0F))
+        ->capture_default_str();
+    command.add_option("--smooth", options.smooth, "Mean over this many samples to each side")
+        ->check(CLI::Range(0, 256))
+        ->capture_default_str();
+    command.add_option("--erode", options.erode, "Steps of erosion by streams")
+        ->check(CLI::Range(0, 200))
+        ->capture_default_str();
+    command.add_option("--repose", options.repose_deg, "Let slopes slide to this angle, degrees")
+        ->check(CLI::Range(0.0F, 80.0F))
+        ->default_str("0: none slides");
+}
+
+}  // namespace
+
+void add_field(CLI::App& app, Action& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("field", "Write one heightfield, by any of the methods");
+    command->add_option("method", options->method, "fbm, diamond-square, island …; an unknown one lists them all")
+        ->required();
+    command->add_option("-o,--output", options->output, "NAME.exr or NAME.tif, 32-bit floats; NAME.png, 16-bit")
+        ->required();
+    command->add_option("--size", options->size, "Samples a side, 2 to 8193")->capture_default_str();
+    command->add_option("--seed", options->seed, "Of chance")->capture_default_str();
+    command->add_option("--features", options->features, "Waves of the first octave across the field")
+        ->capture_default_str();
+    command->add_option("--octaves", options->octaves, "1 to 16")->capture_default_str();
+    command->add_option("--gain", options->gain, "Of each octave to the one before; H = -log2 of it")
+        ->capture_default_str();
+    command->add_option("--window", options->window, "COLUMN,ROW,WIDTH,HEIGHT: this part alone, the same to the bit")
+        ->default_str("all of it");
+    command->add_option("--range", options->range, "Heights that are black and white in a PNG")
+        ->expected(2)
+        ->capture_default_str();
+    command->add_flag("--relief", options->is_relief,
+                      "Draw it instead, as a lit block; several methods, or all, side by side");
+    add_constraints(*command, *options);
+    add_filters(*command, *options);
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace quadrat::commands

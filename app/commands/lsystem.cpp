@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/log.hpp"
+#include "base/markup.hpp"
+#include "base/text_file.hpp"
+#include "commands/commands.hpp"
+#include "mesh/model.hpp"
+#include "synthesis/trees/grammar.hpp"
+#include "synthesis/trees/limb_mesh.hpp"
+#include "synthesis/trees/turtle.hpp"
+
+namespace quadrat::commands {
+namespace {
+
+using namespace synthesis::trees;
+
+struct Options {
+    std::string grammar;
+    std::string output;
+    std::string limbs = "swept";
+    int steps = -1;
+    std::uint64_t seed = 1;
+    std::size_t most_symbols = 4U << 20U;
+    bool is_listing = false;
+};
+
+Grammar grammar_from(const std::string& name) {
+    if (std::filesystem::exists(name)) return read_grammar(base::read_text(name), name);
+    const auto& library = grammar_library();
+    const bool is_known = std::ranges::find(library, name, &NamedGrammar::name) != library.end();
+    if (!is_known && name.find_first_of("./") != std::string::npos)
+        throw base::InputError(
+            fmt::format("{}: there is no such file; quadrat lsystem --list names the grammars that come along", name));
+    return library_grammar(name);
+}
+
+// Widths in proportion to the whole: a grammar says how they taper, not how thick a line is in its unit.
+TreeSkeleton skeleton_of(const Grammar& grammar, const Word& word, base::Seed seed) {
+    TurtleOptions options = options_of(grammar);
+    float widest = 1.0e-6F;
+    for (const Word::Symbol& symbol : word.symbols)
+        if (symbol.letter == '!' && symbol.arguments > 0) widest = std::max(widest, word.values[symbol.first]);
+    const bool has_widths = widest > 1.0e-5F;
+    options.radius_per_width = 1.0e-4F;
+    options.least_radius_m = 1.0e-7F;
+    TreeSkeleton skeleton = interpret(word, options, seed);
+    const glm::vec3 size = skeleton.high_m - skeleton.low_m;
+    const float reach = std::max({size.x, size.y, size.z, 1.0e-3F});
+    const float thickest = has_widths ? 0.016F * reach : 0.002F * reach;
+    const float factor = thickest / (1.0e-4F * (has_widths ? widest : std::max(grammar.width, 1.0e-6F)));
+    for (Limb& limb : skeleton.limbs)
+        for (Limb::Node& node : limb.nodes) node.radius_m = std::max(node.radius_m * factor, 3.0e-4F * reach);
+    measure(skeleton);
+    return skeleton;
+}
+
+// Seen from the front, a line a limb's internode and a drop a leaf.
+std::string svg_of(const TreeSkeleton& skeleton, const std::string& name) {
+    constexpr float kSide = 1000;
+    const glm::vec3 size = skeleton.high_m - skeleton.low_m;
+    const float scale = 0.92F * kSide / std::max({size.x, size.y, 1.0e-3F});
+    const float width = std::max(scale * size.x + 0.08F * kSide, 0.2F * kSide);
+    const float height = std::max(scale * size.y + 0.08F * kSide, 0.2F * kSide);
+    const auto x = [&](const glm::vec3& p) {
+        return 0.5F * width + scale * (p.x - 0.5F * (skeleton.low_m.x + skeleton.high_m.x));
+    };
+    const auto y = [&](const glm::vec3& p) { return height - 0.04F * kSide - scale * (p.y - skeleton.low_m.y); };
+    std::string svg = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\">\n<title>{}</title>\n"
+        "<rect width=\"100%\" height=\"100%\" fill=\"#f6f3ea\"/>\n<g stroke=\"#4a3a2c\" stroke-linecap=\"round\">\n",
+        width, height, base::escaped(name));
+    for (const Limb& limb : skeleton.limbs)
+        for (std::size_t i = 1; i < limb.nodes.size(); ++i) {
+            const auto& a = limb.nodes[i - 1];
+            const auto& b = limb.nodes[i];
+            svg += fmt::format(
+                "<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" stroke-width=\"{:.2f}\"/>\n", x(a.at_m),
+                y(a.at_m), x(b.at_m), y(b.at_m), std::max(scale * (a.radius_m + b.radius_m), 0.6F));
+        }
+    svg += "</g>\n<g fill=\"#5c8a3e\">\n";
+    for (const Site& site : skeleton.sites)
+        svg += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\" fill=\"{}\"/>\n", x(site.at_m), y(site.at_m),
+                           site.organ == Organ::Flower ? 5 : 3, site.organ == Organ::Flower ? "#d06a72" : "#5c8a3e");
+    return svg + "</g>\n</svg>\n";
+}
+
+mesh::Model model_of(const TreeSkeleton& skeleton, const std::string& limbs) {
+    scene::Wood wood;
+    if (limbs == "swept") wood = sweep_tubes(skeleton, {});
+    if (limbs == "cylinders") wood = mesh_cylinders(skeleton, 8);
+    if (limbs == "smooth") {
+        const glm::vec3 size = skeleton.high_m - skeleton.low_m;
+        MetaTubeDetail detail;
+        detail.cell_m = std::max({size.x, size.y, size.z, 1.0e-3F}) / 256;
+        detail.sweeps_twigs = false;
+        wood = mesh_meta_tubes(skeleton, detail);
+    }
+    mesh::Model model;
+    model.parts.push_back({"wood", std::move(wood.mesh), {0.2F, 0.14F, 0.09F}});
+    return model;
+}
+
+int derive_and_draw(const Options& options) {
+    if (options.is_listing) {
+        for (const NamedGrammar& one : grammar_library())
+            fmt::print("{:<12} {}\n", one.name, library_grammar(one.name).name);
+        return 0;
+    }
+    if (options.grammar.empty())
+        throw base::InputError("lsystem: name a grammar: a file, or one of quadrat lsystem --list");
+    const std::string ending = base::ending_of(options.output);
+    if (!options.output.empty())
+        base::require_ending(options.output, {".txt", ".svg", ".obj", ".glb"}, "a grammar's word");
+    const Grammar grammar = grammar_from(options.grammar);
+    DeriveOptions how;
+    how.steps = options.steps;
+    how.seed = base::Seed{options.seed};
+    how.most_symbols = options.most_symbols;
+    const Derivation derived = derive(grammar, how);
+    if (!derived.stopped_by.empty())
+        throw base::InputError(
+            fmt::format("{}:{}: after {} steps the word has {} symbols, and one step more would pass {}: it is this "
+                        "production that makes them: {}; ask for fewer --steps or allow more --most-symbols",
+                        options.grammar, derived.stopped_by_line, derived.steps, derived.word.symbols.size(),
+                        how.most_symbols, derived.stopped_by));
+    if (options.output.empty() || ending == ".txt") {
+        const std::string text = text_of(derived.word) + "\n";
+        if (options.output.empty())
+            std::fwrite(text.data(), 1, text.size(), stdout);
+        else
+            base::write_file(options.output, text);
+        return 0;
+    }
+    const TreeSkeleton skeleton = skeleton_of(grammar, derived.word, how.seed.child("turtle"));
+    if (skeleton.limbs.empty())
+        throw base::InputError(fmt::format("{}: its word draws nothing: there is no F in it", options.grammar));
+    if (ending == ".svg") {
+        base::write_file(options.output, svg_of(skeleton, grammar.name.empty() ? options.grammar : grammar.name));
+        return 0;
+    }
+    const mesh::Model model = model_of(skeleton, options.limbs);
+    base::write_file(options.output, ending == ".obj" ? mesh::to_obj(model) : mesh::to_glb(model));
+    return 0;
+}
+
+}  // namespace
+
+void add_lsystem(CLI::App& app, Action& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("lsystem", "Derive a grammar and print, draw or mesh its word");
+    command->add_option("grammar", options->grammar, "A grammar file, or the name of one that comes along")
+        ->default_str("none: needed unless --list is");
+    command
+        ->add_option("-o,--output", options->output,
+                     "NAME.txt, .svg, .obj or .glb; the word on standard output otherwise")
+        ->default_str("standard output");
+    command->add_option("--steps", options->steps, "Derivation steps instead of the grammar's own")
+        ->check(CLI::Range(0, 10'000))
+        ->default_str("the grammar's");
+    command->add_option("--seed", options->seed, "Names the chance of productions that are drawn")
+        ->capture_default_str();
+    command->add_option("--limbs", options->limbs, "Of a mesh: swept, smooth or cylinders")
+        ->check(CLI::IsMember({"swept", "smooth", "cylinders"}))
+        ->capture_default_str();
+    command->add_option("--most-symbols", options->most_symbols, "Where a word that explodes is stopped")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 26U))
+        ->capture_default_str();
+    command->add_flag("--list", options->is_listing, "Name the grammars that come along");
+    command->callback([options, &chosen] { chosen = [options] { return derive_and_draw(*options); }; });
+}
+
+}  // namespace quadrat::commands

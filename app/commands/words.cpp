@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+
+#include "archive/word_answers.hpp"
+#include "backup/staged.hpp"
+#include "backup/state_hold.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text_file.hpp"
+#include "breeding/words/own_word.hpp"
+#include "commands/commands.hpp"
+#include "genome/speech.hpp"
+#include "kiosk/school.hpp"
+#include "nursery/growing.hpp"
+#include "pictures/tree_view.hpp"
+#include "site/state_folder.hpp"
+#include "stage/easel.hpp"
+
+namespace quadrat::commands {
+namespace {
+
+struct Options {
+    std::string language = "en";
+    std::string state;
+    std::string output;
+    std::vector<std::string> files;
+    bool is_anyway = false;
+    bool is_sure = false;
+    double value = 1;
+    std::string size = "320x180";
+    int steps = 5;
+    std::uint64_t seed = 1;
+};
+
+// With --state the site's own; otherwise the one that the program brings along.
+breeding::WordMap map_for(const Options& options) {
+    return options.state.empty() ? breeding::default_word_map()
+                                 : kiosk::site_words(site::existing_state_folder(options.state)).map;
+}
+
+int show(const Options& options) {
+    const breeding::WordMap map = map_for(options);
+    const genome::Language& language = genome::language(options.language);
+    for (const genome::Aspect aspect : genome::kAspects) {
+        int scenes = 0;
+        for (const breeding::DescribedScene& scene : map.scenes()) scenes += scene.aspect == aspect;
+        fmt::print("{}: {} described scenes; a scene told from the others is off by {:.0f} % of a range\n",
+                   name_of(aspect), scenes, 100 * map.leave_one_out(aspect));
+        for (const genome::Word& word : genome::vocabulary(aspect))
+            fmt::print("  {:<14} {} ← → {}    {}\n", word.name, language.end(word.id, false),
+                       language.end(word.id, true), word.meaning);
+    }
+    return 0;
+}
+
+// Said of a tree, and seen beside it; the other words for trees are said of the stand.
+bool is_of_one_tree(genome::WordId id) {
+    return word(id).aspect == genome::Aspect::Trees && id != genome::WordId::sparse && id != genome::WordId::tall;
+}
+
+// A row a word, from one end to the other, all other words left free, on one land under one sky.
+int draw_sheet(const Options& options) {
+    const display::Size size = display::size_from(options.size, "--size");
+    pictures::check_picture_name(options.output);
+    pictures::Picture picture;
+    picture.width = size.width;
+    picture.height = size.height;
+    const breeding::WordMap map = map_for(options);
+    stage::Easel easel(picture.width, picture.height);
+    const genome::Language& language = genome::language(options.language);
+    const genome::Recipe seeds = genome::random_recipe(base::Seed{options.seed});
+    std::vector<pictures::SheetEntry> entries;
+    for (const genome::Word& word : genome::vocabulary()) {
+        for (int step = 0; step < options.steps; ++step) {
+            const float value = -1 + 2 * static_cast<float>(step) / static_cast<float>(options.steps - 1);
+            genome::PartialDescription words{};
+            words[static_cast<std::size_t>(word.id)] = value;
+            genome::Recipe recipe = seeds;
+            recipe.values = map(map.completed(words));
+            picture.scenes = {recipe};
+            const nursery::Scenes scenes{nursery::grow(recipe)};
+            picture.camera.reset();
+            if (is_of_one_tree(word.id)) picture.camera = pictures::camera_on_a_tree(*scenes.front());
+            entries.push_back(
+                {easel.draw(picture, scenes), fmt::format("{} {:+.1f}", language.end(word.id, value > 0), value)});
+        }
+        std::cerr << fmt::format("{} of {}\n", entries.size() / static_cast<std::size_t>(options.steps),
+                                 genome::kWordCount);
+    }
+    pictures::write_image(options.output, pictures::contact_sheet(entries, options.steps, picture.width));
+    std::cout << options.output << '\n';
+    return 0;
+}
+
+void write_and_name(const std::string& output, std::string_view bytes) {
+    base::write_file(output, bytes);
+    std::cout << output << '\n';
+}
+
+// A site without a state file has no answers yet.
+archive::WordAnswers answers_of(const std::filesystem::path& folder) {
+    if (!std::filesystem::exists(folder / "quadrat.db")) return {};
+    return archive::word_answers_in(folder);
+}
+
+// What is in the files replaces what the curator taught before; what visitors said is read again.
+int train(const Options& options) {
+    const std::filesystem::path folder = site::state_folder(options.state);
+    std::error_code ignored;  // where it cannot be made, the lock says so
+    std::filesystem::create_directories(folder, ignored);
+    const auto lock = backup::hold_state(folder, "quadrat words train");
+    const kiosk::SiteWords before = kiosk::site_words(folder);
+    breeding::Lessons wanted{before.lessons.curator, {}};
+    if (!options.files.empty()) wanted.curator.clear();
+    for (const std::string& file : options.files) {
+        const breeding::Lessons read = breeding::word_lessons_from(base::read_text(file, base::kJsonLimits), file);
+        wanted.curator.insert(wanted.curator.end(), read.curator.begin(), read.curator.end());
+    }
+    const archive::WordAnswers answers = answers_of(folder);
+    wanted.visitors = breeding::lessons_from(answers.readable);
+    if (answers.unreadable > 0)
+        std::cerr << fmt::format("words: {} answers speak of what this program does not know, and are left out\n",
+                                 answers.unreadable);
+    const breeding::Training training = breeding::train(
+        wanted, before.lessons, before.map, options.is_anyway ? breeding::Worse::Take : breeding::Worse::Refuse);
+    for (const std::string& line : training.said) std::cerr << fmt::format("words: {}\n", line);
+    if (training.lessons != before.lessons) kiosk::keep_site_words(folder, training.lessons);
+    for (const genome::Aspect aspect : genome::kAspects)
+        fmt::print("{}: a scene told from the others is off by {:.2f} % of a range; before, by {:.2f} %\n",
+                   name_of(aspect), 100 * training.map.leave_one_out(aspect), 100 * before.map.leave_one_out(aspect));
+    fmt::print("{}\n", training.lessons == before.lessons ? "the map stays" : "the map is another");
+    return 0;
+}
+
+// What a word of one's own means in words; with --output, the scene it asks for.
+int tell_own(const Options& options) {
+    if (!options.output.empty()) base::require_ending(options.output, {".json"}, "a scene");
+    const breeding::WordMap map = map_for(options);
+    const std::string& file = options.files.front();
+    const breeding::OwnWord own = breeding::own_word_from(base::read_text(file, base::kJsonLimits), file, map);
+    fmt::print("{}, of the {}: told from the other scenes, one is off by {:.2f}; without words, by {:.2f}\n", own.name,
+               name_of(own.aspect), own.leave_one_out, own.spread_of_said);
+    const auto vocabulary = genome::vocabulary(own.aspect);
+    for (std::size_t i = 0; i < vocabulary.size(); ++i)
+        fmt::print("  {:<14} {:+.2f}\n", vocabulary[i].name, own.direction.weights[i]);
+    const genome::Description words = map.completed({}, std::vector{own.at(options.value)});
+    fmt::print("{:+.2f} is {}\n", options.value, genome::language(options.language).describe(words, own.aspect));
+    if (own.leave_one_out >= own.spread_of_said)
+        std::cerr << fmt::format("words: {}: the words of the {} do not tell what it is\n", own.name,
+                                 name_of(own.aspect));
+    if (options.output.empty()) return 0;
+    genome::Recipe recipe = genome::random_recipe(base::Seed{options.seed});
+    recipe.values = map(words);
+    write_and_name(options.output, genome::to_json(recipe) + "\n");
+    return 0;
+}
+
+int export_lessons(const Options& options) {
+    base::require_ending(options.output, {".json"}, "what was taught");
+    const std::filesystem::path folder = site::existing_state_folder(options.state);
+    const archive::WordAnswers answers = archive::word_answers_in(folder);
+    write_and_name(options.output, to_json(breeding::Lessons{kiosk::site_words(folder).lessons.curator,
+                                                             breeding::lessons_from(answers.readable)}));
+    return 0;
+}
+
+// Whoever sits there says so; a script says it beforehand.
+void require_consent(const Options& options, std::size_t count) {
+    if (options.is_sure) return;
+    const std::string what = fmt::format("{} answers of visitors, and what was learnt of them, are deleted", count);
+    if (::isatty(STDIN_FILENO) == 0) throw base::InputError(what + "; to go on, say so with --yes");
+    fmt::print(stderr, "{}. Go on? Type yes: ", what);
+    std::string answer;
+    std::getline(std::cin, answer);
+    if (answer != "yes") throw base::InputError("nothing was deleted");
+}
+
+std::filesystem::path keep_copy(const std::filesystem::path& folder, const archive::WordAnswers& answers,
+                                const breeding::Lessons& lessons) {
+    using std::chrono::system_clock;
+    const auto now = std::chrono::time_point_cast<std::chrono::milliseconds>(system_clock::now());
+    const auto copy = folder / backup::dated_name(folder, "words.forgotten", now, ".json");
+    // Answers that are gone, with a damaged state file say, may still be in what was learnt of them.
+    const auto said = breeding::lessons_from(answers.readable);
+    base::write_file(copy, to_json(breeding::Lessons{lessons.curator, said.empty() ? lessons.visitors : said}));
+    archive::give_to_owner_of(folder, copy);
+    return copy;
+}
+
+int forget(const Options& options) {
+    const std::filesystem::path folder = site::existing_state_folder(options.state);
+    const auto lock = backup::hold_state(folder, "quadrat words forget");
+    const archive::WordAnswers answers = archive::word_answers_in(folder);
+    const breeding::Lessons lessons = kiosk::site_words(folder).lessons;
+    const std::size_t count = answers.readable.size() + static_cast<std::size_t>(answers.unreadable);
+    if (count == 0 && lessons.visitors.empty()) {
+        fmt::print("visitors have said nothing yet: there is nothing to forget\n");
+        return 0;
+    }
+    require_consent(options, count);
+    const std::filesystem::path copy = keep_copy(folder, answers, lessons);
+    archive::forget_word_answers_in(folder);
+    if (!lessons.visitors.empty()) kiosk::keep_site_words(folder, {lessons.curator, {}});
+    // The map of before knows them too.
+    std::error_code ignored;
+    std::filesystem::remove(folder / "words.previous.json", ignored);
+    fmt::print("{} answers are forgotten; {}\n", count,
+               lessons.curator.empty() ? "the map is the default one" : "the map keeps what its curator taught");
+    if (answers.unreadable > 0) fmt::print("{} of them could not be read, and are in no copy\n", answers.unreadable);
+    fmt::print(
+        "what they had taught is in {}: quadrat words train FILE learns it again; delete it to forget for good\n",
+        copy.string());
+    return 0;
+}
+
+}  // namespace
+
+void add_words(CLI::App& app, Action& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("words", "The words that wishes are held in, and what they look like");
+    command->require_subcommand(1);
+    command->fallthrough();  // its options may stand after a subcommand too
+    command->add_option("--language", options->language, "Of their ends: ar, de, en, es, fr, xh")
+        ->check(CLI::Validator(
+            [](std::string& code) {
+                const auto codes = genome::language_codes();
+                const std::string_view spoken = std::string_view(code).substr(0, code.find_first_of("-_."));
+                if (std::ranges::find(codes, spoken) != codes.end()) return std::string();
+                return fmt::format("{} is not spoken here; there are {}", code, fmt::join(codes, ", "));
+            },
+            ""))
+        ->capture_default_str();
+    command->add_option("--state", options->state, "The exhibit's state folder, for the map that its site has trained")
+        ->default_str("show, sheet, own: the map that comes along; others: the service's, else the user's");
+    CLI::App* shown = command->add_subcommand("show", "Every word with its two ends, and how well the map knows them");
+    shown->callback([options, &chosen] { chosen = [options] { return show(*options); }; });
+    CLI::App* sheet = command->add_subcommand("sheet", "A picture with a row a word, from one end to the other");
+    sheet->add_option("-o,--output", options->output, "NAME.png or NAME.exr")->required();
+    sheet->add_option("--size", options->size, "Of each picture, in pixels")->capture_default_str();
+    sheet->add_option("--steps", options->steps, "Pictures a row")->check(CLI::Range(2, 21))->capture_default_str();
+    sheet->add_option("--seed", options->seed, "Names the places")->capture_default_str();
+    sheet->callback([options, &chosen] { chosen = [options] { return draw_sheet(*options); }; });
+    CLI::App* trained =
+        command->add_subcommand("train", "Learn from what visitors said, and from files, with the exhibit stopped");
+    trained->add_option("FILE", options->files, "Scenes described by a curator, instead of those taught before")
+        ->default_str("none");
+    trained->add_flag("--anyway", options->is_anyway, "Also where scenes could be told from one another less well");
+    trained->callback([options, &chosen] { chosen = [options] { return train(*options); }; });
+    CLI::App* own = command->add_subcommand("own", "What a word of one's own means, told by ten scenes or more");
+    own->footer(
+        "FILE is {\"quadrat\":\"own word\",\"version\":1,\"name\":\"spooky\",\"aspect\":\"sky\",\"scenes\":[…]} with "
+        "ten "
+        "scenes or more,\neach {\"value\":0.8,\"words\":{\"misty\":0.5,…}} or "
+        "{\"value\":-0.4,\"parameters\":{\"haze.distance_m\":900,…}}; values from -1 to 1.");
+    own->add_option("FILE", options->files, "Scenes, and how far the word suits each")->required()->expected(1);
+    own->add_option("--value", options->value, "How much of it")->check(CLI::Range(-1.0, 1.0))->capture_default_str();
+    own->add_option("-o,--output", options->output, "SCENE.json, the scene it then asks for")->default_str("none");
+    own->callback([options, &chosen] { chosen = [options] { return tell_own(*options); }; });
+    CLI::App* exported = command->add_subcommand("export", "Write what visitors and the curator taught, to train from");
+    exported->add_option("-o,--output", options->output, "FILE.json")->required();
+    exported->callback([options, &chosen] { chosen = [options] { return export_lessons(*options); }; });
+    CLI::App* forgotten = command->add_subcommand(
+        "forget", "Delete what visitors said, and what was learnt of it, with the exhibit stopped; a dated copy stays");
+    forgotten->add_flag("--yes", options->is_sure, "Without being asked");
+    forgotten->callback([options, &chosen] { chosen = [options] { return forget(*options); }; });
+}
+
+}  // namespace quadrat::commands

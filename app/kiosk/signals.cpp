@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/signals.hpp"
+
+#include "firmware-io/keyboard/keyboard_buttons.hpp"
+
+namespace quadrat::kiosk {
+
+using exhibit::Screen;
+using firmware_io::Button;
+using firmware_io::LampPattern;
+
+exhibit::Choice choice_of(Button button) {
+    using exhibit::Choice;
+    switch (button) {
+        case Button::A:
+            return Choice::A;
+        case Button::B:
+            return Choice::B;
+        case Button::C:
+            return Choice::C;
+        case Button::D:
+            return Choice::D;
+        case Button::Back:
+            break;
+    }
+    return Choice::Back;
+}
+
+char key_of(display::Key key) {
+    switch (key) {
+        case display::Key::A:
+        case display::Key::One:
+            return 'A';
+        case display::Key::B:
+        case display::Key::Two:
+            return 'B';
+        case display::Key::C:
+        case display::Key::Three:
+            return 'C';
+        case display::Key::D:
+        case display::Key::Four:
+            return 'D';
+        case display::Key::Backspace:
+        case display::Key::Left:
+            return firmware_io::keyboard::kBackspace;
+        default:
+            return 0;
+    }
+}
+
+firmware_io::Lamps lamps_for(const Show& show) {
+    const exhibit::Screen screen = show.state().screen;
+    const bool asks =
+        screen == exhibit::Screen::Ask || screen == exhibit::Screen::Describe || screen == exhibit::Screen::Slide;
+    const bool invites =
+        show.state().screen == exhibit::Screen::Attract || show.state().screen == exhibit::Screen::StillThere;
+    firmware_io::Lamps lamps;
+    lamps.fill(asks ? LampPattern::Steady : invites ? LampPattern::Breathing : LampPattern::Off);
+    lamps[firmware_io::index_of(Button::Back)] = show.can_go_back() ? LampPattern::Steady : LampPattern::Off;
+    if (show.state().screen == exhibit::Screen::StillThere) lamps.fill(LampPattern::Blinking);
+    return lamps;
+}
+
+stage::Moment moment_of(Show& show, base::Instant now) {
+    std::optional<stage::Flash> flash;
+    if (show.last_press()) flash = stage::Flash{*show.last_press(), show.last_press_at()};
+    return {show.state(), show.timings(),          show.on_stage(), flash,
+            show.asked(), show.growing_progress(), show.caption(),  now};
+}
+
+}  // namespace quadrat::kiosk

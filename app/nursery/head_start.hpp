@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "breeding/session.hpp"
+#include "nursery/ahead.hpp"
+
+namespace quadrat::nursery {
+
+// What can be grown of the next landscapes after some answers of a round.
+struct Answered {
+    genome::Pick answers;
+    bool is_last_round;     // what comes is the Finale's landscape, not four to choose from
+    bool is_last_question;  // one answer is missing
+};
+HeadStart head_start(const breeding::Session& session, const Answered& answered);
+
+}  // namespace quadrat::nursery

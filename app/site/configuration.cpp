@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "site/configuration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "genome/speech.hpp"
+#include "render/ground_by.hpp"
+#include "site/configuration_checks.hpp"
+#include "site/configuration_reader.hpp"
+
+namespace quadrat::site {
+namespace {
+
+using Reader = ConfigurationReader;
+
+constexpr std::array kDays{"monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday"};
+
+void read_screen(Reader& reader, Configuration::Screen& screen) {
+    reader.read("screen", "display", screen.display, {"auto", "kms", "window", "headless"});
+    reader.read_checked("screen", "size", screen.size, check_size);
+    reader.read_checked("screen", "connector", screen.connector, check_connector);
+    reader.read_checked("screen", "mode", screen.mode, check_mode);
+    reader.read_one_of("screen", "rotation_deg", screen.rotation_deg, {0, 90, 180, 270});
+    reader.read("screen", "mirrored", screen.is_mirrored);
+}
+
+void read_visit(Reader& reader, Configuration::Visit& visit) {
+    reader.read("visit", "rounds", visit.rounds, 1, 50);
+    reader.read("visit", "patience_s", visit.patience_s, 2, 600);
+    reader.read("visit", "countdown_s", visit.countdown_s, 1, 120);
+    reader.read("visit", "finale_s", visit.finale_s, 2, 600);
+    reader.read("visit", "long_press_s", visit.long_press_s, 0.5, 30);
+    reader.read("visit", "describe_words", visit.describe_words, 0, 10);
+    reader.read("visit", "describe_every", visit.describe_every, 1, 1000);
+    reader.read("visit", "describe_s", visit.describe_s, 2, 600);
+    std::vector<std::string> spoken;
+    for (const std::string_view code : genome::language_codes()) spoken.emplace_back(code);
+    reader.read("visit", "language", visit.language, spoken);
+}
+
+void read_closing(Reader& reader, DoorkeeperOptions& closing) {
+    const auto seconds = [&](const char* key, std::chrono::seconds& value, int most) {
+        int number = static_cast<int>(value.count());
+        reader.read("hours", key, number, 0, most);
+        value = std::chrono::seconds{number};
+    };
+    seconds("card_s", closing.card, 24 * 3600);
+    seconds("overtime_s", closing.overtime, 4 * 3600);
+    seconds("awake_s", closing.awake, 4 * 3600);
+    reader.read("hours", "wakes_by_button", closing.wakes_by_button);
+}
+
+void read_breeding(Reader& reader, Configuration::Breeding& breeding) {
+    reader.read("breeding", "genome", breeding.genome, {"words", "classic"});
+    reader.read("breeding", "breeder", breeding.breeder, {"belief", "pbil", "pbil-gaussian", "random", "sliders"});
+    reader.read("breeding", "learning_rate", breeding.learning_rate, 0, 1);
+    reader.read("breeding", "mutation", breeding.mutation, 0, 1);
+    reader.read("breeding", "mutation_form", breeding.mutation_form, {"toward-half", "random"});
+    reader.read("breeding", "locked", breeding.locked, {"trees", "land", "sky"});
+}
+
+void read_picture(Reader& reader, Configuration::Picture& picture) {
+    reader.read("picture", "alpha", picture.alpha, 0.05, 20);
+    reader.read_one_of("picture", "samples", picture.samples, {1, 4});
+    reader.read_one_of("picture", "land_samples", picture.land_samples, {65, 129, 257, 513, 1025});
+    reader.read("picture", "ground", picture.ground, render::ground_names());
+}
+
+void read_fleet(Reader& reader, Configuration::Fleet& fleet) {
+    reader.read_checked("fleet", "broker", fleet.broker, check_broker);
+    reader.read_checked("fleet", "name", fleet.name, check_fleet_name);
+    reader.read_checked("fleet", "user", fleet.user, check_fleet_user);
+    reader.read_checked("fleet", "password_file", fleet.password_file, check_file);
+    reader.read_checked("fleet", "ca_file", fleet.ca_file, check_file);
+}
+
+void read_words(Reader& reader, std::map<std::string, std::array<double, 2>>& words) {
+    for (const genome::Word& word : genome::vocabulary()) {
+        const std::string name(word.name);
+        const toml::node* node = reader.find("words", name.c_str());
+        if (node == nullptr) continue;
+        const toml::array* ends = node->as_array();
+        const auto end = [&](std::size_t i) {
+            return ends != nullptr && ends->size() == 2 && (*ends)[i].is_number() ? (*ends)[i].value<double>()
+                                                                                  : std::nullopt;
+        };
+        const auto low = end(0), high = end(1);
+        if (low && high && -1 <= *low && *low <= *high && *high <= 1)
+            words[name] = {*low, *high};
+        else
+            reader.refuse(*node, "words." + name, "is not a range", "write [LOW, HIGH], from -1 to 1");
+    }
+}
+
+void read_spans(Reader& reader, const toml::node& node, const std::string& name, std::vector<OpenSpan>& spans) {
+    std::string text;
+    if (reader.read_text(node, name, text, [](const std::string& said) { parse_spans(said); }))
+        spans = parse_spans(text);
+}
+
+void read_exceptions(Reader& reader, Hours& hours) {
+    const toml::node* node = reader.find("hours", "exceptions");
+    if (node == nullptr) return;
+    if (!node->is_table())
+        return reader.refuse(*node, "hours.exceptions", "must be a table", "write [hours.exceptions]");
+    for (const auto& [key, value] : *node->as_table()) {
+        const std::string date(key.str());
+        try {
+            read_spans(reader, value, "hours.exceptions." + date, hours.exceptions[parse_date(date)]);
+        } catch (const std::invalid_argument&) {
+            reader.refuse(value, "hours.exceptions." + date, "is no date", "write 2026-12-24");
+        }
+    }
+}
+
+// A site that names any day is closed on those it does not name.
+void read_hours(Reader& reader, Hours& hours) {
+    for (std::size_t day = 0; day < kDays.size(); ++day)
+        if (const toml::node* node = reader.find("hours", kDays[day])) {
+            hours.is_always_open = false;
+            read_spans(reader, *node, std::string("hours.") + kDays[day], hours.week[day]);
+        }
+    read_exceptions(reader, hours);
+    if (hours.is_always_open && !hours.exceptions.empty()) {
+        hours.is_always_open = false;
+        hours.week.fill({{0, 24 * 60}});
+    }
+}
+
+void read_all(Reader& reader, Configuration& configuration, const LettersWithoutFont& without_font) {
+    read_screen(reader, configuration.screen);
+    reader.read_checked("buttons", "inputs", configuration.inputs, InputCheck{});
+    read_visit(reader, configuration.visit);
+    read_breeding(reader, configuration.breeding);
+    read_words(reader, configuration.words);
+    read_picture(reader, configuration.picture);
+    read_fleet(reader, configuration.fleet);
+    read_hours(reader, configuration.hours);
+    read_closing(reader, configuration.closing);
+    read_texts(reader, configuration.texts, without_font);
+    check_language(reader, configuration, without_font);
+    reader.refuse_what_was_not_read();
+}
+
+bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
+
+CheckedConfiguration unusable(const std::string& source, std::string_view message) {
+    const std::string prefix = source + ": ";
+    return {{}, {mistake_from(source, 0, message.substr(message.starts_with(prefix) ? prefix.size() : 0))}};
+}
+
+Configuration required(CheckedConfiguration checked) {
+    if (!checked.is_usable()) throw SettingsError(std::move(checked.mistakes));
+    return std::move(checked.configuration);
+}
+
+}  // namespace
+
+CheckedConfiguration check_configuration(std::string_view toml, const std::string& source,
+                                         const LettersWithoutFont& without_font) {
+    if (is_blank(toml))
+        return unusable(source,
+                        "the file is empty, as a pulled plug leaves one; put the settings back, or a line that begins "
+                        "with # to have the defaults");
+    if (toml.starts_with("\xff\xfe") || toml.starts_with("\xfe\xff"))
+        return unusable(source, "is UTF-16 text; save it as UTF-8 (in Windows Notepad: Save as, Encoding: UTF-8)");
+    ParsedToml parsed = parse_toml(toml, source);
+    CheckedConfiguration checked;
+    checked.mistakes = std::move(parsed.mistakes);
+    if (parsed.is_whole) {
+        Reader reader(parsed.root, source);
+        read_all(reader, checked.configuration, without_font);
+        checked.mistakes.insert(checked.mistakes.end(), reader.mistakes().begin(), reader.mistakes().end());
+    }
+    for (Mistake& mistake : checked.mistakes) mistake = on_one_line(std::move(mistake));
+    std::ranges::stable_sort(checked.mistakes, {}, &Mistake::line);
+    return checked;
+}
+
+CheckedConfiguration check_configuration_file(const std::filesystem::path& path, std::optional<std::string>* toml) {
+    constexpr std::size_t kLargest = 1U << 20U;
+    std::string read;
+    try {
+        read = base::read_file(path, kLargest);
+    } catch (const base::InputError& error) {
+        return unusable(path.string(),
+                        fmt::format("{}; put a file of settings there that everybody may read", error.what()));
+    }
+    CheckedConfiguration checked = check_configuration(read, path.string());
+    if (toml != nullptr) *toml = std::move(read);
+    return checked;
+}
+
+Configuration configuration_from(std::string_view toml, const std::string& source) {
+    return required(check_configuration(toml, source));
+}
+
+Configuration read_configuration(const std::filesystem::path& path) { return required(check_configuration_file(path)); }
+
+std::string text(const Configuration& configuration, const std::string& key) {
+    assert(std::ranges::find(genome::kPrompts, key) != genome::kPrompts.end());
+    if (const auto found = configuration.texts.find(key); found != configuration.texts.end()) return found->second;
+    return std::string(genome::prompt(configuration.visit.language, key));
+}
+
+}  // namespace quadrat::site

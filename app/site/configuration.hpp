@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// The room `site`: what one place decides and where it keeps it. Settings and their checks, opening hours, the wall
+// clock, the state folder. Nothing here draws, grows or runs: it says what is wanted.
+#pragma once
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/coverage.hpp"
+#include "site/hours.hpp"
+#include "site/mistake.hpp"
+
+namespace quadrat::site {
+
+// What the people of one site decide, from a TOML file; deploy/quadrat.toml shows every key with its default.
+// Everything has a default: no file at all is a working exhibit.
+struct Configuration {
+    struct Screen {
+        std::string display = "auto";  // auto, kms, window, headless
+        std::string size;              // drawn size, "1280x720"; empty: the screen's
+        std::string connector;         // kms: "HDMI-A-1"; empty: the first with a screen
+        std::string mode;              // kms: "1920x1080@60"; empty: the screen's own size
+        int rotation_deg = 0;          // 0, 90, 180, 270 clockwise
+        bool is_mirrored = false;      // rear projection
+    } screen;
+
+    std::vector<std::string> inputs;  // button specs: "gpio:A=GPIO17,…", "hid:", "keyboard", "script:FILE"
+
+    struct Visit {
+        int rounds = 6;           // 1 to 50
+        double patience_s = 25;   // without a press, until "Still there?"
+        double countdown_s = 10;  // of "Still there?"
+        double finale_s = 20;
+        double long_press_s = 2;      // of any choice button: to the finale
+        int describe_words = 3;       // asked after a finale, one at a time; 0: none are
+        int describe_every = 2;       // of every so many finales
+        double describe_s = 15;       // without a press, until the visitor is taken to have left
+        std::string language = "en";  // that the screen speaks
+    } visit;
+
+    struct Breeding {
+        std::string genome = "words";               // words, classic
+        std::string breeder = "belief";             // belief, pbil, pbil-gaussian, random, sliders
+        double learning_rate = 0.2;                 // 0 to 1
+        double mutation = 0.02;                     // 0 to 1
+        std::string mutation_form = "toward-half";  // toward-half, random
+        std::vector<std::string> locked;            // aspects that never move: trees, land, sky
+    } breeding;
+
+    // What a word may be, by its name: two numbers from -1 to 1; the same twice locks it there.
+    std::map<std::string, std::array<double, 2>> words;
+
+    struct Picture {
+        double alpha = 1;        // detail
+        int samples = 4;         // a pixel, at most, where there is time for them: 1, or 4 for smooth edges
+        int land_samples = 513;  // a side of the land, 2^k + 1: 129 grows in a tenth of the time, and is smoother
+        std::string ground = "blocks";  // what draws the land: blocks, roam
+    } picture;
+
+    // Where health and visits are published; nowhere, unless a broker is named.
+    struct Fleet {
+        std::string broker;         // "mqtts://broker.example:8883", "mqtt://…"
+        std::string name;           // of this exhibit; the machine's, without one
+        std::string user;           // for the broker
+        std::string password_file;  // its first line
+        std::string ca_file;        // who vouches for the broker; the system's, without one
+        friend bool operator==(const Fleet&, const Fleet&) = default;
+    } fleet;
+
+    Hours hours;                // when the house is open; always, unless it says
+    DoorkeeperOptions closing;  // what happens at closing time
+
+    std::map<std::string, std::string> texts;  // prompts in the site's own words, by key
+};
+
+// Which letters of a text cannot be shown, "" for none: render::letters_without_font.
+using LettersWithoutFont = std::function<std::string(const std::string& utf8)>;
+
+// A configuration, and all that is wrong with what it was read from. Where something is, what is right is in it, and
+// the defaults for the rest.
+struct CheckedConfiguration {
+    Configuration configuration;
+    std::vector<Mistake> mistakes;  // by line
+    bool is_usable() const { return mistakes.empty(); }
+};
+
+// The one judgement of settings: whoever reads them, to run, to publish, to follow them or to look after them, comes
+// here. An empty text is a mistake, as what a pulled plug leaves of a file; one with nothing but comments is not.
+CheckedConfiguration check_configuration(std::string_view toml, const std::string& source,
+                                         const LettersWithoutFont& without_font = render::letters_without_font);
+// The same for a file. One that cannot be read is a mistake too. `toml` receives what it holds, or nothing.
+CheckedConfiguration check_configuration_file(const std::filesystem::path& path,
+                                              std::optional<std::string>* toml = nullptr);
+
+// The same for those who refuse settings with any mistake: throws SettingsError with all of them.
+Configuration configuration_from(std::string_view toml, const std::string& source);
+Configuration read_configuration(const std::filesystem::path& path);
+
+// The prompt for a key of genome::kPrompts: in the site's own words, else in its language.
+std::string text(const Configuration& configuration, const std::string& key);
+
+}  // namespace quadrat::site

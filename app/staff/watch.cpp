@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "staff/watch.hpp"
+
+#include <sys/stat.h>
+
+#include <ctime>
+#include <utility>
+
+#include "site/settings.hpp"
+
+namespace quadrat::staff {
+
+namespace fs = std::filesystem;
+
+Watch::Watch(fs::path configuration_file, std::optional<std::string> held, fs::path runtime, fs::path state)
+    : configuration_file_(std::move(configuration_file)),
+      runtime_(std::move(runtime)),
+      state_(std::move(state)),
+      last_time_(state_),
+      held_(std::move(held)),
+      worked_(held_.value_or("")) {}
+
+Watch::Stamp Watch::stamp_of(const fs::path& file) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) return {};
+    return {status.st_ino, static_cast<std::uint64_t>(status.st_size),
+            status.st_mtim.tv_sec * std::int64_t{1'000'000'000} + status.st_mtim.tv_nsec};
+}
+
+std::optional<Seen::Changed> Watch::changed_settings() {
+    const Stamp stamp = stamp_of(configuration_file_);
+    const bool is_settled = seen_ == stamp;
+    seen_ = stamp;
+    if (!is_settled || read_ == stamp) return std::nullopt;
+    read_ = stamp;
+    std::optional<std::string> holds;
+    site::CheckedConfiguration checked = site::check_configuration_file(configuration_file_, &holds);
+    if (holds == std::exchange(held_, holds)) return std::nullopt;
+    if (auto cut = site::cut_off(holds.value_or(""), worked_, configuration_file_.string()); cut && checked.is_usable())
+        checked.mistakes.push_back(std::move(*cut));
+    if (checked.is_usable()) worked_ = *holds;
+    return Seen::Changed{std::move(checked), std::move(holds).value_or("")};
+}
+
+Seen Watch::look() {
+    Seen seen;
+    seen.machine = machine::read_machine();
+    zone_.look();
+    seen.wall = site::read_wall_clock(last_time_);
+    if (seen.wall.is_trusted) last_time_.note(std::time(nullptr));
+    seen.free_mb = machine::free_mb(state_);
+    std::error_code ignored;
+    seen.is_picture_asked = fs::exists(runtime_ / kPictureAsked, ignored);
+    if (!configuration_file_.empty()) seen.settings = changed_settings();
+    return seen;
+}
+
+std::string apply(const site::Configuration& changed, site::Configuration& running) {
+    std::string later;
+    const auto note = [&](const char* key, bool is_same) {
+        if (!is_same) later += (later.empty() ? "" : ", ") + std::string(key);
+    };
+    const auto& now = running;
+    note("screen", changed.screen.display == now.screen.display && changed.screen.size == now.screen.size &&
+                       changed.screen.connector == now.screen.connector && changed.screen.mode == now.screen.mode &&
+                       changed.screen.rotation_deg == now.screen.rotation_deg &&
+                       changed.screen.is_mirrored == now.screen.is_mirrored);
+    note("buttons.inputs", changed.inputs == now.inputs);
+    note("breeding", changed.breeding.genome == now.breeding.genome &&
+                         changed.breeding.breeder == now.breeding.breeder &&
+                         changed.breeding.learning_rate == now.breeding.learning_rate &&
+                         changed.breeding.mutation == now.breeding.mutation &&
+                         changed.breeding.mutation_form == now.breeding.mutation_form &&
+                         changed.breeding.locked == now.breeding.locked);
+    note("words", changed.words == now.words);
+    note("picture.land_samples", changed.picture.land_samples == now.picture.land_samples);
+    note("picture.ground", changed.picture.ground == now.picture.ground);
+    note("fleet (systemctl restart quadrat-fleet)", changed.fleet == now.fleet);
+    running.visit = changed.visit;
+    running.picture.alpha = changed.picture.alpha;
+    running.picture.samples = changed.picture.samples;
+    running.hours = changed.hours;
+    running.closing = changed.closing;
+    running.texts = changed.texts;
+    return later;
+}
+
+}  // namespace quadrat::staff

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "machine/machine.hpp"
+#include "site/configuration.hpp"
+#include "site/wall_clock.hpp"
+
+namespace quadrat::staff {
+
+// What lies outside of the program and may change while it runs. Looking can wait for a disk: done by an errand.
+struct Seen {
+    // A file of settings that is another than it was, can be used or not.
+    struct Changed {
+        site::CheckedConfiguration checked;
+        std::string toml;
+    };
+    machine::MachineFacts machine;
+    site::WallClock wall;
+    std::optional<double> free_mb;
+    bool is_picture_asked = false;
+    std::optional<Changed> settings;
+    std::vector<std::string> earlier_faults;  // of the runs before this one, oldest first
+};
+
+class Watch {
+  public:
+    // `configuration_file` may be empty; `held` is what it held when it was read last, nothing where it could not be.
+    Watch(std::filesystem::path configuration_file, std::optional<std::string> held, std::filesystem::path runtime,
+          std::filesystem::path state);
+
+    // Settings are read once their file has been the same for two looks: who saves one may not be through.
+    Seen look();
+
+  private:
+    // Which file lies there, and since when. All zero: none.
+    struct Stamp {
+        std::uint64_t node = 0, size = 0;
+        std::int64_t written_ns = 0;
+        friend bool operator==(const Stamp&, const Stamp&) = default;
+    };
+    static Stamp stamp_of(const std::filesystem::path& file);
+    std::optional<Seen::Changed> changed_settings();
+
+    std::filesystem::path configuration_file_, runtime_, state_;
+    site::LastTimeSeen last_time_;
+    site::ZoneWatch zone_;
+    std::optional<std::string> held_;
+    std::string worked_;  // what it held last that could be used
+    std::optional<Stamp> seen_, read_;
+};
+
+// Who asks for a picture makes this file in the runtime folder, and finds it gone when the picture lies beside it.
+inline constexpr const char* kPictureAsked = "picture.asked";
+inline constexpr const char* kPicture = "picture.png";
+// Or this lies beside it, and says why there is none.
+inline constexpr const char* kNoPicture = "picture.refused";
+// What the machine should do, in one word: reboot or poweroff. A unit with the right to it watches this file.
+inline constexpr const char* kPowerAsked = "power.asked";
+
+// What a running exhibit may change at once. The keys of what it may not, "screen.mode, buttons.inputs", or "".
+std::string apply(const site::Configuration& changed, site::Configuration& running);
+
+}  // namespace quadrat::staff

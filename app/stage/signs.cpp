@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/signs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stage/easel.hpp"
+
+namespace quadrat::stage {
+namespace {
+
+constexpr glm::vec4 rgb(int r, int g, int b) {
+    return {static_cast<float>(r) / 255.0F, static_cast<float>(g) / 255.0F, static_cast<float>(b) / 255.0F, 1.0F};
+}
+
+const std::array<Quarter, kQuarters> kQuarterTable{{
+    {"A", render::Shape::Circle, rgb(0, 114, 178)},     // blue
+    {"B", render::Shape::Triangle, rgb(230, 159, 0)},   // orange
+    {"C", render::Shape::Square, rgb(0, 158, 115)},     // bluish green
+    {"D", render::Shape::Diamond, rgb(204, 121, 167)},  // reddish purple
+}};
+
+// Prompts change by visit, not by frame; what is kept is far below this unless sizes change.
+constexpr std::size_t kWrittenKept = 96;
+
+}  // namespace
+
+const Quarter& quarter(std::size_t index) { return kQuarterTable.at(index); }
+
+SignWriter::Written SignWriter::keep(const Key& key, const mesh::Image& image) {
+    if (written_.size() >= kWrittenKept) written_.clear();
+    Written written{renderer_.texture(image), image.width, image.height};
+    written_.emplace(key, written);
+    return written;
+}
+
+SignWriter::Written SignWriter::text(const std::string& utf8, float size_px, bool is_bold, int max_width_px) {
+    const Key key{utf8, static_cast<int>(std::lround(size_px)), is_bold, max_width_px};
+    if (const auto found = written_.find(key); found != written_.end()) return found->second;
+    render::TextStyle style;
+    style.size_px = size_px;
+    style.is_bold = is_bold;
+    style.max_width_px = max_width_px;
+    style.shadow_px = std::max(2.0F, size_px * 0.12F);
+    return keep(key, render::letter(utf8, style));
+}
+
+SignWriter::Written SignWriter::badge(std::size_t quarter_index, int size_px) {
+    const Key key{std::string("\x01") + quarter(quarter_index).letter, size_px, true, 0};
+    if (const auto found = written_.find(key); found != written_.end()) return found->second;
+    const Quarter& q = quarter(quarter_index);
+    return keep(key, render::badge(q.shape, q.letter, q.colour, size_px));
+}
+
+std::shared_ptr<const render::Texture> SignWriter::picture(const mesh::Image& image) {
+    if (pictured_ != &image) picture_ = renderer_.texture(image);
+    pictured_ = &image;
+    return picture_;
+}
+
+std::vector<render::Sign> SignWriter::badges(int width, int height) {
+    const auto places = quarters(width, height);
+    const int size = std::max(20, height / 13);
+    const int inset = std::max(6, height / 60);
+    std::vector<render::Sign> signs;
+    for (std::size_t i = 0; i < kQuarters; ++i) {
+        const render::Rect& q = places[i];
+        const bool is_left = i % 2 == 0;
+        const bool is_top = i < 2;
+        render::Sign sign;
+        sign.texture = badge(i, size).texture;
+        sign.place = {is_left ? q.x + inset : q.x + q.width - inset - size,
+                      is_top ? q.y + q.height - inset - size : q.y + inset, size, size};
+        signs.push_back(std::move(sign));
+    }
+    return signs;
+}
+
+}  // namespace quadrat::stage

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/stage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "stage/easel.hpp"
+
+namespace quadrat::stage {
+namespace {
+
+using exhibit::Screen;
+
+constexpr float kGrowInSeconds = 2.0F;
+constexpr float kFlashSeconds = 0.4F;
+constexpr float kAttractSceneSeconds = 24.0F;  // then the next of the four
+constexpr glm::vec4 kQuiet{1, 1, 1, 0.28F};
+constexpr glm::vec4 kDone{1, 1, 1, 0.95F};
+
+float seconds_of(base::Instant t) { return std::chrono::duration<float>(t).count(); }
+
+float smooth(float x) {
+    const float t = std::clamp(x, 0.0F, 1.0F);
+    return t * t * (3 - 2 * t);
+}
+
+bool shows_four(const StageView& view) {
+    return view.cast.scenes.size() == genome::kCandidates && view.state.screen != exhibit::Screen::Attract &&
+           view.state.screen != exhibit::Screen::Finale;
+}
+
+float dimming(const StageView& view) {
+    const float since = seconds_of(view.now - view.state.since);
+    if (view.state.screen == exhibit::Screen::Breed) return 0.45F * smooth(since / 0.5F);
+    if (view.state.screen == exhibit::Screen::StillThere) return 0.35F;
+    return 0;
+}
+
+// Back has no quarter; it is white.
+glm::vec3 flash_colour(exhibit::Choice button) {
+    return button == exhibit::Choice::Back ? glm::vec3{1} : glm::vec3(quarter(static_cast<std::size_t>(button)).colour);
+}
+
+bool has_caption(const StageView& view) {
+    return !view.caption.empty() &&
+           (view.state.screen == exhibit::Screen::Breed || view.state.screen == exhibit::Screen::Finale);
+}
+
+std::size_t attract_index(const StageView& view) {
+    const auto turn = static_cast<std::size_t>(seconds_of(view.now - view.cast.arrived) / kAttractSceneSeconds);
+    return turn % view.cast.scenes.size();
+}
+
+}  // namespace
+
+float flash_left(const StageView& view) {
+    if (!view.flash) return 0;
+    return 1 - smooth(seconds_of(view.now - view.flash->at) / kFlashSeconds);
+}
+
+std::string words(const StageView& view, const site::Configuration& configuration) {
+    if (view.cast.scenes.empty() && view.backdrop == nullptr) return site::text(configuration, "first");
+    switch (exhibit::prompt_of(view.state)) {
+        case exhibit::Prompt::PressAnyButton:
+            return site::text(configuration, "attract");
+        case exhibit::Prompt::BestTrees:
+            return site::text(configuration, "ask.trees");
+        case exhibit::Prompt::BestLand:
+            return site::text(configuration, "ask.land");
+        case exhibit::Prompt::BestSky:
+            return site::text(configuration, "ask.sky");
+        case exhibit::Prompt::Growing:
+            return site::text(configuration, "breed");
+        case exhibit::Prompt::StillThere:
+            return fmt::format("{}  {}", site::text(configuration, "still-there"),
+                               exhibit::countdown_s(view.state, view.now, view.timings).value_or(0));
+        case exhibit::Prompt::WhichWords:
+        case exhibit::Prompt::TurnWords:
+            return site::text(configuration, view.asked != nullptr ? view.asked->prompt : "finale");
+        case exhibit::Prompt::YourLandscape:
+            break;
+    }
+    return site::text(configuration, "finale");
+}
+
+render::Frame Stage::frame(const StageView& view, const display::Canvas& canvas) {
+    render::Frame frame;
+    frame.hanging = {static_cast<int>(canvas.rotation), canvas.mirroring == display::Mirroring::Mirrored};
+    frame.size = render::turned_size({canvas.size.width, canvas.size.height}, frame.hanging);
+    frame.framebuffer = canvas.framebuffer;
+    frame.seconds = seconds_of(view.now);
+    frame.detail.alpha = static_cast<float>(configuration_.picture.alpha);
+    const bool is_covered = view.board != nullptr && view.board->cover == Board::Cover::All;
+    if (!is_covered && view.backdrop != nullptr)
+        add_backdrop(frame, *view.backdrop);
+    else if (!is_covered)
+        add_views(frame, view);
+    const bool is_strip = view.board != nullptr && view.board->cover == Board::Cover::Strip;
+    if (view.board != nullptr && !is_strip) {
+        add_board(frame, *view.board);
+        return frame;
+    }
+    if (shows_four(view)) add_quarter_signs(frame, view);
+    add_plate(frame, view);
+    if (view.asked != nullptr) add_labels(frame, view);
+    if (view.asked != nullptr && view.asked->slider) add_slider(frame, *view.asked->slider);
+    if (!view.sign.empty()) add_sign(frame, view.sign);
+    if (is_strip) add_strip(frame, *view.board);
+    frame.is_wired = is_strip && view.board->has_wires;
+    return frame;
+}
+
+void Stage::add_views(render::Frame& frame, const StageView& view) {
+    if (view.cast.scenes.empty()) return;
+    const float on_stage = seconds_of(view.now - view.cast.arrived);
+    const auto add = [&](const Shown& shown, const render::Rect& place) {
+        render::View one;
+        one.scene = shown.gpu;
+        // The flight starts with the cast, so that the four are compared from where the camera stands first.
+        one.camera = scene::camera_at(shown.scene->track, on_stage);
+        one.viewport = place;
+        one.growth = std::clamp(on_stage / kGrowInSeconds, 0.0F, 1.0F);
+        one.dim = dimming(view);
+        frame.views.push_back(std::move(one));
+    };
+    if (shows_four(view)) {
+        const auto places = quarters(frame.size.x, frame.size.y);
+        for (std::size_t i = 0; i < places.size(); ++i) add(view.cast.scenes[i], places[i]);
+    } else {
+        const std::size_t one = view.state.screen == exhibit::Screen::Attract ? attract_index(view) : 0;
+        add(view.cast.scenes[one], {0, 0, frame.size.x, frame.size.y});
+    }
+}
+
+void Stage::add_quarter_signs(render::Frame& frame, const StageView& view) {
+    const auto places = quarters(frame.size.x, frame.size.y);
+    const float border = std::max(3.0F, static_cast<float>(frame.size.y) / 120.0F);
+    if (const float left = flash_left(view); left > 0 && view.flash->button != exhibit::Choice::Back) {
+        const auto index = static_cast<std::size_t>(view.flash->button);
+        render::Sign sign;
+        sign.place = places[index];
+        sign.colour = glm::vec4(glm::vec3(quarter(index).colour), 0.2F + 0.8F * left);
+        sign.border_px = border * 1.6F;
+        frame.signs.push_back(sign);
+    }
+    for (auto& sign : writer_.badges(frame.size.x, frame.size.y)) frame.signs.push_back(std::move(sign));
+}
+
+void Stage::add_backdrop(render::Frame& frame, const mesh::Image& picture) {
+    // As much of it as fills the screen, in the middle.
+    const float scale = std::max(static_cast<float>(frame.size.x) / static_cast<float>(picture.width),
+                                 static_cast<float>(frame.size.y) / static_cast<float>(picture.height));
+    render::Sign sign;
+    sign.texture = writer_.picture(picture);
+    sign.place.width = static_cast<int>(std::ceil(static_cast<float>(picture.width) * scale));
+    sign.place.height = static_cast<int>(std::ceil(static_cast<float>(picture.height) * scale));
+    sign.place.x = (frame.size.x - sign.place.width) / 2;
+    sign.place.y = (frame.size.y - sign.place.height) / 2;
+    frame.signs.push_back(sign);
+}
+
+// Lines above one another in the lower left corner.
+void Stage::add_strip(render::Frame& frame, const Board& board) {
+    const int pad = frame.size.y / 90;
+    int y = pad;
+    for (auto line = board.lines.rbegin(); line != board.lines.rend(); ++line) {
+        const auto written = writer_.text(*line, static_cast<float>(frame.size.y) / 45.0F);
+        render::Sign back;
+        back.place = {0, y - pad, written.width + 2 * pad, written.height + 2 * pad};
+        back.colour = kPlate;
+        frame.signs.push_back(back);
+        render::Sign sign;
+        sign.texture = written.texture;
+        sign.place = {pad, y, written.width, written.height};
+        frame.signs.push_back(sign);
+        y += written.height + 2 * pad;
+    }
+}
+
+// In the lower right corner, where whoever looks for it finds it and nobody else minds.
+void Stage::add_sign(render::Frame& frame, std::string_view words) {
+    const int pad = frame.size.y / 120;
+    const auto written =
+        writer_.text(std::string(words), static_cast<float>(frame.size.y) / 45.0F, false, frame.size.x * 4 / 10);
+    render::Sign back;
+    back.place = {frame.size.x - written.width - 2 * pad, 0, written.width + 2 * pad, written.height + 2 * pad};
+    back.colour = kPlate;
+    frame.signs.push_back(back);
+    render::Sign sign;
+    sign.texture = written.texture;
+    sign.place = {back.place.x + pad, pad, written.width, written.height};
+    frame.signs.push_back(sign);
+}
+
+// The title large; the lines below it, small enough that all of them are on the screen.
+void Stage::add_board(render::Frame& frame, const Board& board) {
+    const int margin = frame.size.y / 20;
+    render::Sign back;
+    back.place = {0, 0, frame.size.x, frame.size.y};
+    back.colour = board.cover == Board::Cover::All ? glm::vec4{0.05F, 0.06F, 0.07F, 1} : kPlate;
+    frame.signs.push_back(back);
+    const int most_width = frame.size.x - 2 * margin;
+    const float title_em = static_cast<float>(frame.size.y) / (board.lines.empty() ? 9.0F : 16.0F);
+    const auto title = writer_.text(board.title, title_em, true, most_width);
+    render::Sign sign;
+    sign.texture = title.texture;
+    sign.place = {margin, frame.size.y - margin - title.height, title.width, title.height};
+    if (board.lines.empty())
+        sign.place = {(frame.size.x - title.width) / 2, (frame.size.y - title.height) / 2, title.width, title.height};
+    frame.signs.push_back(sign);
+    const float room = static_cast<float>(sign.place.y - 2 * margin);
+    const float leading = std::min(room / static_cast<float>(std::max<std::size_t>(board.lines.size(), 1)),
+                                   static_cast<float>(frame.size.y) / 20.0F);
+    float top = static_cast<float>(sign.place.y) - static_cast<float>(margin) / 2;
+    for (const std::string& line : board.lines) {
+        const auto written = writer_.text(line, leading * 0.62F);
+        // A line that is too wide is drawn smaller, not cut.
+        const float shrink = std::min(1.0F, static_cast<float>(most_width) / static_cast<float>(written.width));
+        sign.texture = written.texture;
+        sign.place.width = static_cast<int>(static_cast<float>(written.width) * shrink);
+        sign.place.height = static_cast<int>(static_cast<float>(written.height) * shrink);
+        sign.place.x = margin;
+        sign.place.y = static_cast<int>(top) - sign.place.height;
+        frame.signs.push_back(sign);
+        top -= leading;
+    }
+}
+
+void Stage::add_plate(render::Frame& frame, const StageView& view) {
+    const bool is_four = shows_four(view);
+    const float em = static_cast<float>(frame.size.y) / (is_four ? 22.0F : 17.0F);
+    const auto written = writer_.text(words(view, configuration_), em, true, frame.size.x * 8 / 10);
+    std::optional<SignWriter::Written> caption;
+    if (has_caption(view)) caption = writer_.text(std::string(view.caption), 0.62F * em, false, frame.size.x * 7 / 10);
+    const int pad = static_cast<int>(em * 0.6F);
+    const int below = caption ? caption->height + pad / 4 : 0;
+    const bool has_steps = is_four && view.state.screen != exhibit::Screen::StillThere;
+    const int steps = has_steps ? static_cast<int>(em * 0.55F) : 0;
+    const int widest = std::max(written.width, caption ? caption->width : 0);
+    render::Rect plate{0, 0, widest + 2 * pad, written.height + below + pad + steps};
+    plate.x = (frame.size.x - plate.width) / 2;
+    plate.y = is_four                 ? (frame.size.y - plate.height) / 2
+              : view.asked != nullptr ? frame.size.y - plate.height - frame.size.y / 16
+                                      : frame.size.y / 16;
+    render::Sign back;
+    back.place = plate;
+    back.colour = kPlate;
+    back.corner_radius_px = em * 0.5F;
+    frame.signs.push_back(back);
+    // Whatever is on the screen, a press is seen: the plate lights up in the button's colour.
+    if (const float left = flash_left(view); left > 0) {
+        render::Sign lit = back;
+        lit.colour = glm::vec4(flash_colour(view.flash->button), left);
+        lit.border_px = std::max(2.0F, em * 0.12F);
+        frame.signs.push_back(lit);
+    }
+    render::Sign words_sign;
+    words_sign.texture = written.texture;
+    words_sign.place = {plate.x + (plate.width - written.width) / 2, plate.y + pad / 2 + steps + below, written.width,
+                        written.height};
+    frame.signs.push_back(words_sign);
+    if (caption) {
+        words_sign.texture = caption->texture;
+        words_sign.place = {plate.x + (plate.width - caption->width) / 2, plate.y + pad / 2 + steps, caption->width,
+                            caption->height};
+        frame.signs.push_back(words_sign);
+    }
+    if (has_steps) add_progress(frame, view, plate);
+}
+
+// Under the question: which of the three it is; while breeding, how far the next four have grown.
+void Stage::add_progress(render::Frame& frame, const StageView& view, const render::Rect& plate) {
+    constexpr int kSteps = 3;
+    const int bar_h = std::max(3, plate.height / 16);
+    const int bar_w = plate.width / 6;
+    const int gap = bar_w / 4;
+    const bool is_breeding = view.state.screen == exhibit::Screen::Breed;
+    const float done = is_breeding ? view.growing_progress * kSteps : static_cast<float>(view.state.question);
+    int x = plate.x + (plate.width - kSteps * bar_w - (kSteps - 1) * gap) / 2;
+    for (int i = 0; i < kSteps; ++i, x += bar_w + gap) {
+        const render::Rect place{x, plate.y + bar_h * 2, bar_w, bar_h};
+        render::Sign bar;
+        bar.place = place;
+        bar.colour = kQuiet;
+        bar.corner_radius_px = static_cast<float>(bar_h) / 2;
+        frame.signs.push_back(bar);
+        const float share = std::clamp(done - static_cast<float>(i), 0.0F, 1.0F);
+        const bool is_current = !is_breeding && static_cast<int>(done) == i;
+        bar.place.width = std::max(bar_h, static_cast<int>(static_cast<float>(bar_w) * share));
+        bar.colour = kDone;
+        if (share > 0) frame.signs.push_back(bar);
+        if (is_current) {
+            bar.place = place;
+            bar.colour = {1, 1, 1, 0.6F};
+            frame.signs.push_back(bar);
+        }
+    }
+}
+
+}  // namespace quadrat::stage

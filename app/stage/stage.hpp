@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// The room `stage`: what the audience sees. From a visit's moment and grown landscapes to a frame, its words and signs;
+// what lies on the GPU. Nothing here decides what happens next or listens to buttons.
+#pragma once
+#include <array>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/clock.hpp"
+#include "display/display.hpp"
+#include "exhibit/visit.hpp"
+#include "render/renderer.hpp"
+#include "site/configuration.hpp"
+#include "stage/asked.hpp"
+#include "stage/board.hpp"
+#include "stage/signs.hpp"
+
+namespace quadrat::stage {
+
+// One landscape as it can be drawn.
+struct Shown {
+    std::shared_ptr<const scene::Scene> scene;
+    std::shared_ptr<const render::GpuScene> gpu;
+};
+
+// What is on stage: nothing yet, one landscape or four.
+struct Cast {
+    std::vector<Shown> scenes;
+    base::Instant arrived{0};  // when they first were seen, from which they grow in
+};
+
+// What happened to a button, for the flash that acknowledges it.
+struct Flash {
+    exhibit::Choice button;
+    base::Instant at;
+};
+
+struct StageView {
+    const exhibit::State& state;
+    const exhibit::Timings& timings;
+    const Cast& cast;
+    const std::optional<Flash>& flash;
+    float growing_progress = 0;  // of what Breed waits for, 0 to 1
+    base::Instant now{0};
+    std::string_view caption = {};          // below the prompt of Breed and of the finale; may be empty
+    const Asked* asked = nullptr;           // in Describe and Slide
+    const Board* board = nullptr;           // over everything, or null
+    const mesh::Image* backdrop = nullptr;  // a picture of an earlier landscape in place of what is not there, or null
+    std::string_view sign = {};             // for staff, small in a corner; may be empty
+};
+
+// From the visit's state to a frame: which views, how dim, which words. Holds rasterised words, nothing else.
+class Stage {
+  public:
+    Stage(render::Renderer& renderer, const site::Configuration& configuration)
+        : writer_(renderer), configuration_(configuration) {}
+
+    render::Frame frame(const StageView& view, const display::Canvas& canvas);
+    SignWriter& writer() { return writer_; }
+
+  private:
+    void add_views(render::Frame& frame, const StageView& view);
+    void add_quarter_signs(render::Frame& frame, const StageView& view);
+    void add_board(render::Frame& frame, const Board& board);
+    void add_strip(render::Frame& frame, const Board& board);
+    void add_sign(render::Frame& frame, std::string_view words);
+    void add_backdrop(render::Frame& frame, const mesh::Image& picture);
+    void add_plate(render::Frame& frame, const StageView& view);
+    void add_progress(render::Frame& frame, const StageView& view, const render::Rect& plate);
+    void add_labels(render::Frame& frame, const StageView& view);
+    void add_slider(render::Frame& frame, const ShownSlider& slider);
+
+    SignWriter writer_;
+    const site::Configuration& configuration_;
+};
+
+// How bright the acknowledgement of the last press still is: 1 on its first frame, 0 when it is over.
+float flash_left(const StageView& view);
+
+// The words of the moment, in the site's language.
+std::string words(const StageView& view, const site::Configuration& configuration);
+
+}  // namespace quadrat::stage

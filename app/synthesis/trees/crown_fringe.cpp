@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/trees/crown_fringe.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/seed.hpp"
+#include "mesh/pieces.hpp"
+
+namespace quadrat::synthesis::trees {
+namespace {
+
+constexpr std::size_t kFewestTriangles = 8;  // of a mass that has a fringe
+constexpr float kCovers = 1.15F;              // of the mass, by area
+constexpr float kLength = 1.5F;               // of a spray, to the square root of its area, and so its width
+constexpr float kWidth = 4.0F / 3;
+constexpr float kReach = 1.08F;               // of the mass, from the root
+constexpr double kGoldenShare = 0.6180339887498949;
+
+// Where a spray stands on the finest mass, and what the leaves about it are.
+struct Spray {
+    glm::vec3 at_m, along, side, normal, colour;
+    float shade, age, sway;
+};
+
+glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise) {
+    const float length2 = glm::dot(v, v);
+    return length2 > 1e-9F ? v / std::sqrt(length2) : otherwise;
+}
+
+template <typename Value>
+Value weighted(const std::vector<Value>& values, const mesh::Mesh& mesh, std::size_t first,
+               const std::array<float, 3>& weights) {
+    Value sum = values[mesh.indices[first]] * weights[0];
+    for (std::size_t k = 1; k < 3; ++k) sum += values[mesh.indices[first + k]] * weights[k];
+    return sum;
+}
+
+// As much of each sum as the areas before it are of all.
+std::vector<float> areas_up_to(const mesh::Mesh& mesh) {
+    std::vector<float> sums;
+    float sum = 0;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const glm::vec3 a = mesh.positions_m[mesh.indices[i]];
+        sum += 0.5F * glm::length(glm::cross(mesh.positions_m[mesh.indices[i + 1]] - a,
+                                             mesh.positions_m[mesh.indices[i + 2]] - a));
+        sums.push_back(sum);
+    }
+    return sums;
+}
+
+Spray spray_on(const scene::CrownMass& mass, std::size_t first, base::RandomStream random) {
+    const float root = std::sqrt(random.unit_f());
+    const float across = random.unit_f();
+    const std::array<float, 3> weights{1 - root, root * (1 - across), root * across};
+    Spray spray;
+    spray.at_m = weighted(mass.mesh.positions_m, mass.mesh, first, weights);
+    spray.normal = unit_or(weighted(mass.mesh.normals, mass.mesh, first, weights), {0, 1, 0});
+    spray.shade = weighted(mass.shades, mass.mesh, first, weights);
+    spray.age = weighted(mass.ages, mass.mesh, first, weights);
+    spray.sway = weighted(mass.sways, mass.mesh, first, weights);
+    spray.colour = weighted(mass.colours, mass.mesh, first, weights) * random.between(0.72F, 1.28F);
+    // Outward, down a little, and any way along the surface.
+    const glm::vec3 chance{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+    const glm::vec3 flat = unit_or(chance - glm::dot(chance, spray.normal) * spray.normal, {1, 0, 0});
+    spray.along = unit_or(0.9F * spray.normal + flat - glm::vec3{0, 0.2F, 0}, spray.normal);
+    spray.side = unit_or(glm::cross(spray.along, spray.normal), flat);
+    return spray;
+}
+
+// An even cover by any prefix: steps of the golden share of the area never gather.
+std::vector<Spray> sprays_of(const scene::CrownMass& mass, std::size_t count) {
+    const std::vector<float> areas = areas_up_to(mass.mesh);
+    std::vector<Spray> sprays;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double turn = (static_cast<double>(i) + 0.5) * kGoldenShare;
+        const float area = static_cast<float>(turn - std::floor(turn)) * areas.back();
+        const auto triangle = static_cast<std::size_t>(std::ranges::lower_bound(areas, area) - areas.begin());
+        const std::size_t first = 3 * std::min(triangle, areas.size() - 1);
+        sprays.push_back(spray_on(mass, first, base::RandomStream{base::Seed{0x66'72'69}.child(i)}));
+    }
+    return sprays;
+}
+
+// Foot, foot, tip, its outside to the front; none further from the root than so much. area_m2: of the triangle.
+std::array<glm::vec3, 3> corners(const Spray& spray, float area_m2, float reach_m) {
+    const float length_m = kLength * std::sqrt(area_m2);
+    const float half_m = 0.5F * kWidth * std::sqrt(area_m2);
+    const glm::vec3 foot = spray.at_m - 0.2F * length_m * spray.along;
+    std::array<glm::vec3, 3> at{foot - half_m * spray.side, foot + half_m * spray.side,
+                                foot + length_m * spray.along};
+    for (glm::vec3& corner : at) corner *= std::min(reach_m / std::max(glm::length(corner), 1e-3F), 1.0F);
+    return at;
+}
+
+void add(scene::CrownMass& mass, const Spray& spray, const std::array<glm::vec3, 3>& at) {
+    constexpr std::array<float, 3> kLightness{0.82F, 0.88F, 1.22F};
+    ++mass.sprays;
+    for (std::size_t k = 0; k < 3; ++k) {
+        mass.mesh.indices.push_back(static_cast<std::uint32_t>(mass.mesh.positions_m.size()));
+        mass.mesh.positions_m.push_back(at[k]);
+        mass.mesh.normals.push_back(spray.normal);
+        mass.colours.push_back(spray.colour * kLightness[k]);
+        mass.shades.push_back(std::clamp(spray.shade, 0.0F, 1.0F));
+        mass.ages.push_back(std::clamp(spray.age, 0.0F, 1.0F));
+        mass.sways.push_back(std::clamp(spray.sway, 0.0F, 1.0F));
+    }
+}
+
+}  // namespace
+
+void add_fringe(std::vector<scene::CrownMass>& masses) {
+    if (masses.empty()) return;
+    const std::size_t clumps = mesh::pieces_of(masses.front().mesh).size();
+    std::vector<std::size_t> counts;
+    for (const scene::CrownMass& mass : masses) {
+        const std::size_t own = mass.mesh.triangle_count();
+        const bool has_all = mesh::pieces_of(mass.mesh).size() == clumps;
+        counts.push_back(has_all && own >= kFewestTriangles ? own : 0);
+    }
+    if (counts.front() == 0) return;
+    const std::vector<Spray> sprays = sprays_of(masses.front(), counts.front());
+    const float covered_m2 = kCovers * areas_up_to(masses.front().mesh).back();
+    float reach_m = 0;
+    for (const glm::vec3& at_m : masses.front().mesh.positions_m) reach_m = std::max(reach_m, kReach * glm::length(at_m));
+    const auto at = [&](std::size_t level, std::size_t spray) {
+        return corners(sprays[spray], covered_m2 / static_cast<float>(counts[level]), reach_m);
+    };
+    for (std::size_t level = 0; level < masses.size() && counts[level] > 0; ++level) {
+        const bool has_coarser = !masses[level].coarser_m.empty();
+        for (std::size_t i = 0; i < counts[level]; ++i) {
+            add(masses[level], sprays[i], at(level, i));
+            if (!has_coarser) continue;
+            // One that the next level lacks dwindles to nothing.
+            const bool stays = level + 1 < masses.size() && i < counts[level + 1];
+            const glm::vec3 gone_m = sprays[i].at_m;
+            for (const glm::vec3& corner : stays ? at(level + 1, i) : std::array{gone_m, gone_m, gone_m})
+                masses[level].coarser_m.push_back(corner);
+        }
+    }
+}
+
+}  // namespace quadrat::synthesis::trees

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "site/configuration.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "genome/speech.hpp"
+#include "support/process.hpp"
+
+namespace quadrat::site {
+namespace {
+
+using testing::HasSubstr;
+
+std::string refusal_of(const std::string& toml) {
+    try {
+        configuration_from(toml, "site.toml");
+    } catch (const base::InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Configuration, TheFileThatIsDeliveredSaysTheDefaults) {
+    const Configuration delivered = read_configuration(QUADRAT_SOURCE_DIR "/deploy/quadrat.toml");
+    const Configuration standard;
+    EXPECT_EQ(delivered.screen.display, standard.screen.display);
+    EXPECT_EQ(delivered.inputs, standard.inputs);
+    EXPECT_EQ(delivered.visit.rounds, standard.visit.rounds);
+    EXPECT_EQ(delivered.visit.patience_s, standard.visit.patience_s);
+    EXPECT_EQ(delivered.visit.countdown_s, standard.visit.countdown_s);
+    EXPECT_EQ(delivered.visit.finale_s, standard.visit.finale_s);
+    EXPECT_EQ(delivered.visit.long_press_s, standard.visit.long_press_s);
+    EXPECT_EQ(delivered.visit.language, standard.visit.language);
+    EXPECT_EQ(delivered.breeding.genome, standard.breeding.genome);
+    EXPECT_EQ(delivered.breeding.breeder, standard.breeding.breeder);
+    EXPECT_EQ(delivered.words, standard.words);
+    EXPECT_EQ(delivered.breeding.learning_rate, standard.breeding.learning_rate);
+    EXPECT_EQ(delivered.breeding.mutation, standard.breeding.mutation);
+    EXPECT_EQ(delivered.picture.alpha, standard.picture.alpha);
+    EXPECT_EQ(delivered.picture.land_samples, standard.picture.land_samples);
+    EXPECT_EQ(delivered.picture.ground, standard.picture.ground);
+    EXPECT_EQ(delivered.visit.describe_words, standard.visit.describe_words);
+    EXPECT_EQ(delivered.visit.describe_every, standard.visit.describe_every);
+    EXPECT_EQ(delivered.visit.describe_s, standard.visit.describe_s);
+    EXPECT_EQ(delivered.hours, standard.hours);
+    EXPECT_EQ(delivered.closing.card, standard.closing.card);
+    EXPECT_EQ(delivered.closing.overtime, standard.closing.overtime);
+    EXPECT_EQ(delivered.closing.awake, standard.closing.awake);
+    EXPECT_EQ(delivered.closing.wakes_by_button, standard.closing.wakes_by_button);
+    EXPECT_TRUE(delivered.texts.empty()) << "they would hide what the screen says in the site's language";
+}
+
+TEST(Configuration, TheFileThatIsDeliveredShowsEveryPromptInEnglish) {
+    std::string shown = base::read_file(QUADRAT_SOURCE_DIR "/deploy/quadrat.toml");
+    shown = std::regex_replace(shown.substr(shown.find("[text]")), std::regex("\n# "), "\n");
+    const Configuration uncommented = configuration_from(shown, "quadrat.toml");
+    EXPECT_EQ(uncommented.texts.size(), genome::kPrompts.size());
+    for (const auto& [key, words] : uncommented.texts) EXPECT_EQ(words, text(Configuration{}, key)) << key;
+}
+
+TEST(Configuration, TheScreenSpeaksTheSitesLanguageAndItsOwnWordsFirst) {
+    const Configuration c =
+        configuration_from("[visit]\nlanguage = \"es\"\n[text]\n\"ask.sky\" = \"¿Qué cielo?\"\n", "site.toml");
+    EXPECT_EQ(text(c, "ask.sky"), "¿Qué cielo?");
+    EXPECT_EQ(text(c, "ask.trees"), "¿Dónde están los mejores árboles?");
+}
+
+TEST(Configuration, ReadsWhatTheSiteDecides) {
+    const Configuration c = configuration_from(
+        "[screen]\nrotation_deg = 90\nmirrored = true\n[buttons]\ninputs = [\"hid:\", \"keyboard\"]\n"
+        "[visit]\nrounds = 3\npatience_s = 12.5\n[breeding]\nmutation_form = \"random\"\nlocked = [\"sky\"]\n"
+        "[text]\n\"ask.trees\" = \"Welche Bäume?\"\n",
+        "site.toml");
+    EXPECT_EQ(c.screen.rotation_deg, 90);
+    EXPECT_TRUE(c.screen.is_mirrored);
+    EXPECT_THAT(c.inputs, testing::ElementsAre("hid:", "keyboard"));
+    EXPECT_EQ(c.visit.rounds, 3);
+    EXPECT_EQ(c.visit.patience_s, 12.5);
+    EXPECT_EQ(c.breeding.mutation_form, "random");
+    EXPECT_EQ(text(c, "ask.trees"), "Welche Bäume?");
+    EXPECT_EQ(text(c, "ask.sky"), "Which has the best sky?");
+}
+
+TEST(Configuration, NamesWhatIsWrongWithWordsAndLanguages) {
+    EXPECT_EQ(configuration_from("[visit]\nlanguage = \"de\"\n", "site.toml").visit.language, "de");
+    EXPECT_THAT(refusal_of("[words]\nwet = [0.5, 0]\n"), HasSubstr("site.toml:2: words.wet is not a range"));
+    EXPECT_THAT(refusal_of("[words]\nnice = [0, 1]\n"), HasSubstr("words.nice is not known"));
+    EXPECT_THAT(refusal_of("[visit]\nlanguage = \"tlh\"\n"), HasSubstr("visit.language is \"tlh\""));
+}
+
+TEST(Configuration, ReadsOpeningHours) {
+    const Configuration c = configuration_from(
+        "[hours]\ntuesday = \"09:00-17:00\"\ncard_s = 5\nwakes_by_button = false\n"
+        "[hours.exceptions]\n2026-12-24 = \"closed\"\n",
+        "site.toml");
+    EXPECT_FALSE(c.hours.is_always_open);
+    EXPECT_EQ(c.hours.week[1], (std::vector<OpenSpan>{{540, 1020}}));
+    EXPECT_TRUE(c.hours.week[0].empty());
+    EXPECT_EQ(c.hours.exceptions.size(), 1U);
+    EXPECT_EQ(c.closing.card, std::chrono::seconds{5});
+    EXPECT_FALSE(c.closing.wakes_by_button);
+    const Configuration only = configuration_from("[hours.exceptions]\n2026-12-24 = \"closed\"\n", "site.toml");
+    EXPECT_EQ(only.hours.week[3], (std::vector<OpenSpan>{{0, 1440}})) << "open but for the exceptions";
+    EXPECT_THAT(refusal_of("[hours]\nmonday = \"nine to five\"\n"), HasSubstr("site.toml:2: hours.monday"));
+    EXPECT_THAT(refusal_of("[hours]\nmoonday = \"closed\"\n"), HasSubstr("hours.moonday is not known"));
+    EXPECT_THAT(refusal_of("[hours.exceptions]\n2026-02-30 = \"closed\"\n"), HasSubstr("is no date"));
+}
+
+TEST(Configuration, RefusesInOneLineWithTheLineTheKeyAndWhatWouldBeRight) {
+    EXPECT_THAT(refusal_of("[visit]\nrounds = 900\n"), HasSubstr("site.toml:2: visit.rounds is 900; it must lie"));
+    EXPECT_THAT(refusal_of("[visit]\n\npatience_s = true\n"),
+                HasSubstr("site.toml:3: visit.patience_s is not a number"));
+    EXPECT_THAT(refusal_of("[screen]\ndisplay = \"tv\"\n"), HasSubstr("one of auto, kms, window, headless"));
+    EXPECT_THAT(refusal_of("[picture]\nland_samples = 300\n"), HasSubstr("65, 129, 257, 513 or 1025"));
+    EXPECT_THAT(refusal_of("[screen]\nrotation_deg = 45\n"), HasSubstr("0, 90, 180 or 270"));
+    EXPECT_THAT(refusal_of("[buttons]\ninputs = \"hid:\"\n"), HasSubstr("is not a list"));
+    EXPECT_THAT(refusal_of("[vist]\nrounds = 3\n"), HasSubstr("vist is not known; there are"));
+    EXPECT_THAT(refusal_of("[text]\nhello = \"x\"\n"), HasSubstr("text.hello is not known"));
+    EXPECT_THAT(refusal_of("visit = 3\n"), HasSubstr("write [visit]"));
+    EXPECT_THAT(refusal_of("[visit]\nrounds = nan\n"), HasSubstr("visit.rounds"));
+    EXPECT_THAT(refusal_of("[visit]\npatience_s = nan\n"), HasSubstr("must lie between"));
+    EXPECT_THAT(refusal_of("[visit\n"), HasSubstr("site.toml:1:"));
+}
+
+// What is said of a text, one line a mistake, on a machine whose fonts have the letters of Latin alone.
+std::string mistakes_in(const std::string& toml) {
+    const auto latin_alone = [](const std::string& text) {
+        const bool is_latin = std::ranges::all_of(
+            text, [](char c) { return static_cast<unsigned char>(c) < 0xd0 || c == static_cast<char>(0xe2); });
+        return is_latin ? std::string{} : "some";
+    };
+    std::string lines;
+    for (const Mistake& mistake : check_configuration(toml, "site.toml", latin_alone).mistakes)
+        lines += to_text(mistake) + "\n";
+    return lines;
+}
+
+TEST(Configuration, AllMistakesAreListedAndWhatIsRightIsKept) {
+    const std::string toml =
+        "[visit]\nrounds = six\npatience_s = 5\n[screen]\nmode = \"1080p\"\n[fleet]\nname = \"a/b\"\n[vist]\n";
+    const CheckedConfiguration checked = check_configuration(toml, "site.toml");
+    std::vector<int> lines;
+    for (const Mistake& mistake : checked.mistakes) lines.push_back(mistake.line);
+    EXPECT_THAT(lines, testing::ElementsAre(2, 5, 7, 8));
+    EXPECT_EQ(checked.configuration.visit.patience_s, 5);
+    EXPECT_EQ(checked.configuration.screen.mode, "");
+}
+
+TEST(Configuration, AfterALineThatIsNoTomlNothingIsMadeUp) {
+    EXPECT_THAT(mistakes_in("[buttons]\ninputs = [ \"hid:\"\n[visit]\nrounds = 3\n"),
+                testing::MatchesRegex("site.toml:3: [^\n]*\n"))
+        << "the list that does not end, and nothing of what follows it";
+    EXPECT_THAT(mistakes_in("[visit\nrounds = 3\n[picture]\nalpha = 900\n"),
+                testing::AllOf(HasSubstr("site.toml:1: "), HasSubstr("site.toml:4: picture.alpha is 900")));
+    EXPECT_THAT(mistakes_in("[visit\nrounds = 3\n"), testing::Not(HasSubstr("rounds")));
+}
+
+TEST(Configuration, AFileOfNoBytesIsAMistakeAndOneOfCommentsIsNot) {
+    EXPECT_THAT(mistakes_in(""), HasSubstr("site.toml: the file is empty"));
+    EXPECT_THAT(mistakes_in(" \n\n"), HasSubstr("empty"));
+    EXPECT_EQ(mistakes_in("# as it comes\n"), "");
+}
+
+TEST(Configuration, AKeyWithADotWithoutQuotationMarksIsToldHowToBeWritten) {
+    const std::string said = mistakes_in("[text]\nask.trees = \"Welche?\"\ndescribe.tree = \"x\"\n");
+    EXPECT_THAT(said, HasSubstr("site.toml:2: text.ask.trees stands without quotation marks"));
+    EXPECT_THAT(said, HasSubstr("\"ask.trees\" = "));
+    EXPECT_THAT(said, HasSubstr("site.toml:3: text.describe.tree is not known"));
+    EXPECT_EQ(std::ranges::count(said, '\n'), 2);
+}
+
+TEST(Configuration, WordsThatNoFontCanShowAreAMistakeWhereTheyAreWrittenOrChosen) {
+    EXPECT_THAT(mistakes_in("[text]\nattract = \"欢迎\"\n"), HasSubstr("site.toml:2: text.attract: no installed font"));
+    EXPECT_THAT(mistakes_in("[visit]\nlanguage = \"ar\"\n"), HasSubstr("site.toml:2: visit.language is \"ar\"; no"));
+    EXPECT_EQ(mistakes_in("[text]\nattract = \"Drückt einen Knopf\"\n[visit]\nlanguage = \"de\"\n"), "");
+}
+
+TEST(Configuration, AScriptThatIsNotThereOrWrongIsAMistakeOfTheInputs) {
+    const tests::TemporaryFolder folder;
+    const std::string file = folder.write("visit.script", "prod B\n").string();
+    EXPECT_THAT(mistakes_in("[buttons]\ninputs = [\"script:" + file + "\"]\n"), HasSubstr("visit.script:1: "));
+    EXPECT_THAT(mistakes_in("[buttons]\ninputs = [\"script:/nowhere\"]\n"), HasSubstr("no such file"));
+}
+
+}  // namespace
+}  // namespace quadrat::site
