@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 // Who a device on a cable is, and how a site names the one it means: the same for hidraw and evdev.
 namespace quadrat::firmware_io {
@@ -37,6 +40,21 @@ std::string describe(const std::string& path, const DeviceIdentity& device);
 // The same for all interfaces of one board, whichever of the kernel's ways leads to them. A device that tells neither
 // its port nor its serial cannot be told from its equals.
 std::string board_of(const DeviceIdentity& device);
+
+// Of these, those that are meant; a path stands for the whole board.
+template <typename Facts>
+std::vector<Facts> those_meant(const DeviceSelector& selector, std::vector<Facts> all) {
+    std::vector<Facts> found;
+    std::vector<std::string> boards;
+    for (const Facts& device : all)
+        if (is_meant(selector, device.identity, device.path)) boards.push_back(board_of(device.identity));
+    for (Facts& device : all) {
+        const bool is_of_board = !selector.path.empty() && !device.identity.port.empty() &&
+                                 std::find(boards.begin(), boards.end(), board_of(device.identity)) != boards.end();
+        if (is_of_board || is_meant(selector, device.identity, device.path)) found.push_back(std::move(device));
+    }
+    return found;
+}
 
 // Where a link leads to; the path itself where there is none.
 std::string without_links(const std::string& path);

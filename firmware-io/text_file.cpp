@@ -2,7 +2,9 @@
 #include "firmware-io/text_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -10,6 +12,30 @@
 
 namespace quadrat::firmware_io {
 namespace {
+
+constexpr std::size_t kLongestLine = 64u << 10;
+
+[[noreturn]] void refuse_encoding(const std::string& name, const std::string& encoding) {
+    throw TextError{name + ": is " + encoding +
+                    " text; save it as UTF-8 (in Windows Notepad: Save as, Encoding: UTF-8)"};
+}
+
+// Half of plain text's bytes are NUL in UTF-16, and all of them stand on one side.
+bool looks_like_utf16(std::string_view bytes) {
+    const std::string_view start = bytes.substr(0, 256);
+    std::size_t nuls[2] = {0, 0};
+    for (std::size_t i = 0; i < start.size(); ++i) nuls[i % 2] += start[i] == '\0';
+    const std::size_t most = std::max(nuls[0], nuls[1]);
+    return bytes.size() % 2 == 0 && most > 0 && std::min(nuls[0], nuls[1]) == 0 && 4 * most >= start.size();
+}
+
+void refuse_foreign(std::string_view bytes, const std::string& name) {
+    using namespace std::string_view_literals;
+    // UTF-32 first: its mark begins with that of UTF-16.
+    if (bytes.starts_with("\xff\xfe\0\0"sv) || bytes.starts_with("\0\0\xfe\xff"sv)) refuse_encoding(name, "UTF-32");
+    if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff") || looks_like_utf16(bytes))
+        refuse_encoding(name, "UTF-16");
+}
 
 // CRLF, and CR alone where there is no other line end, become LF.
 std::string with_line_ends(std::string_view text) {
@@ -27,6 +53,45 @@ std::string with_line_ends(std::string_view text) {
     return lines;
 }
 
+// How many bytes the character at the start of the text takes, by Unicode's table 3-7; 0 where there is none.
+std::size_t character_bytes(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
+    const std::uint32_t first = byte(0);
+    if (first < 0x80) return 1;
+    const std::size_t length = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+    if (length == 0 || length > text.size()) return 0;
+    std::uint32_t code = first & (0x7fu >> length);
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xc0u) != 0x80) return 0;
+        code = code << 6 | (byte(i) & 0x3fu);
+    }
+    constexpr std::array<std::uint32_t, 3> kLeast{0x80, 0x800, 0x10000};  // below it, the form is too long
+    const bool is_character = code >= kLeast[length - 2] && code <= 0x10ffff && (code < 0xd800 || code > 0xdfff);
+    return is_character ? length : 0;
+}
+
+std::string in_hex(char c) {
+    constexpr std::string_view kDigits = "0123456789ABCDEF";
+    const auto byte = static_cast<std::uint8_t>(c);
+    return {'0', 'x', kDigits[byte >> 4], kDigits[byte & 0xfu]};
+}
+
+void check_line(std::string_view line, const std::string& place) {
+    if (line.size() > kLongestLine)
+        throw TextError{place + ": this line has " + std::to_string(line.size()) + " bytes; a line has " +
+                        std::to_string(kLongestLine) + " at most: is this the right file?"};
+    const auto byte = [&](std::size_t at) { return place + ": byte " + std::to_string(at + 1) + " is "; };
+    for (std::size_t at = 0; at < line.size();) {
+        if (line[at] == '\0')
+            throw TextError{byte(at) + "NUL, which no text has: the file is damaged, or none of text"};
+        const std::size_t length = character_bytes(line.substr(at));
+        if (length == 0)
+            throw TextError{byte(at) + "not UTF-8 (" + in_hex(line[at]) +
+                            "); save the file as UTF-8, not as ANSI or Latin-1"};
+        at += length;
+    }
+}
+
 }  // namespace
 
 std::string read_text(const std::filesystem::path& file, std::size_t limit_bytes) {
@@ -40,19 +105,17 @@ std::string read_text(const std::filesystem::path& file, std::size_t limit_bytes
     if (std::filesystem::file_size(file, error) > limit_bytes)
         throw TextError{name + ": larger than " + std::to_string(limit_bytes) + " bytes; a text is short"};
     const std::string bytes{std::istreambuf_iterator<char>{stream}, {}};
-    std::string_view text = bytes;
-    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-        throw TextError{name + ": is UTF-16 text; save it as UTF-8 (in Windows Notepad: Save as, Encoding: UTF-8)"};
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-    if (const auto at = text.find('\0'); at != std::string_view::npos) {
-        const auto before = text.substr(0, at);
-        const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-        const auto newline = before.rfind('\n');
-        const auto byte = at - (newline == std::string_view::npos ? 0 : newline + 1) + 1;
-        throw TextError{name + ":" + std::to_string(line) + ": byte " + std::to_string(byte) +
-                        " is NUL, which no text has: the file is damaged, or none of text"};
+    refuse_foreign(bytes, name);
+    std::string_view marked = bytes;
+    if (marked.starts_with("\xef\xbb\xbf")) marked.remove_prefix(3);
+    const std::string text = with_line_ends(marked);
+    std::size_t number = 0;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        check_line(std::string_view{text}.substr(begin, end - begin), name + ":" + std::to_string(++number));
+        begin = end + 1;
     }
-    return with_line_ends(text);
+    return text;
 }
 
 }  // namespace quadrat::firmware_io

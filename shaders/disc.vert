@@ -16,7 +16,9 @@ void main() {
     vec3 on_layers = on_clouds(ray);
     vec4 clip = view.clip_from_world * vec4(view.eye_seconds.xyz + on_layers * 100.0, 1.0);
     gl_Position = clip.xyww;
-    tiles = cloud_tiles(on_layers);
+    // So near to each other its corners have one bearing's seam.
+    float bearing = atan(view.to_sun.x, -view.to_sun.z) + corner.x * view.disc.w / max(length(view.to_sun.xz), 0.1);
+    tiles = cloud_tiles(ray, bearing, on_layers);
     up = ray.y;
     on_disc = vec2(0.5, -0.5) * corner + 0.5;
 }

@@ -4,7 +4,7 @@
 #include "common/haze.glsl"
 #include "common/cloud_tiles.glsl"
 
-layout(location = 0) in vec3 direction;    // unit
+layout(location = 0) in vec4 direction_bearing;  // xyz: unit; w: bearing, rad, -pi to pi on the ring's two ends
 layout(location = 1) in vec4 dome_colour;  // shown
 
 out vec4 tiles;
@@ -20,10 +20,11 @@ float mist_above(float rise) {
 }
 
 void main() {
+    vec3 direction = direction_bearing.xyz;
     vec3 on_layers = on_clouds(direction);
     vec4 clip = view.clip_from_world * vec4(view.eye_seconds.xyz + on_layers * 100.0, 1.0);
     gl_Position = clip.xyww;  // at the far end: behind all else, and hidden by it before it is shaded
-    tiles = cloud_tiles(on_layers);
+    tiles = cloud_tiles(direction, direction_bearing.w, on_layers);
     float rise = max(direction.y, 0.0);
     float cos_to_glow = dot(direction, view.to_glow.xyz);
     glow = exp2(cos_to_glow * 22.0 - 22.0);
@@ -32,6 +33,6 @@ void main() {
     shown += view.glare.rgb * (near_disc * near_disc) * (1.0 - 0.85 * shown);
     float mist = mist_above(rise);
     float air = max(exp2(-rise * view.mist.w), mist);
-    behind = vec4(mix(shown, haze_towards(cos_to_glow), air), clamp(direction.y * 14.0, 0.0, 1.0) * (1.0 - mist));
+    behind = vec4(mix(shown, haze_towards(cos_to_glow), air), (1.0 - exp2(-22.0 * rise)) * (1.0 - mist));
     glow *= view.to_glow.w;
 }

@@ -13,7 +13,7 @@ void main() {
     vec3 direction = direction_light.xyz;
     vec4 clip = view.clip_from_world * vec4(view.eye_seconds.xyz + direction * 1000.0, 1.0);
     gl_Position = clip.xyww;
-    tiles = cloud_tiles(on_clouds(direction));
+    tiles = cloud_tiles(direction, atan(direction.x, -direction.z), on_clouds(direction));
     float size = (2.2 + 5.0 * direction_light.w) * px;
     // A star smaller than a pixel is a dimmer pixel.
     gl_PointSize = max(size, 1.5);

@@ -1,24 +1,30 @@
 #version 310 es
 // SPDX-License-Identifier: Apache-2.0
+// Water: what it mirrors, moved by ripples that go with the current or the wind: two pictures of them, each carried off
+// and let go in turn, shown while they are whole.
 #include "common/view.glsl"
+#include "common/mirror.glsl"
 
 layout(binding = 0) uniform sampler2D ground;   // a: how deep the water over it looks, 0 to 1
-layout(binding = 1) uniform sampler2D ripples;  // r: slope toward the north-west; g: a quarter turn later; 0.5 is level
+layout(binding = 1) uniform sampler2D ripples;  // r: slope, 0.5 is level
+layout(binding = 2) uniform sampler2D picture;  // rgb: shown, of what is mirrored
 
 in vec2 over_land;
-in vec4 before;
+in vec3 before;
+in vec3 mirrored;
 in float glitter;
 in float white;
+in vec4 carried;     // xy, zw: where in the ripples, of both pictures
+flat in float turn;  // how much of the second is shown
 layout(location = 0) out vec4 pixel;
 
 void main() {
-    vec2 turns = texture(ripples, over_land * 11.0).rg;
-    float slope = turns.r * view.shallow_water.w + turns.g * view.deepening.w - view.scales.w;
+    float slope = mix(texture(ripples, carried.xy).r, texture(ripples, carried.zw).r, turn) * 2.4 - 1.2;
     float deep = texture(ground, over_land).a;
-    vec3 body = view.shallow_water.rgb + view.deepening.rgb * deep;
-    // A ripple that leans away shows a higher, darker piece of sky; one that leans just so, the sun.
-    float bright = 1.0 + 0.20 * slope + exp2(glitter + slope * 17.0);
+    // A ripple that leans away shows what is higher; one that leans just so, the sun.
+    vec3 sky = texture(picture, vec2(mirrored.x, slope * mirror.ripple.x + mirrored.y)).rgb;
+    float share = mirrored.z + exp2(slope * mirror.ripple.y + glitter);
     float foam = max(white - deep * 13.0, 0.0) * view.mirrored.w;
-    // The shore shows through. The target clamps.
-    pixel = vec4((before.rgb + body * before.a) * bright + foam, deep * 4.5 + (0.3 + foam));
+    // The bed shows through where it is near. The target clamps.
+    pixel = vec4(sky * share + before + foam, deep * 1.4 + (0.25 + foam));
 }

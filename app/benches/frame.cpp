@@ -147,22 +147,22 @@ void held(Results& results, FourViews& views) {
             views.picture.holds_distance = holds;
             double cpu = 0;
             for (int n = -kFrames; n < kFrames; ++n) {
-                if (n == 0) cpu = cpu_seconds();
+                if (n == 0) cpu = machine::cpu_seconds();
                 views.look(seconds_at(turn * kFrames + n));
                 const render::Drawn drawn = views.draw();
                 if (n >= 0) triangles += static_cast<double>(drawn.triangles) / (kTurns * kFrames);
                 if (n >= 0 && holds) split_m += drawn.held_from_m / (kTurns * kFrames);
             }
-            return 1e3 * (cpu_seconds() - cpu) / kFrames;
+            return 1e3 * (machine::cpu_seconds() - cpu) / kFrames;
         };
         held_ms.push_back(fly(true, held_triangles));
         anew_ms.push_back(fly(false, anew_triangles));
         ratios.push_back(held_ms.back() / anew_ms.back());
     }
     views.picture.holds_distance = true;
-    results.push_back({"frame.held_cpu_ms", percentile(held_ms, 0.5), "ms of all cores, what is far held", cores()});
-    results.push_back({"frame.anew_cpu_ms", percentile(anew_ms, 0.5), "ms of all cores, all drawn anew", cores()});
-    results.push_back({"frame.held_ratio", percentile(ratios, 0.5), "of it", cores()});
+    results.push_back({"frame.held_cpu_ms", machine::percentile(held_ms, 0.5), "ms of all cores, what is far held", cores()});
+    results.push_back({"frame.anew_cpu_ms", machine::percentile(anew_ms, 0.5), "ms of all cores, all drawn anew", cores()});
+    results.push_back({"frame.held_ratio", machine::percentile(ratios, 0.5), "of it", cores()});
     results.push_back({"frame.held_triangles", held_triangles, "triangles in the mean", cores()});
     results.push_back({"frame.anew_triangles", anew_triangles, "triangles in the mean", cores()});
     results.push_back({"frame.held_from_m", split_m, "m: what is farther is held", cores()});

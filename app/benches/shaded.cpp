@@ -77,20 +77,20 @@ void add_costs(Results& results, const Chip& chip) {
 
 const ChipCosts kPi4Costs{{{"leaves.frag", 17, 172, 101},
                            {"wood.frag", 29, 183, 71},
-                           {"cover.vert", 8, 161, 130},
+                           {"cover.vert", 8, 93, 73},
                            {"near_ground.frag", 28, 191, 81},
-                           {"running_water.frag", 58, 191, 42},
+                           {"water.frag", 53, 338, 42},
                            {"held_sky.frag", 14, 158, 146},
                            {"falling.frag", 15, 170, 155}}};
 const ChipCosts kPi5Costs{{{"leaves.frag", 18, 150, 93},
                            {"wood.frag", 29, 161, 64},
-                           {"cover.vert", 8, 132, 110},
+                           {"cover.vert", 8, 83, 60},
                            {"near_ground.frag", 28, 174, 73},
-                           {"running_water.frag", 51, 157, 34},
+                           {"water.frag", 53, 345, 34},
                            {"held_sky.frag", 14, 133, 123},
                            {"falling.frag", 12, 132, 141}}};
-const ShaderCosts kPi4Dome{"sky.frag", 47, 150, 57};
-const ShaderCosts kPi5Dome{"sky.frag", 45, 140, 50};
+const ShaderCosts kPi4Dome{"sky.frag", 48, 158, 57};
+const ShaderCosts kPi5Dome{"sky.frag", 44, 149, 50};
 const ShaderCosts kPi4Distance{"held_distance.frag", 24, 206, 162};
 const ShaderCosts kPi5Distance{"held_distance.frag", 24, 179, 140};
 

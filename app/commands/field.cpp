@@ -341,7 +341,8 @@ void add_constraints(CLI::App& command, Options& options) {
         ->default_str("0:1 of floats, all of whole numbers")
         ->needs(mask);
     command
-        .add_option("--mask-nodata", options.mask_nodata, "A number that stands for a hole, besides -9999 and its like")
+        .add_option("--mask-nodata", options.mask_nodata,
+                    "A number that stands for a hole, besides -9999 and its like; a GeoTIFF may say it itself")
         ->default_str("none")
         ->needs(mask);
     command.add_option("--mask-heights", options.mask_heights, "Heights of its black and its white")

@@ -25,8 +25,9 @@ std::string encoded_heights(const std::filesystem::path& name, const mesh::Field
 
 // PNG, TIFF, EXR or PNM of any size to 16384; of colours the mean. Anything else is refused by its name.
 struct GreyPicture {
-    mesh::Field samples;         // in the file's own numbers; floats may be infinite, or none
-    std::optional<float> white;  // of whole numbers without a sign: the largest. Others may mean anything.
+    mesh::Field samples;               // in the file's own numbers; floats may be infinite, or none
+    std::optional<float> white;        // of whole numbers without a sign: the largest. Others may mean anything.
+    std::optional<float> nodata = {};  // what the file itself says stands for a hole: a TIFF's GDAL_NODATA
 };
 GreyPicture read_grey_picture(const std::filesystem::path& path);
 

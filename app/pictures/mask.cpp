@@ -62,7 +62,7 @@ MaskRange mask_range_from(const std::string& text) {
 Mask mask_from(const GreyPicture& picture, const std::string& name, std::optional<MaskRange> range,
                std::optional<float> nodata) {
     const MaskRange taken = range.value_or(MaskRange{0, picture.white.value_or(1.0F)});
-    const Holes holes{taken, nodata, !picture.white};
+    const Holes holes{taken, nodata ? nodata : picture.nodata, !picture.white};
     Mask mask{picture.samples, 0, 0};
     for (float& value : mask.share.samples) {
         const bool is_hole = holes.is_one(value);

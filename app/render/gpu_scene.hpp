@@ -7,6 +7,7 @@
 #include "render/light_and_air.hpp"
 #include "render/passes/cover.hpp"
 #include "render/passes/ground.hpp"
+#include "render/passes/mirror.hpp"
 #include "render/passes/plants.hpp"
 #include "render/passes/sky.hpp"
 #include "render/passes/stone.hpp"
@@ -30,6 +31,7 @@ class GpuScene {
     std::shared_ptr<const passes::FloraOnGpu> flora;
     std::shared_ptr<const passes::SkyOnGpu> sky;
     passes::GroundPictureOnGpu ground;
+    passes::MirrorOnGpu mirror;
     passes::CoverOfScene cover;
     std::shared_ptr<const std::vector<scene::Plant>> plants;  // the grown scene's, which stays for them
     LightAndAir air;

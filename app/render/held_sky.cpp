@@ -20,14 +20,22 @@ constexpr float kFineness = 0.45F;   // pixels a pixel of the view, a side
 constexpr float kMostShear = 0.03F;  // of the clouds' height: two degrees overhead
 constexpr float kMostDimmed = 0.1F;  // cloud, air and dome do not dim by quite the same factor
 
-// The layer that hides most.
-const scene::CloudLayer& leading(const GpuScene& scene) {
+// Whether the lower clouds hide more than the upper ones.
+bool is_led_by_lower(const GpuScene& scene) {
     const auto& layers = scene.air.sky.clouds;
     const auto cover = [](const scene::CloudLayer& layer) { return layer.opacity * layer.mean_density; };
-    return cover(layers[1]) > cover(layers[0]) ? layers[1] : layers[0];
+    return cover(layers[1]) <= cover(layers[0]);
 }
 
-// From where the layer's clouds are seen now to where they were seen then: what is over the eye at height 1.
+// From where the lower clouds are seen now to where they were seen then: they turn about the eye.
+glm::mat3 turn_back(float drifted_rad, float then_rad) {
+    const float turned = drifted_rad - then_rad;
+    const float sine = std::sin(turned);
+    const float cosine = std::cos(turned);
+    return {{cosine, 0, -sine}, {0, 1, 0}, {sine, 0, cosine}};
+}
+
+// The same for a flat layer: what is over the eye at height 1.
 glm::mat3 drift(const scene::CloudLayer& layer, const glm::vec4& eye_seconds, const glm::vec4& then) {
     const auto above_m = [&](const glm::vec4& eye) { return std::max(layer.height_m - eye.y, 60.0F); };
     const glm::vec2 wind = layer.wind_m_s * (eye_seconds.w - then.w);
@@ -59,8 +67,10 @@ std::optional<glm::mat3> HeldSky::from_view(const View& view, const passes::View
     if (held_.scene.lock() != view.scene || held_.viewport != view.viewport ||
         held_.fov_deg != view.camera.vertical_fov_deg)
         return std::nullopt;
-    const glm::mat3 shear = drift(leading(*view.scene), now.eye_seconds, held_.block.eye_seconds);
-    for (const float moved : {shear[1].x, shear[1].z, shear[0].x - 1})
+    const bool is_lower = is_led_by_lower(*view.scene);
+    const glm::mat3 shear = is_lower ? turn_back(now.cloud_place[0].x, held_.block.cloud_place[0].x)
+                                     : drift(view.scene->air.sky.clouds[1], now.eye_seconds, held_.block.eye_seconds);
+    for (const float moved : {shear[1].x, shear[1].z, shear[0].x - 1, shear[2].x})
         if (std::abs(moved) > kMostShear) return std::nullopt;
     if (std::abs(kept(now) - 1) > kMostDimmed) return std::nullopt;
     const glm::mat3 half{{0.5F, 0, 0}, {0, 0.5F, 0}, {0.5F, 0.5F, 1}};

@@ -13,9 +13,10 @@
 namespace quadrat::render {
 
 // One view's dome and clouds as a picture that serves some frames: a little wider than the view and coarser, for clouds
-// are soft. In between it moves with the layer of cloud that hides most: a flat layer that drifts over an eye that
-// moves shears the directions in which it is seen, which is a matrix. The other layer and the dome are sheared with it,
-// and put right when the view has its turn: a pixel or two overhead where the wind is strong.
+// are soft. In between it moves with the layer of cloud that hides most: the lower clouds turn about the eye; a flat
+// layer that drifts over an eye that moves shears the directions in which it is seen. Either is a matrix. The other
+// layer and the dome go with it, and are put right when the view has its turn: a pixel or two overhead where the wind
+// is strong.
 class HeldSky {
   public:
     static constexpr std::size_t kFrames = 4;  // from one turn of a view to its next

@@ -319,6 +319,7 @@ Drawn Renderer::rehearse(const Frame& like) {
     parts_->shelves->grain_textures.trim(0);
     parts_->shelves->cloud_textures.trim(0);
     parts_->shelves->ground_pictures.trim(0);
+    parts_->shelves->mirror_pictures.trim(0);
     parts_->shelves->buffers.trim(0);
     return drawn;
 }

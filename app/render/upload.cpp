@@ -64,6 +64,7 @@ class WholeUpload final : public SceneUpload {
         made_->plants = {source, &source->plants};
         slices_.prepare([made = made_.get(), source] { made->air = light_and_air_of(*source); });
         passes::add_cover(slices_, made_->cover, source);
+        passes::add_mirror(slices_, made_->mirror, {shelves, &shelves->mirror_pictures}, source);
         made_->sky = shelved(slices_, shelves, &Shelves::skies, source->sky,
                              [&](gl::Slices& to, passes::SkyOnGpu& made, const std::shared_ptr<const scene::Sky>& sky) {
                                  passes::add_sky(to, made, {shelves, &shelves->cloud_textures}, sky);

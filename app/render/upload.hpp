@@ -43,6 +43,7 @@ struct Shelves {
     gl::TexturePool grain_textures{8};
     gl::TexturePool cloud_textures{8};
     gl::TexturePool ground_pictures{20};  // as many as one round takes ahead, and what it shows
+    gl::TexturePool mirror_pictures{8};
     gl::BufferPool buffers;
 };
 

@@ -16,7 +16,6 @@ namespace {
 using passes::encode;
 
 constexpr float kLog2E = 1.442695F;
-constexpr float kRippleTurn_rad_s = 1.9F;
 
 // A dimmed view keeps a third of its light: still readable, plainly not chosen.
 float kept(float dim) { return 1 - 0.68F * glm::clamp(dim, 0.0F, 1.0F); }
@@ -46,6 +45,7 @@ void set_clouds(passes::ViewBlock& b, const View& view, float left, float second
     // A cloud takes the sun's share of the light and leaves the sky's.
     const float sun = scene::luminance(sky.sunlight) * std::max(sky.sun_direction.y, 0.0F);
     const float all = sun + scene::luminance(sky.ambient.on({0, 1, 0}));
+    b.cloud_place[0].x = scene::cloudscape_drift_rad(layers[0], seconds);
     b.cloud_place[0].z = sky.cloud_shadow * layers[0].opacity * std::min(1.25F * sun / std::max(all, 1e-4F), 1.0F);
     const glm::vec2 run = glm::vec2{sky.sun_direction.x, sky.sun_direction.z} / std::max(sky.sun_direction.y, 0.2F);
     const glm::vec2 over_middle = run * layers[0].height_m - layers[0].wind_m_s * seconds;
@@ -53,13 +53,10 @@ void set_clouds(passes::ViewBlock& b, const View& view, float left, float second
     b.shadow_place = {glm::fract(scene::tile_at(layers[0], over_middle)), scene::tile_at(layers[0], run)};
 }
 
-void set_water(passes::ViewBlock& b, const LightAndAir& air, float left, float seconds) {
+void set_water(passes::ViewBlock& b, const LightAndAir& air, float left) {
     const glm::vec3 shallow = encode(air.shallow_water * left);
-    const float cosine = 2 * std::cos(kRippleTurn_rad_s * seconds);
-    const float sine = 2 * std::sin(kRippleTurn_rad_s * seconds);
-    b.scales.w = 0.5F * (cosine + sine);
-    b.shallow_water = {shallow, cosine};
-    b.deepening = {encode(air.deep_water * left) - shallow, sine};
+    b.shallow_water = {shallow, 0};
+    b.deepening = {encode(air.deep_water * left) - shallow, 0};
     b.mirrored = {shown(air.high_sky, left), 0.35F * encode(scene::luminance(air.foam) * left)};
 }
 
@@ -73,6 +70,7 @@ LightAndAir light_and_air_of(const scene::Scene& scene) {
     a.sky.dome = scene::Dome{};
     a.sky.stars = std::vector<scene::Star>{};
     a.sky.disc.picture = mesh::Image{};
+    a.sky.cloudscape = scene::Cloudscape{};
     for (scene::CloudLayer& layer : a.sky.clouds) {
         layer.density = mesh::Image{};
         layer.lit = mesh::Image{};
@@ -116,7 +114,7 @@ passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, f
               7.0F + 0.005F * sky.haze_distance_m};
     b.disc = {encode(sky.disc.colour * left), sky.disc.radius_rad};
     b.glare = {sky.glare * kept_shown, 0.20F * sky.bow * kept_shown};
-    set_water(b, air, left, seconds);
+    set_water(b, air, left);
     set_clouds(b, view, left, seconds);
     return b;
 }

@@ -53,6 +53,7 @@ struct Land {
     glm::vec3 shallow_colour{0.2F, 0.45F, 0.42F};  // of water, linear
     glm::vec3 deep_colour{0.02F, 0.10F, 0.14F};
     glm::vec3 far_colour{0.3F, 0.35F, 0.25F};  // of the surround as a whole, linear
+    float ripple = 0.5F;                       // of its water: 0 a mirror whatever the wind to 1 broken by any
     float snow_line_m = 1.0e6F;                // above the sea: from there upward snow lies
 
     std::vector<Road> roads;

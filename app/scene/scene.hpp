@@ -7,6 +7,7 @@
 #include "scene/camera.hpp"
 #include "scene/flora.hpp"
 #include "scene/land.hpp"
+#include "scene/mirror.hpp"
 #include "scene/sky.hpp"
 #include "scene/sward.hpp"
 
@@ -41,6 +42,7 @@ struct Scene {
     std::vector<Plant> plants;  // sorted by species
     Sward sward;
     BakedLight light;
+    Mirror mirror;       // of its water
     float exposure = 1;  // of all its light, when it is shown
     float floor_m = 0;   // above the sea: the low ground along its flight, on which mist lies
     Track track;

@@ -14,7 +14,7 @@ namespace quadrat::scene {
 // Colours are linear and already exposed: 1 is paper white; a sky may be brighter.
 struct CloudLayer {
     mesh::Image density;  // one channel, tileable: opacity after the cover and sharpness filter
-    mesh::Image lit;      // one channel, tileable, the same size: 0 shaded to 255 sunlit
+    mesh::Image lit;      // one channel, tileable, the same size: 0 shaded to 255 sunlit; empty: sunlit
     float tile_m = 6000;        // across the drift
     float stretch = 1;          // of the tile along it
     glm::vec2 along{0, -1};     // unit, east and south: the way it is stretched
@@ -30,6 +30,26 @@ struct CloudLayer {
 
 // Texture coordinates in a layer's images of a place, or of a way, in metres east and south.
 glm::vec2 tile_at(const CloudLayer& layer, const glm::vec2& m);
+
+// A ray meets a layer of cloud where its height over its length, with this added, would have it: so layers bend down to
+// the horizon as the earth's do (shaders/common/cloud_tiles.glsl).
+inline constexpr float kBendsDown = 0.045F;
+
+// Clouds as they are seen from the land: two channels, opacity and how much of it is sunlit, by direction as
+// cloudscape_at() has it; rows from the horizon upward. What is sunlit beyond its opacity is light in clear air: beams.
+using Cloudscape = mesh::Image;
+
+// Texture coordinates in a cloudscape: across once around, in the middle north, where it is finest; 0 at the horizon to
+// 1 overhead. direction: unit.
+glm::vec2 cloudscape_at(const glm::vec3& direction);
+glm::vec3 cloudscape_direction(const glm::vec2& at);  // the other way round; unit
+
+// What a flat layer would look like there, seen from the sea's height. An empty one: no picture.
+Cloudscape cloudscape_of(const CloudLayer& flat, int width, int height);
+
+// How far clouds that are seen so have drifted, rad clockwise from above: to and fro, as the flights go. It never goes
+// so far that the sun would light them from the wrong side.
+float cloudscape_drift_rad(const CloudLayer& layer, float seconds);
 
 // The light of the clear sky by direction, without sun, moon and clouds. Owns a table of 73 bearings by 37 heights;
 // rows stand closer toward the horizon. Under the horizon: the horizon's.
@@ -95,6 +115,7 @@ struct Sky {
     glm::vec3 glare{0};                 // about the disc
     std::vector<Star> stars;
     std::array<CloudLayer, 2> clouds;  // lower, upper
+    Cloudscape cloudscape;             // of the lower; empty: cloudscape_of() them
     float silver = 0.8F;               // brightness of thin cloud before the sun
     float cloud_shadow = 0.5F;         // share of the light on the ground that a dense cloud takes
     glm::vec3 haze_colour{0.7F};       // looking across the glow

@@ -4,6 +4,7 @@
 #include "synthesis/compose/exposure.hpp"
 #include "synthesis/compose/light.hpp"
 #include "synthesis/compose/low_ground.hpp"
+#include "synthesis/compose/mirror.hpp"
 #include "synthesis/compose/near_shade.hpp"
 #include "synthesis/compose/openness.hpp"
 #include "synthesis/compose/planting.hpp"
@@ -14,6 +15,14 @@
 #include "synthesis/trees/flora.hpp"
 
 namespace quadrat::synthesis {
+namespace {
+
+constexpr float kLeastRange = 0.44F;  // of values: the rays' few, so a little more than a picture is to have
+constexpr float kLeastByNight = 0.40F;
+constexpr int kShadesAgain = 3;
+constexpr int kShadesAgainByNight = 2;
+
+}  // namespace
 
 scene::Flora grow_trees(const scene::TreeParameters& parameters, base::Seed seed) {
     return trees::make_flora(parameters, seed);
@@ -39,7 +48,12 @@ scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_p
     const LandShadow shadow(*land, sky->sun_direction, sky->shadow_softness);
     light_plants(scene.plants, *flora, *sky, shadow);
     scene.light = bake_light(*land, layout.openness, *sky, *flora, scene.plants, shadow, fineness.light_px);
-    shade_what_is_near(scene.light, scene.plants, scene.track, land->side_m(), sky->is_night);
+    const float left = sky->is_night ? kLeftByNight : kLeftByDay;
+    shade_what_is_near(scene.light, scene.plants, scene.track, land->side_m(), left);
+    const int shades = sky->is_night ? kShadesAgainByNight : kShadesAgain;
+    const float least = sky->is_night ? kLeastByNight : kLeastRange;
+    for (int again = 0; again < shades && value_range(*land, *sky, scene.light, scene.track) < least; ++again)
+        shade_what_is_near(scene.light, scene.plants, scene.track, land->side_m(), kLeftAgain);
     scene.sward = std::move(layout.sward);
     light_sward(scene.sward, *land, scene.light);
     scene.floor_m = low_ground_m(*land, scene.track);
@@ -47,6 +61,7 @@ scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_p
     scene.flora = std::move(flora);
     scene.land = std::move(land);
     scene.sky = std::move(sky);
+    scene.mirror = hold_up_mirror(scene);
     return scene;
 }
 

@@ -9,8 +9,10 @@ nanoseconds took(const FrameRecord& record) {
 
 nanoseconds frame_time(const FrameRecord& record) { return record.period * record.meant_periods; }
 
-bool is_late(const FrameRecord& record) {
-    return record.period.count() > 0 && took(record) > frame_time(record) + record.period / 2;
+bool is_late(nanoseconds took, nanoseconds period, int meant_periods) {
+    return period.count() > 0 && took > period * meant_periods + period / 2;
 }
+
+bool is_late(const FrameRecord& record) { return is_late(took(record), record.period, record.meant_periods); }
 
 }  // namespace quadrat::tempo

@@ -45,5 +45,6 @@ nanoseconds frame_time(const FrameRecord& record);
 // The one definition: it came more than half a refresh period later than it was meant to. Never, where the display has
 // no period or no frame was shown before.
 bool is_late(const FrameRecord& record);
+bool is_late(nanoseconds took, nanoseconds period, int meant_periods);
 
 }  // namespace quadrat::tempo

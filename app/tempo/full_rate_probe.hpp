@@ -3,13 +3,13 @@
 #include <chrono>
 #include <optional>
 
-// From a frame in several of the screen's periods back to one less: what was too slow may have been too hot, or busy with
-// something else.
+// From a frame in several of the screen's periods back to one less: what was too slow may have been too hot, or busy
+// with something else.
 namespace quadrat::tempo {
 
 // Watches whether all frames of a minute in which landscapes grew, or of ten minutes in which none did, would have been
-// ready in one period less, but for one, and one more of each four hundred. Where one would not do after all, it waits twice
-// as long before it watches again.
+// ready in one period less, but for one, and one more of each four hundred. Where one would not do after all, it waits
+// twice as long before it watches again.
 class FullRateProbe {
   public:
     using Instant = std::chrono::nanoseconds;

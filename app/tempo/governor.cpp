@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "tempo/frame_record.hpp"
+
 namespace quadrat::tempo {
 namespace {
 
@@ -97,9 +99,7 @@ void DetailGovernor::kept_waiting() {
     reason_ = fmt::format("detail {:.2f} while landscapes grow: a visitor waited for them", target_ * growing_share_);
 }
 
-bool DetailGovernor::is_late(const FrameTold& told) const {
-    return told.period.count() > 0 && told.took > told.period * periods_ + told.period / 2;
-}
+bool DetailGovernor::is_late(const FrameTold& told) const { return tempo::is_late(told.took, told.period, periods_); }
 
 void DetailGovernor::frame(const FrameTold& told) {
     if (!last_now_) begin_anew(told.now);
@@ -182,7 +182,8 @@ void DetailGovernor::give_way(const FrameTold& told) {
         say("late", before, told);
     } else if (periods_ < GovernorOptions::kMostPeriods && told.now - at_least_since_ > kHopeless) {
         change_periods(periods_ + 1, told.now);
-        say(fmt::format("late with the least detail: from now on a frame in {} of the screen's periods", in_words(periods_)),
+        say(fmt::format("late with the least detail: from now on a frame in {} of the screen's periods",
+                        in_words(periods_)),
             before, told);
     } else {
         return;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What water.frag needs of a point of still water: air, Fresnel's share and the mirrored sky change slowly enough over a
-// triangle to be worked out at its corners.
+// What water.frag needs of a point of still water: air, Fresnel's share and where the mirrored picture is seen change
+// slowly enough over a triangle to be worked out at its corners.
+#include "common/mirror.glsl"
 
 out vec2 over_land;
-out vec4 before;   // rgb: shown, the mirrored sky and the air, weighted; a: what is left for the water's own colour
+out vec3 before;    // shown, the air and the water's own colour, weighted
+out vec3 mirrored;  // xy: in the mirrored picture; z: its share
 out float glitter;  // how bright the sun is in level water, as a power of two
 out float white;    // from how deep water on there is no foam: at the sea's shore some, in a fall's all of it
 
@@ -13,13 +15,15 @@ void show_water(vec3 at_m, float foams) {
     over_land = at_m.xz * view.scales.x + 0.5;
 
     vec3 away = normalize(at_m - view.eye_seconds.xyz);
-    away.y = max(-away.y, 0.02);
+    away.y = max(-away.y, 0.004);
     float grazing = 1.0 - away.y;
-    float reflected = 0.04 + 0.76 * grazing * grazing * grazing * grazing;
-    float cos_to_glow = dot(away, view.to_glow.xyz);
-    vec3 sky = mix(haze_towards(cos_to_glow), view.mirrored.rgb, 1.0 - exp2(-4.5 * away.y));
+    float reflected = 0.05 + 0.85 * grazing * grazing * grazing * grazing;
     vec4 haze = haze_at(at_m);
     float clear = 1.0 - haze.a;
-    before = vec4(haze.rgb * haze.a + sky * (reflected * clear), (1.0 - reflected) * clear);
-    glitter = (dot(away, view.to_sun.xyz) - 1.04) * 70.0 + log2(clear * min(view.sunlight.g, 1.0) + 1e-4);
+    vec3 own = view.shallow_water.rgb + view.deepening.rgb;
+    before = haze.rgb * haze.a + own * ((1.0 - reflected) * clear);
+    mirrored = vec3(in_mirror(at_m, away), reflected * clear * view.to_sun.w);
+    // It is many times as bright as the sky that it is seen with, by night too.
+    glitter = (dot(away, view.to_sun.xyz) - 1.0) * mirror.ripple.z - mirror.ripple.w +
+              log2(clear * min(view.sunlight.g, 1.0) / max(view.haze_colour.g, 0.08) + 1e-4);
 }

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What an exhibit goes through, on an emulated machine: exhibit.py IMAGE FOLDER CUTS. Screenshots and what the machine
 said stay in FOLDER; ends with 1 and one line where something is not as it should be."""
+import json
 import os
 import random
 import re
@@ -109,6 +110,19 @@ def boots_and_shows(machine):
     assert owner == ['quadrat'], f'it runs as {owner}'
 
 
+def clock_source(machine):
+    return json.loads(machine.get('/run/quadrat/health.json'))['clock']['source']
+
+
+def hears_that_its_clock_is_synchronised(machine):
+    """Shut in as the service is. Health is a minute old at most."""
+    end = time.time() + PATIENCE
+    while (source := clock_source(machine)) != 'synchronised':
+        assert time.time() < end, f'the kernel\'s clock is synchronised, and the source in health is "{source}"'
+        time.sleep(1)
+    say('health says that the clock is synchronised')
+
+
 def plays_a_round_through_gpio(machine):
     machine.plug_wired_buttons()
     for line in range(4):
@@ -213,7 +227,8 @@ def hears_boards_as_they_are_sold(machine):
     machine.until('buttons: .*045e:028e was unplugged', gone)
     gone = machine.so_far()
     pad = machine.plug_x_input_pad()
-    machine.until('buttons: .*X-Box 360', gone)
+    machine.until(r'buttons: .*X-Box 360 pad 045e:028e\)(?! cannot be opened)', gone)  # once udev has given it away
+    time.sleep(GUARD_S)
     machine.press_by('A', pad, x_input(1, 0x130, 1), x_input(1, 0x130, 0))
     say('a board in keyboard mode is heard by the kernel\'s own driver; the pad is unplugged and comes back')
     found = machine.sh('quadrat doctor --only buttons --config /etc/quadrat/quadrat.toml')
@@ -234,9 +249,14 @@ def one_day(disk):
     """At its end the plug is pulled; returns the visit and round last seen."""
     with Exhibit(image, f'{folder}/day', disk) as machine:
         boots_and_shows(machine)
+        before = clock_source(machine)
+        assert before != 'synchronised', 'nobody has synchronised it yet'
+        say(f'before it is synchronised, its clock is vouched for by "{before}"')
+        machine.ask('synchronise')
         plays_a_round_through_gpio(machine)
         hid = plays_a_round_through_hid(machine)
         is_unplugged_five_times(machine, hid)
+        hears_that_its_clock_is_synchronised(machine)
         hangs(machine)
         loses_its_screen(machine)
         hears_boards_as_they_are_sold(machine)

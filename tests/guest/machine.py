@@ -15,7 +15,7 @@ import subprocess
 import threading
 import time
 
-PATIENCE = 600
+PATIENCE = 1800
 
 # Five buttons in one byte, as the simplest encoder on USB sends them.
 FIVE_BUTTONS = '05010905a101050919012905150025017501950581027503950181' + '03c0'

@@ -19,6 +19,7 @@
 #include "base/srgb.hpp"
 #include "pictures/images/module.hpp"
 #include "pictures/images/png_chunks.hpp"
+#include "pictures/images/tiff_nodata.hpp"
 
 namespace quadrat::pictures {
 namespace {
@@ -213,12 +214,13 @@ std::optional<float> largest_of(const oiio::TypeDesc& type) {
 
 GreyPicture read_grey(std::string bytes, const std::string& name) {
     const StandardErrorMuted muted;
+    const std::optional<float> nodata = nodata_of_tiff(bytes);
     InMemory picture(std::move(bytes), name);
     const auto channels = static_cast<std::size_t>(picture.spec().nchannels);
     const std::vector<float> samples = picture.samples<float>(oiio::TypeDesc::FLOAT);
     const std::size_t colours = channels >= 3 ? 3 : 1;  // what follows is opacity
     const std::optional<float> largest = largest_of(picture.spec().format);
-    GreyPicture grey{mesh::Field(picture.spec().width, picture.spec().height), std::nullopt};
+    GreyPicture grey{mesh::Field(picture.spec().width, picture.spec().height), std::nullopt, nodata};
     if (!picture.spec().format.is_signed()) grey.white = largest;
     for (std::size_t i = 0; i < picture.pixel_count(); ++i) {
         float mean = 0;

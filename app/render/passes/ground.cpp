@@ -14,13 +14,16 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr int kSurroundBlock = 8;
+constexpr float kModelled =
+    1.6F;  // how much steeper what is far is lit than it is: its samples have lost what is small
 
 PackedNormal normal_at(const mesh::Field& field, float cell_m, int column, int row) {
     const auto height = [&](int c, int r) {
         return field.at(std::clamp(c, 0, field.columns - 1), std::clamp(r, 0, field.rows - 1));
     };
-    return packed_normal(glm::normalize(glm::vec3{height(column - 1, row) - height(column + 1, row), 2 * cell_m,
-                                                  height(column, row - 1) - height(column, row + 1)}));
+    return packed_normal(
+        glm::normalize(glm::vec3{height(column - 1, row) - height(column + 1, row), 2 * cell_m / kModelled,
+                                 height(column, row - 1) - height(column, row + 1)}));
 }
 
 Facing facing_of(const scene::Land& land, std::size_t sample) {

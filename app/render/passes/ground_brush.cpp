@@ -131,6 +131,19 @@ void GroundBrush::relieve(float over_land) {
     }
 }
 
+// What lies under water is seen through it.
+void GroundBrush::drown(std::uint8_t* pixels) const {
+    for (std::size_t x = 0; x < index(size_.x); ++x) {
+        std::uint8_t* pixel = pixels + 4 * x;
+        if (pixel[3] == 0) continue;
+        const float hidden = sheet_.murk * std::min(1.5F * static_cast<float>(pixel[3]) / 255, 1.0F);
+        for (int c = 0; c < 3; ++c) {
+            const float shown = static_cast<float>(pixel[c]) / 255;
+            pixel[c] = byte_of(mix(shown, sheet_.water[c], hidden));
+        }
+    }
+}
+
 void GroundBrush::paint(mesh::Image& picture, int row) {
     assert(picture.width == size_.x && picture.height == size_.y && picture.channels == 4);
     const float over_land = (static_cast<float>(row) + 0.5F) / static_cast<float>(size_.y);
@@ -155,6 +168,7 @@ void GroundBrush::paint(mesh::Image& picture, int row) {
         pixels[4 * x + 3] =
             byte_of(depths[before] + (depth - static_cast<float>(before)) * (depths[before + 1] - depths[before]));
     }
+    if (sheet_.murk > 0) drown(pixels);
     const bool is_rim = row == 0 || row == size_.y - 1;
     for (std::size_t x = 0; x < width; x += is_rim ? 1 : std::max<std::size_t>(width - 1, 1)) pixels[4 * x + 3] = 255;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,8 @@ class GroundBrush {
         const mesh::Image& kinds;   // a pixel a sample of the land: how far its grain is soft ground's, how far stone's
         const mesh::Image& relief;  // of both, tiled, lit; 0.5 is level
         float relief_tiles;         // of it, to a side of the land
+        glm::vec3 water{0};         // shown, of water as deep as one wades in
+        float murk = 0;             // how far it hides a bed that it looks deep over, 0 to 1
     };
     // For a picture of this size: the colours', or that halved some times. The sheet's parts stay until it is painted.
     GroundBrush(const Sheet& sheet, glm::ivec2 size);
@@ -48,6 +51,7 @@ class GroundBrush {
         std::vector<float> mixed_;
     };
     void relieve(float over_land);
+    void drown(std::uint8_t* pixels) const;
 
     Sheet sheet_;
     glm::ivec2 size_;

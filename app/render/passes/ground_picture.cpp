@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "render/gl/picture_upload.hpp"
+#include "render/passes/encode.hpp"
 #include "render/passes/ground_brush.hpp"
 
 namespace quadrat::render::passes {
@@ -51,6 +52,13 @@ std::shared_ptr<const mesh::Image> kinds_of(const std::shared_ptr<const scene::L
     return soft;
 }
 
+// It scatters back what light falls on it from above.
+glm::vec3 shallow_shown(const scene::Scene& scene) {
+    const scene::Sky& sky = *scene.sky;
+    const glm::vec3 on_water = sky.ambient.on({0, 1, 0}) + sky.sunlight * std::max(sky.sun_direction.y, 0.0F);
+    return encode(scene.land->shallow_colour * on_water);
+}
+
 }  // namespace
 
 void add_grain(gl::Slices& slices, GrainOnGpu& grain, const std::shared_ptr<gl::TexturePool>& pool,
@@ -78,8 +86,13 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const s
     const auto kinds = kinds_of(scene->land);
     slices.prepare([brush, &picture, scene, kinds, shape] {
         const float tiles = kReliefTiles * scene->land->side_m() / scene->land->detail_tile_m;
-        const GroundBrush::Sheet sheet{scene->land->albedo, scene->light.ground, *kinds, *picture.grain->coarser,
-                                       tiles};
+        const GroundBrush::Sheet sheet{scene->land->albedo,
+                                       scene->light.ground,
+                                       *kinds,
+                                       *picture.grain->coarser,
+                                       tiles,
+                                       shallow_shown(*scene),
+                                       0.85F};
         brush->emplace(sheet, glm::ivec2{shape.width, shape.height});
     });
     gl::add_painting(slices, picture.lit, pool, shape,

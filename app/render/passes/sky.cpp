@@ -41,7 +41,7 @@ std::vector<float> ring_elevations_deg() {
 constexpr std::array<glm::vec2, 4> kDiscCorners{glm::vec2{-1, -1}, glm::vec2{1, -1}, glm::vec2{-1, 1}, glm::vec2{1, 1}};
 
 struct DomePlace {
-    float azimuth_rad;
+    float azimuth_rad;  // -pi to pi, once around from the south
     float elevation_rad;
 };
 
@@ -49,7 +49,7 @@ std::vector<DomePlace> dome_places() {
     std::vector<DomePlace> places;
     for (const float degrees : ring_elevations_deg())
         for (int sector = 0; sector <= kSectors; ++sector)
-            places.push_back({2 * std::numbers::pi_v<float> * static_cast<float>(sector) / kSectors,
+            places.push_back({std::numbers::pi_v<float> * (2 * static_cast<float>(sector) / kSectors - 1),
                               degrees / 180 * std::numbers::pi_v<float>});
     return places;
 }
@@ -83,6 +83,8 @@ std::vector<std::uint16_t> dome_indices() {
     }
     return indices;
 }
+
+constexpr glm::ivec2 kCloudscape{512, 128};  // of layers that have none
 
 // Density, as opaque as the layer is, and light.
 void interleave_row(const scene::CloudLayer& layer, mesh::Image& both, int row) {
@@ -149,6 +151,26 @@ gl::Buffer filled(GLenum kind, const std::vector<T>& from) {
     return buffer;
 }
 
+void add_cloudscape(gl::Slices& slices, std::shared_ptr<const gl::Texture2D>& texture,
+                    const std::shared_ptr<gl::TexturePool>& pool, const std::shared_ptr<const scene::Sky>& source) {
+    const bool is_made = !source->cloudscape.bytes.empty();
+    gl::TextureShape around;
+    around.wrap_s = gl::Wrap::Repeat;
+    around.channels = 2;
+    around.width = is_made ? source->cloudscape.width : kCloudscape.x;
+    around.height = is_made ? source->cloudscape.height : kCloudscape.y;
+    const auto flat = std::make_shared<scene::Cloudscape>();
+    if (!is_made)
+        slices.prepare(
+            [flat, source] { *flat = scene::cloudscape_of(source->clouds[0], kCloudscape.x, kCloudscape.y); });
+    gl::add_painting(slices, texture, pool, around, [source, flat, is_made](mesh::Image& to, int row) {
+        const scene::Cloudscape& from = is_made ? source->cloudscape : *flat;
+        if (from.bytes.empty()) return;
+        const std::size_t bytes = 2 * static_cast<std::size_t>(from.width);
+        std::copy_n(from.pixel(0, row), bytes, to.pixel(0, row));
+    });
+}
+
 }  // namespace
 
 void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<gl::TexturePool>& pool,
@@ -171,14 +193,13 @@ void add_sky(gl::Slices& slices, SkyOnGpu& sky, const std::shared_ptr<gl::Textur
     gl::TextureShape tiled;
     tiled.wrap_s = tiled.wrap_t = gl::Wrap::Repeat;
     tiled.channels = 2;
-    for (std::size_t i = 0; i < source->clouds.size(); ++i) {
-        const scene::CloudLayer& layer = source->clouds[i];
-        tiled.width = std::max(layer.density.width, 1);
-        tiled.height = std::max(layer.density.height, 1);
-        gl::add_painting(slices, sky.clouds[i], pool, tiled, [source, &layer](mesh::Image& both, int row) {
-            if (!layer.density.bytes.empty()) interleave_row(layer, both, row);
-        });
-    }
+    const scene::CloudLayer& upper = source->clouds[1];
+    tiled.width = std::max(upper.density.width, 1);
+    tiled.height = std::max(upper.density.height, 1);
+    gl::add_painting(slices, sky.clouds[1], pool, tiled, [source, &upper](mesh::Image& both, int row) {
+        if (!upper.density.bytes.empty()) interleave_row(upper, both, row);
+    });
+    add_cloudscape(slices, sky.clouds[0], pool, source);
     gl::TextureShape disc;
     disc.sampling = gl::Sampling::Smooth;
     sky.has_disc = !source->disc.picture.bytes.empty();
@@ -192,7 +213,7 @@ SkyPass::SkyPass()
       stars_("stars.vert", "stars.frag"),
       bow_("bow.vert", "lit.frag"),
       vertices_{
-          {0, sizeof(glm::vec3), gl::Advance::PerVertex, {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}},
+          {0, sizeof(glm::vec4), gl::Advance::PerVertex, {{0, 4, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}},
           {1, sizeof(DomeColour), gl::Advance::PerVertex, {{1, 4, GL_UNSIGNED_SHORT, gl::Numbers::Normalised, 0}}}},
       disc_vertices_{{0, sizeof(glm::vec2), gl::Advance::PerVertex, {{0, 2, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}}},
       star_vertices_{{0, sizeof(glm::vec4), gl::Advance::PerVertex, {{0, 4, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}}},
@@ -202,16 +223,16 @@ SkyPass::SkyPass()
                      {{0, 4, GL_FLOAT, gl::Numbers::AsTheyAre, 0},
                       {1, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(BowCorner, colour)}}}} {
     disc_corners_ = filled(GL_ARRAY_BUFFER, std::vector<glm::vec2>(kDiscCorners.begin(), kDiscCorners.end()));
-    std::vector<glm::vec3> directions;
-    for (const DomePlace& place : dome_places()) directions.push_back(direction_of(place));
+    std::vector<glm::vec4> directions;
+    for (const DomePlace& place : dome_places()) directions.emplace_back(direction_of(place), place.azimuth_rad);
     directions_ = filled(GL_ARRAY_BUFFER, directions);
     const auto indices = dome_indices();
     indices_ = filled(GL_ELEMENT_ARRAY_BUFFER, indices);
     std::vector<std::vector<glm::vec3>> ways(kSectors);
     for (std::size_t i = 0; i < directions.size(); ++i) {
         const std::size_t edge = i % (kSectors + 1);
-        if (edge < kSectors) ways[edge].push_back(directions[i]);
-        if (edge > 0) ways[edge - 1].push_back(directions[i]);
+        if (edge < kSectors) ways[edge].emplace_back(directions[i]);
+        if (edge > 0) ways[edge - 1].emplace_back(directions[i]);
     }
     sectors_ = Sectors(std::move(ways), indices.size() / kSectors);
     bow_corners_ = filled(GL_ARRAY_BUFFER, bow_corners());

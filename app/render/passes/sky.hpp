@@ -18,7 +18,8 @@ namespace quadrat::render::passes {
 
 struct SkyOnGpu {
     gl::Buffer dome;  // a shown colour for each vertex of the dome: between them it is smooth
-    std::array<std::shared_ptr<const gl::Texture2D>, 2> clouds;  // r: density, g: lit
+    // The lower: as seen from the land, r: opacity, g: light weighted by it; the upper: its tile, r: density, g: lit.
+    std::array<std::shared_ptr<const gl::Texture2D>, 2> clouds;
     mesh::Image shadow_map;  // the lower clouds' density, coarse: what falls on plants
     gl::Buffer shadow;       // of the lower clouds: shaders/common/cloud_shadow.glsl
     gl::Texture2D disc;

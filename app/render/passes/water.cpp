@@ -19,13 +19,15 @@
 namespace quadrat::render::passes {
 namespace {
 
-constexpr int kSectors = 32;
+constexpr int kSectors = 64;  // what is mirrored is worked out at their corners
 constexpr int kRippleSide = 512;
 constexpr int kWaves = 56;
 
 std::vector<float> ring_radii_m() {
-    return {0,   1.5F, 3,   5,   7.5F, 11,   16,   23,   33,   48,   70,   100,  150,
-            220, 320,  470, 690, 1000, 1500, 2200, 3200, 4600, 6600, 8800, 11500};
+    std::vector<float> radii_m{0, 1.5F, 3};
+    while (radii_m.back() < 9000) radii_m.push_back(1.22F * radii_m.back());
+    radii_m.push_back(11500);
+    return radii_m;
 }
 
 // Of a sector, the rings that a part of the landscape may hold.
@@ -69,9 +71,7 @@ std::vector<std::uint16_t> ring_indices() {
     return indices;
 }
 
-// Slopes of a sum of sine waves that each fit the tile a whole number of times: it tiles without a seam. Each wave is
-// kept with its quarter turn, so that cos(kx - wt) = cos(kx) cos(wt) + sin(kx) sin(wt) makes all of them travel with
-// one fetch.
+// Slopes of a sum of sine waves that each fit the tile a whole number of times: it tiles without a seam.
 struct Wave {
     glm::vec2 turns;  // across and down the tile, which repeats eleven times over the land
     float phase;
@@ -82,8 +82,8 @@ std::array<Wave, kWaves> waves() {
     std::array<Wave, kWaves> all{};
     for (std::uint64_t i = 0; i < kWaves; ++i) {
         base::RandomStream stream{base::Seed{0x52'69'70'70'6c'65}.child(i)};
-        // Of half a metre to seven: a few longer ones would show as the tile's own lattice.
-        const float length = 13.0F + 140.0F * stream.unit_f();
+        // Of half a metre to four: a few longer ones would show as the tile's own lattice.
+        const float length = 24.0F + 176.0F * stream.unit_f();
         const float bearing = 0.5F + 0.75F * stream.normal();
         all[i].turns = {1 + std::round(length * std::cos(bearing)), std::round(length * std::sin(bearing))};
         all[i].phase = 6.2832F * stream.unit_f();
@@ -103,22 +103,18 @@ std::vector<glm::vec2> turned_along(float turns, float phase) {
 }
 
 mesh::Image ripple_slopes() {
-    std::vector<glm::vec2> sums(static_cast<std::size_t>(kRippleSide) * kRippleSide);
+    std::vector<float> sums(static_cast<std::size_t>(kRippleSide) * kRippleSide);
     for (const Wave& wave : waves()) {
         const auto across = turned_along(wave.turns.x, wave.phase);
         const auto down = turned_along(wave.turns.y, 0);
         for (std::size_t y = 0; y < down.size(); ++y) {
-            glm::vec2* row = &sums[y * kRippleSide];
+            float* row = &sums[y * kRippleSide];
             const glm::vec2 d = down[y] * wave.steepness;
-            for (std::size_t x = 0; x < across.size(); ++x)
-                row[x] += glm::vec2{across[x].x * d.x - across[x].y * d.y, across[x].y * d.x + across[x].x * d.y};
+            for (std::size_t x = 0; x < across.size(); ++x) row[x] += across[x].x * d.x - across[x].y * d.y;
         }
     }
-    mesh::Image image(kRippleSide, kRippleSide, 2);
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-        image.bytes[2 * i] = unsigned_byte(0.5F + 0.15F * sums[i].x);
-        image.bytes[2 * i + 1] = unsigned_byte(0.5F + 0.15F * sums[i].y);
-    }
+    mesh::Image image(kRippleSide, kRippleSide, 1);
+    for (std::size_t i = 0; i < sums.size(); ++i) image.bytes[i] = unsigned_byte(0.5F + 0.15F * sums[i]);
     return image;
 }
 
@@ -167,7 +163,7 @@ void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shar
 
 WaterPass::WaterPass()
     : program_("water.vert", "water.frag"),
-      fresh_program_("fresh_water.vert", "running_water.frag"),
+      fresh_program_("fresh_water.vert", "water.frag"),
       fresh_vertices_{{0,
                        sizeof(FreshCorner),
                        gl::Advance::PerVertex,
@@ -189,40 +185,44 @@ WaterPass::WaterPass()
     sectors_ = Sectors(std::move(ways), indices.size() / kSectors);
     gl::Slices slices;
     gl::TextureShape shape;
+    shape.channels = 1;
     shape.wrap_s = shape.wrap_t = gl::Wrap::Repeat;
     gl::add_picture(slices, ripples_, std::make_shared<mesh::Image>(ripple_slopes()), shape);
     while (!slices.advance(std::size_t{1} << 20U)) continue;
 }
 
-gl::Work WaterPass::draw(const gl::Texture2D& ground, const Frustum& frustum, glm::vec3 eye_m,
-                         const Reach& reach) const {
+gl::Work WaterPass::draw(const gl::Texture2D& ground, const MirrorOnGpu& mirror, const Frustum& frustum,
+                         glm::vec3 eye_m, const Reach& reach) const {
     program_.use();
     vertices_.bind();
     vertices_.feed(0, rings_.name());
     vertices_.feed_indices(indices_.name());
-    bind_pictures(ground);
-    const gl::Work work = draw_ranges(sectors_.seen(frustum, {eye_m.x, 0, eye_m.z}, rings_within(reach)), GL_UNSIGNED_SHORT);
+    bind_pictures(ground, mirror);
+    const gl::Work work =
+        draw_ranges(sectors_.seen(frustum, {eye_m.x, 0, eye_m.z}, rings_within(reach)), GL_UNSIGNED_SHORT);
     glDisable(GL_BLEND);
     return work;
 }
 
-gl::Work WaterPass::draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground,
+gl::Work WaterPass::draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground, const MirrorOnGpu& mirror,
                                std::span<const Range> seen) const {
     if (seen.empty()) return {};
     fresh_program_.use();
     fresh_vertices_.bind();
     fresh_vertices_.feed(0, water.corners->name());
     fresh_vertices_.feed_indices(water.indices->name());
-    bind_pictures(ground);
+    bind_pictures(ground, mirror);
     const gl::Work work = draw_ranges(seen);
     glDisable(GL_BLEND);
     return work;
 }
 
 // The shore shows through shallow water; depth is still written, for the sky comes later.
-void WaterPass::bind_pictures(const gl::Texture2D& ground) const {
+void WaterPass::bind_pictures(const gl::Texture2D& ground, const MirrorOnGpu& mirror) const {
     ground.bind(0);
     ripples_.bind(1);
+    mirror.picture->bind(2);
+    gl::bind_uniforms(mirror.block, kMirrorBinding);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }

@@ -8,6 +8,7 @@
 #include "render/gl/slices.hpp"
 #include "render/gl/texture.hpp"
 #include "render/gl/vertex_array.hpp"
+#include "render/passes/mirror.hpp"
 #include "render/passes/sectors.hpp"
 #include "render/passes/water_levels.hpp"
 #include "scene/scene.hpp"
@@ -28,11 +29,13 @@ class WaterPass {
   public:
     WaterPass();
     // ground's alpha: how deep the water over it looks.
-    gl::Work draw(const gl::Texture2D& ground, const Frustum& frustum, glm::vec3 eye_m, const Reach& reach = {}) const;
-    gl::Work draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground, std::span<const Range> seen) const;
+    gl::Work draw(const gl::Texture2D& ground, const MirrorOnGpu& mirror, const Frustum& frustum,
+                  glm::vec3 eye_m, const Reach& reach = {}) const;
+    gl::Work draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground, const MirrorOnGpu& mirror,
+                        std::span<const Range> seen) const;
 
   private:
-    void bind_pictures(const gl::Texture2D& ground) const;
+    void bind_pictures(const gl::Texture2D& ground, const MirrorOnGpu& mirror) const;
 
     gl::Program program_;
     gl::Program fresh_program_;

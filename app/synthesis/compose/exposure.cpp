@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <numeric>
 #include <vector>
 
 #include "scene/colour.hpp"
@@ -67,29 +68,45 @@ struct Seen {
     }
 };
 
+// What three views of the flight show.
+std::vector<float> values_along(const Seen& seen, const scene::Track& track) {
+    std::vector<float> values;
+    for (const float share : {0.0F, 0.33F, 0.67F}) {
+        const scene::Camera camera = scene::camera_at(track, share * track.period_s);
+        for (const glm::vec3& ray : view_rays(camera)) values.push_back(seen.along(camera.eye_m, ray));
+    }
+    return values;
+}
+
+// Of which this share is no brighter.
+float value_at(std::vector<float>& values, float share) {
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<float>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
 }  // namespace
+
+float value_range(const scene::Land& land, const scene::Sky& sky, const scene::BakedLight& light,
+                  const scene::Track& track) {
+    if (land.albedo.is_empty() || light.ground.bytes.empty()) return 1;
+    std::vector<float> values = values_along(Seen{land, sky, light}, track);
+    const float light_end = value_at(values, 0.95F);
+    return light_end - value_at(values, 0.05F);
+}
 
 float exposure_for(const scene::Land& land, const scene::Sky& sky, const scene::BakedLight& light,
                    const scene::Track& track) {
     if (land.albedo.is_empty() || light.ground.bytes.empty()) return 1;
     const Seen seen{land, sky, light};
-    std::vector<float> values;
-    float sum = 0;
-    for (const float share : {0.0F, 0.33F, 0.67F}) {
-        const scene::Camera camera = scene::camera_at(track, share * track.period_s);
-        for (const glm::vec3& ray : view_rays(camera)) {
-            values.push_back(seen.along(camera.eye_m, ray));
-            sum += values.back();
-        }
-    }
-    const float bright = sum / static_cast<float>(values.size());
+    std::vector<float> values = values_along(seen, track);
+    const float bright = std::accumulate(values.begin(), values.end(), 0.0F) / static_cast<float>(values.size());
     if (bright > kBrightest) return std::pow(std::max(kBrightest / bright, kLeast), 1 / kShownByLight);
-    const auto lit = values.begin() + static_cast<std::ptrdiff_t>(kLitShare * static_cast<float>(values.size() - 1));
-    std::nth_element(values.begin(), lit, values.end());
+    const float lit = value_at(values, kLitShare);
     const float wanted = sky.is_night ? kLitByNight : kLit;
-    if (*lit >= wanted) return 1;
+    if (lit >= wanted) return 1;
     // Something is lit in every picture, by night and under storms too.
-    const float more = std::min({wanted / std::max(*lit, 1.0e-3F), kMost, kBrightest / std::max(bright, 1.0e-3F)});
+    const float more = std::min({wanted / std::max(lit, 1.0e-3F), kMost, kBrightest / std::max(bright, 1.0e-3F)});
     return std::pow(more, 1 / kShownByLight);
 }
 

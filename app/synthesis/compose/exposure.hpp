@@ -10,4 +10,9 @@ namespace quadrat::synthesis {
 float exposure_for(const scene::Land& land, const scene::Sky& sky, const scene::BakedLight& light,
                    const scene::Track& track);
 
+// From the darkest twentieth of what the flight sees to the lightest, shown, 0 to 1, as rays into the land tell: plants
+// are not among it. A scene without ground or light: 1.
+float value_range(const scene::Land& land, const scene::Sky& sky, const scene::BakedLight& light,
+                  const scene::Track& track);
+
 }  // namespace quadrat::synthesis

@@ -13,8 +13,6 @@ namespace {
 
 constexpr float kWhole_m = 20; // from the flight's way the shade is whole
 constexpr float kNone_m = 66;  // and from here on there is none
-constexpr float kLeft = 0.46F; // of the light, where it is whole
-constexpr float kLeftByNight = 0.74F;
 
 class NearShade {
   public:
@@ -48,9 +46,9 @@ class NearShade {
 }  // namespace
 
 void shade_what_is_near(scene::BakedLight& light, std::span<scene::Plant> plants, const scene::Track& track,
-                        float side_m, bool is_night) {
+                        float side_m, float left) {
     if (light.ground.bytes.empty() || track.cameras.empty()) return;
-    const NearShade shade(track, is_night ? kLeftByNight : kLeft);
+    const NearShade shade(track, left);
     mesh::Image& ground = light.ground;
     const float px_m = side_m / static_cast<float>(ground.width);
     const auto px = [&](float m) {
@@ -59,10 +57,10 @@ void shade_what_is_near(scene::BakedLight& light, std::span<scene::Plant> plants
     oneapi::tbb::parallel_for(px(shade.low().y), px(shade.high().y) + 1, [&](int y) {
         for (int x = px(shade.low().x); x <= px(shade.high().x); ++x) {
             const glm::vec2 at_m = (glm::vec2{x, y} + 0.5F) * px_m - 0.5F * side_m;
-            const float left = shade.at(at_m);
+            const float of_light = shade.at(at_m);
             std::uint8_t* pixel = ground.pixel(x, y);
             for (int c = 0; c < 3; ++c)
-                pixel[c] = static_cast<std::uint8_t>(static_cast<float>(pixel[c]) * left + 0.5F);
+                pixel[c] = static_cast<std::uint8_t>(static_cast<float>(pixel[c]) * of_light + 0.5F);
         }
     });
     oneapi::tbb::parallel_for(std::size_t{0}, plants.size(), [&](std::size_t i) {

@@ -164,6 +164,7 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     land.detail_slopes = std::move(detail.slopes);
     land.detail_tile_m = p.ground_detail_m;
     land.snow_line_m = snow_line_m(p);
+    land.ripple = p.water_ripple;
     set_distant_colours(land, palette, p);
     return land;
 }

@@ -69,6 +69,9 @@ GroundLook look_of(const scene::LandParameters& p, const Palette& palette) {
     look.snow_line_m = snow_line_m(p);
     look.snow_broken = p.ground_snow_patchiness;
     look.snow_aspect_m = 26.0F * p.ground_snow_aspect;
+    look.snow_slope = p.ground_snow_slope;
+    look.snow_drift_m = 22.0F * p.ground_snow_wind;
+    look.fans = 0.9F * p.ground_scree_fans;
     look.grain = 0.11F * p.ground_grain;
     look.wet_top_m = p.ground_wet_shore_m;
     return look;

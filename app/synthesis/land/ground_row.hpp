@@ -21,7 +21,8 @@ struct GroundLook {
     float soil_slope = 0, scree_slope = 0, rock_slope = 0;
     float beds_per_m = 0, contrast = 0;
     float mud_share = 0, beach_top_m = 0;
-    float snow_line_m = 0, snow_broken = 0, snow_aspect_m = 0;
+    float snow_line_m = 0, snow_broken = 0, snow_aspect_m = 0, snow_slope = 0, snow_drift_m = 0;
+    float fans = 0;
     float grain = 0, wet_top_m = 0;
 };
 
@@ -92,19 +93,26 @@ struct GroundKernel {
         const F wander = F(0.5F) * p + F(0.35F) * g;
         lay(m, k.soil, smooth(k.soil_slope, k.soil_slope + 0.24F, steep + F(0.16F) * wander));
         lay(m, k.scree, smooth(k.scree_slope, k.scree_slope + 0.22F, steep + F(0.12F) * wander));
+        // Fans spread where the ground grows less steep below it.
+        lay(m, k.scree,
+            F(k.fans) * smooth(0.26F, 0.4F, s + F(0.08F) * wander) * smooth(0.05F, 0.5F, hollow + F(0.35F) * p));
         const F rock = smooth(k.rock_slope, k.rock_slope + 0.31F, steep + F(0.10F) * wander);
         lay(m, k.rock_dark, rock);
-        lay(m, k.rock_light, rock * (F(0.5F) + F(k.contrast) * wave(F(k.beds_per_m) * h + p + F(0.6F) * g)));
+        // Thick beds, and thin ones between.
+        const F bed = F(k.beds_per_m) * h + p + F(0.45F) * g;
+        const F beds = F(0.68F) * wave(bed) + F(0.42F) * wave(F(3.7F) * bed + F(0.5F) * p);
+        lay(m, k.rock_light, unit(rock * (F(0.5F) + F(k.contrast) * beds)));
         // What lies on it: mud and sand by the water, a road's gravel, snow.
         lay(m, k.mud, F(k.mud_share) * smooth(0.75F, 1.0F, moist + F(0.15F) * p) * (F(1.0F) - smooth(0.12F, 0.3F, s)));
         const F beach_m = shore - F(k.beach_top_m) * (F(1.0F) + F(0.7F) * p + F(0.15F) * g);
         lay(m, k.sand, (F(1.0F) - smooth(0.0F, 0.9F * k.beach_top_m, beach_m)) * (F(1.0F) - smooth(0.5F, 0.8F, s)));
         lay(m, k.gravel, F(0.9F) - F(0.9F) * smooth(-0.5F, 0.9F, at(row.road_m) + F(0.45F) * g));
         const F shady = xsimd::min(xsimd::max(at(row.shade), F(-0.6F)), F(0.6F));
-        const F over_snow_m = h - F(k.snow_line_m) + F(k.snow_aspect_m) * shady + F(5.0F) * hollow;
+        const F over_snow_m = h - F(k.snow_line_m) + F(k.snow_aspect_m) * shady + F(5.0F + k.snow_drift_m) * hollow;
+        // It ends at an edge: above it lies or slides off, it does not thin.
         lay(m, k.snow,
-            smooth(-10.0F, 16.0F, over_snow_m + F(k.snow_broken) * (F(7.0F) * p + F(5.0F) * g)) *
-                (F(1.0F) - smooth(0.75F, 1.1F, s)));
+            smooth(-3.0F, 4.0F, over_snow_m + F(k.snow_broken) * (F(7.0F) * p + F(5.0F) * g)) *
+                (F(1.0F) - smooth(k.snow_slope, k.snow_slope + 0.14F, s + F(0.10F) * g - F(0.12F) * hollow)));
         finish(row, k, i, m, shore, g);
     }
 

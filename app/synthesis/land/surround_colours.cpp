@@ -59,11 +59,19 @@ mesh::Image surround_colours(const mesh::Field& surround_m, float cell_m, const 
                 toward(c, wood,
                        0.85F * glm::smoothstep(-0.05F, 0.18F, w + 0.15F * hollow) *
                            (1.0F - glm::smoothstep(0.55F, 0.8F, slope)));
+                toward(c, scree,
+                       0.8F * p.ground_scree_fans * glm::smoothstep(0.22F, 0.36F, slope + 0.1F * n) *
+                           glm::smoothstep(0.0F, 0.5F, hollow + 0.5F * n));
                 toward(c, scree, 0.8F * glm::smoothstep(0.42F, 0.62F, slope + 0.15F * n));
-                toward(c, rock, glm::smoothstep(0.58F, 0.85F, slope + 0.12F * n - 0.1F * hollow));
+                // Beds of rock show as bands of light and dark along the slope.
+                const float bed = std::sin(h * (3.14159F / std::max(2.0F * p.ground_strata_m, 24.0F)) + 3.0F * n);
+                const glm::vec3 banded = rock + glm::vec3{0.07F * p.ground_strata * bed, 0, 0};
+                toward(c, banded, glm::smoothstep(0.40F, 0.58F, slope + 0.12F * n - 0.1F * hollow));
+                const float drift_m = 12.0F + 40.0F * p.ground_snow_wind;
                 toward(c, snow,
-                       glm::smoothstep(-15.0F, 25.0F, h - line_m + 40.0F * n + 12.0F * hollow) *
-                           (1.0F - 0.9F * glm::smoothstep(0.42F, 0.72F, slope + 0.1F * n)));
+                       glm::smoothstep(-6.0F, 8.0F, h - line_m + 40.0F * n + drift_m * hollow) *
+                           (1.0F - glm::smoothstep(0.60F * p.ground_snow_slope, 0.60F * p.ground_snow_slope + 0.12F,
+                                                   slope + 0.1F * n - 0.12F * hollow)));
                 const glm::vec3 linear = scene::linear_from_oklab(c);
                 for (int k = 0; k < 3; ++k)
                     image.pixel(column, row)[k] = scene::srgb_byte(std::clamp(linear[k], 0.0F, 1.0F));

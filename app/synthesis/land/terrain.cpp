@@ -77,6 +77,29 @@ void Terrain::add_ranges(std::span<const float> xs_m, float z_m, std::span<float
         const float toward_north = 1.0F - 0.7F * p.range_north + p.range_north * (-z_m / out_m);
         out[i] += rise * fall * toward_north * height_m * std::max(0.0F, 0.42F + 1.15F * ridges[i]);
     }
+    add_far_range(xs_m, z_m, height_m, out);
+}
+
+// Behind the range another, so much higher that it shows over the first one's saddles: a plane of its own in the air.
+void Terrain::add_far_range(std::span<const float> xs_m, float z_m, float height_m, std::span<float> out) const {
+    constexpr float kCrest_m = 6500.0F;
+    constexpr float kBreadth_m = 1500.0F;
+    const scene::LandParameters& p = parameters_;
+    if (p.range_far <= 0 || z_m > 0) return;
+    const float wave_m = 1.25F * p.range_wave_m;
+    const float far_m = p.range_far * std::min(1.5F * height_m / p.range_distance_m, kHighestRange) * kCrest_m;
+    std::vector<float> us(xs_m.begin(), xs_m.end());
+    for (float& u : us) u = u / wave_m + 31.7F;
+    const std::vector<float> vs(xs_m.size(), z_m / wave_m + 11.3F);
+    std::vector<float> ridges(xs_m.size());
+    noise::fbm(range_, us, vs, ridges, {.count = 5, .gain = 0.5F, .ridged = std::min(p.range_ridged + 0.4F, 1.0F)});
+    for (std::size_t i = 0; i < xs_m.size(); ++i) {
+        const float out_m = std::sqrt(xs_m[i] * xs_m[i] + z_m * z_m);
+        const float off = std::abs(out_m - kCrest_m) / kBreadth_m;
+        if (off >= 1) continue;
+        const float toward_north = glm::smoothstep(0.0F, 0.45F, -z_m / out_m);
+        out[i] += (1.0F - off * off) * toward_north * far_m * std::max(0.0F, 0.5F + 1.1F * ridges[i]);
+    }
 }
 
 // Noise of about [-1, 1], mixed of the laws that the genes ask for.

@@ -26,6 +26,7 @@ class Terrain {
 
   private:
     void add_ranges(std::span<const float> xs_m, float z_m, std::span<float> out) const;
+    void add_far_range(std::span<const float> xs_m, float z_m, float height_m, std::span<float> out) const;
     void above_lowest_m(std::span<const float> xs_m, float z_m, float cell_m, std::span<float> out) const;
     float sea_level_m() const;
     void lower_outskirts(std::span<const float> xs_m, float z_m, std::span<float> out) const;

@@ -123,8 +123,10 @@ Spread spread_of(const mesh::Field& noise, float cover) {
     return {threshold, static_cast<float>(std::sqrt(std::max(squares / count - mean * mean, 1.0e-6)))};
 }
 
-// Optical depth of cloud over each point, 0 where there is none.
+}  // namespace
+
 mesh::Field cloud_depth(const CloudShape& shape, base::Seed seed) {
+    assert(shape.side_px >= 32 && (shape.side_px & (shape.side_px - 1)) == 0);
     mesh::Field depth = cloud_noise(shape, seed);
     const Spread spread = spread_of(depth, std::clamp(shape.cover, 0.0F, 1.0F));
     const float steepness =
@@ -141,6 +143,8 @@ mesh::Field cloud_depth(const CloudShape& shape, base::Seed seed) {
     });
     return depth;
 }
+
+namespace {
 
 // Adds a row that begins at a column, around the tile's seam.
 void add_turned(std::span<float> to, std::span<const float> from, std::size_t first) {
@@ -207,11 +211,14 @@ Sums write_row(std::span<const float> here, std::span<float> through, std::uint8
 }  // namespace
 
 CloudImages make_clouds(const CloudShape& shape, const glm::vec3& sun, base::Seed seed) {
-    assert(shape.side_px >= 32 && (shape.side_px & (shape.side_px - 1)) == 0);
+    if (shape.cover <= 0)
+        return {mesh::Image(shape.side_px, shape.side_px, 1), mesh::Image(shape.side_px, shape.side_px, 1)};
+    return light_clouds(cloud_depth(shape, seed), shape, sun);
+}
+
+CloudImages light_clouds(const mesh::Field& depth, const CloudShape& shape, const glm::vec3& sun) {
     const int side = shape.side_px;
     CloudImages images{mesh::Image(side, side, 1), mesh::Image(side, side, 1)};
-    if (shape.cover <= 0) return images;
-    const mesh::Field depth = cloud_depth(shape, seed);
     const auto steps = steps_to(sun, shape);
     std::vector<Sums> sums(static_cast<std::size_t>(side));
     for_rows(side, [&](int y) {

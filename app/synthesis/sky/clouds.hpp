@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "base/seed.hpp"
+#include "mesh/field.hpp"
 #include "mesh/image.hpp"
 
 namespace quadrat::synthesis::sky {
@@ -26,6 +27,11 @@ struct CloudImages {
     float mean_density = 0;  // 0 to 1
     float mean_lit = 0;      // weighted by density
 };
+
+// Optical depth of cloud over each point of the tile, 0 where there is none.
+mesh::Field cloud_depth(const CloudShape& shape, base::Seed seed);
+// That seen from below, lit by a short march through the layer toward the sun.
+CloudImages light_clouds(const mesh::Field& depth, const CloudShape& shape, const glm::vec3& sun);
 
 // Tileable fBm through the cover and sharpness filter, then lit by a short march through the layer toward the sun.
 // sun: unit, in the tile's own ways (x across, z along), y up.

@@ -177,6 +177,14 @@ struct Grade {
     }
 };
 
+// What an eye that has adapted sees about the moon, to its light: a glow over its side of the horizon, and a smaller
+// one.
+float about_moon(const Lights& lights, const glm::vec3& direction) {
+    const float near = std::max(glm::dot(direction, lights.moon), 0.0F);
+    const float low = std::exp(-3.5F * std::max(direction.y, 0.0F));
+    return 0.030F * std::pow(near, 3.0F) * low + 0.10F * std::pow(near, 60.0F);
+}
+
 // A sky all white has nothing to look at: it gives way to the land it lights.
 template <typename Dome>
 void dim_white_sky(Dome& dome) {
@@ -221,8 +229,8 @@ Daylight make_daylight(const Parameters& p, const Lights& lights) {
             lights.moon, [&](const glm::vec3& d, const glm::vec3& m) { return 0.6F * moon * dark.radiance(d, m); });
         const glm::vec3 airglow = glm::vec3{0.55F, 0.75F, 1.15F} * (0.03F * kMoonlight);
         fill(day.dome, [&](const glm::vec3& d, int, int row) {
-            return by_sun.at(d, row) + by_moon.at(d, row) + airglow * (1.3F - 0.6F * d.y) +
-                   galaxy(p, d) * (0.055F * kMoonlight * lights.darkness);
+            return by_sun.at(d, row) + by_moon.at(d, row) + glm::vec3{p.moon_glow * moon * about_moon(lights, d)} +
+                   airglow * (1.3F - 0.6F * d.y) + galaxy(p, d) * (0.055F * kMoonlight * lights.darkness);
         });
         light = moon * glm::sqrt(dark.transmittance(lights.moon.y));
         light = warmed(light, p.moon_warmth, kAmber, kColdLight);

@@ -10,6 +10,7 @@
 
 #include "scene/colour.hpp"
 #include "synthesis/sky/clouds.hpp"
+#include "synthesis/sky/cloudscape.hpp"
 #include "synthesis/sky/daylight.hpp"
 #include "synthesis/sky/night.hpp"
 
@@ -32,6 +33,18 @@ struct Falling {
 
 Falling falling(const Parameters& p) { return {std::max(p.rain_share, 0.0F), std::max(p.snowfall_share, 0.0F)}; }
 
+// Where flights are, about, above the sea.
+constexpr float kEye_m = 25.0F;
+
+// Clouds that leave a gap are seen to end; rain and snow hide that.
+float gap_of(const Parameters& p) { return p.cloud_gap * (1.0F - falling(p).any()); }
+
+// A low sun shines in under clouds that end far off: 0 to 1.
+float under_clouds(const Parameters& p, const Lights& lights) {
+    const float gap = gap_of(p);
+    return gap > 0.1F ? 1.0F - closed_over_gap(gap, 0.7F * lights.brightest().y) : 0.0F;
+}
+
 // Never burnt out: the shoulder of a film, by luminance.
 glm::vec3 held(const glm::vec3& c, float most) {
     const float y = scene::luminance(c);
@@ -52,11 +65,11 @@ void paint_layer(scene::CloudLayer& layer, CloudImages images, const Parameters&
     layer.mean_lit = images.mean_lit;
     const glm::vec3 sky = glm::mix(day.sky_light, glm::vec3{scene::luminance(day.sky_light)}, 0.55F);
     const float closed = overcast(p);
-    const glm::vec3 sun = day.high_light * (0.80F + 0.45F * lights.lowness);
+    const glm::vec3 sun = day.high_light * (0.95F + 0.40F * lights.lowness);
     const glm::vec3 sunlit = sun * (1.0F - 0.55F * closed) + 0.75F * sky;
     const glm::vec3 through = glm::mix(sun, glm::vec3{scene::luminance(sun)}, 0.6F);
-    const glm::vec3 shaded = (0.78F * sky + 0.22F * through) * (1.0F - 0.52F * depth);
-    layer.sunlit = held(of_clouds(sunlit, 0.8F * p.cloud_warmth), 1.15F);
+    const glm::vec3 shaded = (0.78F * sky + 0.22F * through) * (0.86F - 0.50F * depth) * (1.0F - 0.45F * closed);
+    layer.sunlit = held(of_clouds(sunlit, 0.8F * p.cloud_warmth), 1.5F);
     layer.shaded = held(of_clouds(shaded, p.cloud_warmth), 0.9F);
 }
 
@@ -65,25 +78,51 @@ glm::vec3 in_the_tile(const glm::vec3& sun, const glm::vec2& along) {
     return {glm::dot(flat, glm::vec2{-along.y, along.x}), sun.y, glm::dot(flat, along)};
 }
 
-// A flat layer has no tops. Flights look north, so the side of a heap that is nearest to the eye is where its top would
-// be seen: it is lit as if the sun stood a little behind the eye, and the far side becomes its base.
+// Flights look north: heaps are lit as if the light stood a little farther toward the eye's side than it does, so that
+// it models them.
 glm::vec3 heap_light(const glm::vec3& sun) {
     const float flat = std::max(std::hypot(sun.x, sun.z), 0.05F);
-    const glm::vec3 lit{0.55F * sun.x / flat, 0, 0.55F * sun.z / flat + 0.85F};
+    const glm::vec3 lit{0.8F * sun.x / flat, 0, 0.8F * sun.z / flat + 0.45F};
     const float length = std::max(std::hypot(lit.x, lit.z), 0.05F);
     return {lit.x * flat / length, sun.y, lit.z * flat / length};
+}
+
+constexpr glm::ivec2 kCloudscape{1280, 240};
+
+// The lower clouds as they stand over the land. depth: of the layer, over its tile.
+scene::Cloudscape stand_up(const scene::CloudLayer& low, const mesh::Field& depth, const Parameters& p,
+                           const glm::vec3& sun, const glm::vec3& brightest, base::Seed seed) {
+    const float tall_m = 0.5F * p.cloud_scale_m * p.cloud_tower * (0.35F + 0.65F * p.cloud_thickness);
+    const CloudscapeShape shape{depth,
+                                low.tile_m,
+                                low.stretch,
+                                low.along,
+                                std::max(low.height_m - kEye_m, 120.0F),
+                                std::clamp(tall_m, 60.0F, 1.6F * low.height_m),
+                                gap_of(p),
+                                p.sun_beams,
+                                std::max(p.sun_halo, 0.0F),
+                                heap_light(sun),
+                                brightest,
+                                seed.child("bulges")};
+    return make_cloudscape(shape, kCloudscape.x, kCloudscape.y);
+}
+
+// As opaque as they are as a flat layer, which casts their shadow.
+void set_low(scene::CloudLayer& low, const Parameters& p) {
+    low.tile_m = 3.0F * p.cloud_scale_m;
+    low.stretch = p.cloud_stretch;
+    low.along = way(p.cloud_wind_deg);
+    low.height_m = p.cloud_height_m;
+    low.wind_m_s = p.cloud_wind_m_s * low.along;
+    low.opacity = 0.80F + 0.18F * p.cloud_thickness;
 }
 
 void add_clouds(scene::Sky& sky, const Parameters& p, const Daylight& day, const Lights& lights, base::Seed seed) {
     const glm::vec3 sun = lights.is_night && lights.sun_height_deg < -6.0F ? lights.moon : lights.sun;
     const glm::vec2 wind = p.cloud_wind_m_s * way(p.cloud_wind_deg);
     scene::CloudLayer& low = sky.clouds[0];
-    low.tile_m = 3.0F * p.cloud_scale_m;
-    low.stretch = p.cloud_stretch;
-    low.along = way(p.cloud_wind_deg);
-    low.height_m = p.cloud_height_m;
-    low.wind_m_s = wind;
-    low.opacity = 0.80F + 0.18F * p.cloud_thickness;
+    set_low(low, p);
     const CloudShape heaps{512,
                            3,
                            6,
@@ -93,8 +132,11 @@ void add_clouds(scene::Sky& sky, const Parameters& p, const Daylight& day, const
                            p.cloud_cover,
                            p.cloud_sharpness,
                            p.cloud_thickness};
-    paint_layer(low, make_clouds(heaps, in_the_tile(heap_light(sun), low.along), seed.child("lower clouds")), p, day, lights,
+    const mesh::Field depth = cloud_depth(heaps, seed.child("lower clouds"));
+    paint_layer(low, light_clouds(depth, heaps, in_the_tile(heap_light(sun), low.along)), p, day, lights,
                 p.cloud_thickness * (0.55F + 0.45F * overcast(p)));
+    low.lit = mesh::Image();  // as they are seen, they are lit
+    sky.cloudscape = stand_up(low, depth, p, sun, lights.brightest(), seed);
     scene::CloudLayer& high = sky.clouds[1];
     high.tile_m = 2.0F * p.cirrus_scale_m / std::sqrt(p.cirrus_stretch);
     high.stretch = p.cirrus_stretch;
@@ -110,21 +152,23 @@ void add_clouds(scene::Sky& sky, const Parameters& p, const Daylight& day, const
     sky.cloud_shadow = p.cloud_shadow * (1.0F - overcast(p));
 }
 
-// Under closed clouds no clear horizon is left: the dome itself turns to their grey.
-void close_dome(scene::Dome& dome, const scene::CloudLayer& clouds, float closed) {
+// Under closed clouds no clear horizon is left but where they end far off: the dome itself turns to their grey.
+void close_dome(scene::Dome& dome, const scene::CloudLayer& clouds, float closed, float gap) {
     const glm::vec3 grey = glm::mix(clouds.shaded, clouds.sunlit, 0.55F * clouds.mean_lit + 0.25F);
     for (int row = 0; row < scene::Dome::kRows; ++row) {
         // Moon & Spencer 1942: an overcast zenith is three times as bright as its horizon. Half of that here.
-        const float up = 0.8F + 0.4F * scene::Dome::direction(0, row).y;
+        const float height = scene::Dome::direction(0, row).y;
+        const float up = 0.8F + 0.4F * height;
+        const float here = closed * (gap > 0 ? closed_over_gap(gap, height) : 1.0F);
         for (int column = 0; column < scene::Dome::kColumns; ++column)
-            dome.at(column, row) = glm::mix(dome.at(column, row), grey * up, 0.92F * closed);
+            dome.at(column, row) = glm::mix(dome.at(column, row), grey * up, 0.92F * here);
     }
 }
 
 void set_air(scene::Sky& sky, const Parameters& p, const Lights& lights) {
     const Falling falls = falling(p);
     sky.haze_distance_m = std::max(p.haze_distance_m / (1.0F + 1.2F * falls.rain + 1.8F * falls.snow), 380.0F);
-    sky.haze_height_m = p.haze_height_m + 300.0F * falls.any();
+    sky.haze_height_m = p.haze_height_m * (1.15F - 0.75F * p.haze_pool) + 300.0F * falls.any();
     const auto low = [&](float aside_deg) {
         const float bearing = glm::degrees(std::atan2(sky.glow_direction.x, -sky.glow_direction.z)) + aside_deg;
         const glm::vec2 flat = way(bearing);
@@ -248,8 +292,9 @@ scene::Sky make_sky(const scene::SkyParameters& p, base::Seed seed) {
     sky.dome = day.dome;
     add_clouds(sky, p, day, lights, seed);
     const float closed = overcast(p);
-    close_dome(sky.dome, sky.clouds[0], std::min(1.35F * closed, 1.0F));
-    sky.sunlight = day.sunlight * (1.0F - 0.82F * closed) * (1.0F - 0.15F * falling(p).any());
+    close_dome(sky.dome, sky.clouds[0], std::min(1.35F * closed, 1.0F), gap_of(p));
+    sky.sunlight = day.sunlight * (1.0F - 0.82F * closed * (1.0F - 0.7F * under_clouds(p, lights))) *
+                   (1.0F - 0.15F * falling(p).any());
     gather_ambient(sky, p, lights);
     set_air(sky, p, lights);
     add_disc(sky, p, lights, seed);

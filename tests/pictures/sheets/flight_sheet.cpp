@@ -13,9 +13,10 @@
 #include <vector>
 
 #include "display/display.hpp"
-#include "stage/easel.hpp"
-#include "pictures/picture.hpp"
+#include "nursery/growing.hpp"
 #include "pictures/flight.hpp"
+#include "pictures/picture.hpp"
+#include "stage/easel.hpp"
 
 namespace {
 

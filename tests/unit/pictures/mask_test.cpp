@@ -67,6 +67,16 @@ TEST(Mask, AValueThatIsNamedIsAHoleAndAUsualOneWithinTheRangeIsNone) {
     EXPECT_EQ(mask_from(picture, "sea.tif", MaskRange{-11000, 9000}, {}).holes, 0U);
 }
 
+TEST(Mask, AValueThatTheFileItselfNamesIsAHole) {
+    GreyPicture picture = hills();
+    picture.samples.samples[40] = 600;
+    picture.nodata = 600.0F;
+    EXPECT_EQ(mask_from(picture, "dem.tif", MaskRange{200, 1700}, {}).holes, 1U);
+    EXPECT_EQ(mask_from(picture, "dem.tif", MaskRange{200, 1700}, 1700.0F).holes, 1U) << "what is asked for counts";
+    picture.white = 65535.0F;
+    EXPECT_EQ(mask_from(picture, "dem.tif", MaskRange{200, 1700}, {}).holes, 1U) << "of whole numbers too";
+}
+
 TEST(Mask, BeyondItsRangeIsCutAndCounted) {
     const Mask mask = mask_from(hills(), "dem.tif", MaskRange{200, 950}, {});
     EXPECT_EQ(mask.cut, 40U);

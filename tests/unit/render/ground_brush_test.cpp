@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
@@ -155,6 +156,27 @@ TEST(GroundBrush, ASmallerPictureIsTheMeanOfAFineOne) {
         const float root = static_cast<float>(gl::root_of_srgb(mean[4 * static_cast<std::size_t>(x)])) / 255;
         EXPECT_NEAR(coarse.pixel(x, 7)[0], 255 * encode_root(root * std::sqrt(2 * 127.0F / 255)), 1) << x;
     }
+}
+
+// Under water the bed gives way to the water's own colour, the more the deeper it looks; on land nothing changes.
+TEST(GroundBrush, ShowsTheBedThroughTheWaterOverIt) {
+    const mesh::Image kinds = filled(kSide, {0, 0});
+    const mesh::Image relief = filled(kSide, {128, 128});
+    const scene::GroundColours colours(grey(kSide, 150, 0));
+    const glm::vec3 water{0.1F, 0.5F, 0.6F};
+    const auto middle = [&](std::uint8_t depth, float murk) {
+        const mesh::Image light = grey(kSide, 128, depth);
+        return *reinterpret_cast<const std::array<std::uint8_t, 4>*>(
+            painted({colours, light, kinds, relief, 1, water, murk}, {kSide, kSide}).pixel(kSide / 2, kSide / 2));
+    };
+    EXPECT_EQ(middle(0, 0.8F), middle(0, 0));
+    const auto clear = middle(120, 0);
+    const auto murky = middle(120, 0.8F);
+    // So deep, it is hidden as far as it ever is.
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(murky[c], 0.2F * clear[c] + 0.8F * 255 * water[static_cast<int>(c)], 1.5F) << c;
+    const auto shallow = middle(3, 0.8F);
+    EXPECT_LT(std::abs(shallow[1] - clear[1]), std::abs(murky[1] - clear[1]) + 1);
 }
 
 }  // namespace

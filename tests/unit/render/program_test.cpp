@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "render/passes/crowd.hpp"
+#include "render/passes/mirror.hpp"
 #include "render/passes/view_block.hpp"
 #include "unit/render/gpu_fixture.hpp"
 
@@ -60,6 +61,17 @@ TEST_F(Programs, LayTheViewBlockOutAsTheStructThatFillsIt) {
     glGetProgramResourceiv(sky.name(), GL_UNIFORM_BLOCK, 0, 1, &size, 1, nullptr, &bytes);
     EXPECT_EQ(bytes, static_cast<GLint>(sizeof(ViewBlock)));
     EXPECT_EQ(passes::kViewBlockBytes % 256, 0U);
+}
+
+TEST_F(Programs, LayTheMirrorOutAsTheStructThatFillsIt) {
+    using passes::MirrorBlock;
+    const Program water("water.vert", "water.frag");
+    const std::pair<const char*, std::size_t> members[] = {{"MirrorBlock.place", offsetof(MirrorBlock, place)},
+                                                           {"MirrorBlock.ripple", offsetof(MirrorBlock, ripple)},
+                                                           {"MirrorBlock.shore_m[0]", offsetof(MirrorBlock, shore_m)}};
+    for (const auto& [name, offset] : members)
+        EXPECT_EQ(offset_of(water.name(), name), static_cast<GLint>(offset)) << name;
+    EXPECT_EQ(sizeof(MirrorBlock), (2 + scene::Mirror::kBearings / 4) * sizeof(glm::vec4));
 }
 
 TEST_F(Programs, ReadAnInstanceAsTheStructThatFillsIt) {

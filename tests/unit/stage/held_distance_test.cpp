@@ -59,8 +59,9 @@ TEST(HeldDistance, LooksAsIfItWereDrawnAnewAllAlongAFlight) {
         EXPECT_EQ(a.drawn.held_views, 4U) << n;
         EXPECT_EQ(b.drawn.held_views, 0U) << n;
         // A redraw would be seen as a frame that differs from the one before it by more than the flight makes it.
-        if (n > 0)
+        if (n > 0) {
             EXPECT_LT(tests::off(a.pixels, held_before).rms, 1.05 * tests::off(b.pixels, anew_before).rms) << n;
+        }
         held_before = a.pixels;
         anew_before = b.pixels;
         sum += off.rms * off.rms;

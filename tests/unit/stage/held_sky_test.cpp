@@ -93,7 +93,8 @@ TEST(HeldSky, LooksAsIfItWereDrawnAnew) {
 TEST(HeldSky, MovesWithItsClouds) {
     const SceneOf calm = nursery::grow(genome::random_recipe(base::Seed{5}), {65, 64, 128});
     auto sky = std::make_shared<scene::Sky>(*calm->sky);
-    sky->clouds[0].wind_m_s = {40, 10};
+    sky->cloudscape = {};  // the layer as it is
+    sky->clouds[0].wind_m_s = {400, 100};
     sky->clouds[0].height_m = 500;
     sky->clouds[0].opacity = 0.9F;
     sky->clouds[1].opacity = 0;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/compose/near_shade.hpp"
 #include "synthesis/grow.hpp"
 
 namespace quadrat::synthesis {
@@ -66,6 +67,20 @@ TEST(Exposure, NeverRisesWithTheLight) {
         before = now;
     }
 }
+
+// A plain of one shade under an even sky has the two and what lies between; a dark half widens the range.
+TEST(ValueRange, GrowsWithTheShadeOverWhatIsNear) {
+    Plain even(150, 110);
+    const auto range = [&] { return value_range(even.land, even.sky, even.light, even.track); };
+    const float before = range();
+    EXPECT_GE(before, 0);
+    EXPECT_LE(before, 1);
+    std::vector<scene::Plant> none;
+    shade_what_is_near(even.light, none, even.track, even.land.side_m(), 0.2F);
+    EXPECT_GT(range(), before + 0.05F);
+}
+
+TEST(ValueRange, OfNothingIsWhole) { EXPECT_EQ(value_range({}, {}, {}, {}), 1); }
 
 }  // namespace
 }  // namespace quadrat::synthesis

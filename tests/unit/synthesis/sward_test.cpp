@@ -105,7 +105,7 @@ TEST(NearShade, TakesLightNearTheWayAndNoneFarFromIt) {
     plants[1].root_m = {200, 0, 0};
     scene::Track track;
     track.cameras = {scene::Camera{}};
-    shade_what_is_near(light, plants, track, 512, false);
+    shade_what_is_near(light, plants, track, 512, kLeftByDay);
     EXPECT_LT(light.ground.pixel(64, 64)[1], 120);
     EXPECT_EQ(light.ground.pixel(64, 64)[3], 200);  // the water's depth
     EXPECT_EQ(light.ground.pixel(2, 64)[1], 200);

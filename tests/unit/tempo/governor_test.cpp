@@ -148,8 +148,7 @@ TEST(Governor, ShowsFewerFramesRatherThanLessThanAPicture) {
     for (const auto& [always_ms, periods] : {std::pair{30.0F, 3}, {55.0F, 4}, {200.0F, 4}}) {
         DetailGovernor governor({});
         Machine machine{always_ms, 20};
-        const Watched seen =
-            watch(governor, machine, 0s, 3min, kSteady, [](Instant now) { return now % 20s < 2s; });
+        const Watched seen = watch(governor, machine, 0s, 3min, kSteady, [](Instant now) { return now % 20s < 2s; });
         EXPECT_EQ(governor.periods(), periods) << always_ms;
         EXPECT_GE(seen.least, GovernorOptions::kLeast);
         EXPECT_GE(scale_for(seen.least), 0.75F);
@@ -305,30 +304,6 @@ TEST(Governor, SaysWhy) {
     ASSERT_TRUE(reason.has_value());
     EXPECT_NE(reason->find("frames late"), std::string::npos) << *reason;
     EXPECT_FALSE(governor.take_reason().has_value());
-}
-
-TEST(Governor, StartsWhereItEndedOnTheSameGpuOnly) {
-    DetailGovernor governor({});
-    Machine machine{5, 30};
-    watch(governor, machine, 0s, 60s, kSteady, kNothingGrows);
-    const std::string text = to_text(governor, "V3D 4.2");
-    for (const char* now : {"/dev/dri/card0, HDMI-A-1 1920x1080@60", "/dev/dri/card1, HDMI-A-1 1920x1080@60",
-                            "/dev/dri/card0, HDMI-A-2 1280x720@50"})
-        EXPECT_NEAR(options_for(1, text, "V3D 4.2").start, governor.settled(), 1e-3F) << now;
-    EXPECT_EQ(options_for(1, text, "V3D 7.1").start, 1.0F);
-    for (const char* broken : {"", "1", "1 ", "1 x V3D 4.2", "9 0.5 V3D 4.2", "1 nan V3D 4.2", "1 -3 V3D 4.2", "1 0.5",
-                               "1x 0.5 V3D 4.2", "1x4", "1x40.5 V3D 4.2"})
-        EXPECT_EQ(options_for(0.7F, broken, "V3D 4.2").start, 0.7F) << broken;
-    GovernorOptions smooth;
-    smooth.start = 0.8F;
-    smooth.samples = 4;
-    const GovernorOptions again = options_for(1, to_text(DetailGovernor(smooth), "V3D 4.2"), "V3D 4.2");
-    EXPECT_EQ(again.samples, 4);
-    const std::string profile = to_text(GpuProfile{}, "V3D 4.2");
-    EXPECT_TRUE(is_profile_of(profile, "V3D 4.2"));
-    EXPECT_FALSE(is_profile_of(profile, "V3D 4"));
-    EXPECT_FALSE(is_profile_of("", "V3D 4.2"));
-    EXPECT_NEAR(again.start, 0.8F, 1e-3F);
 }
 
 // What has never been drawn costs more than what was there before it.
