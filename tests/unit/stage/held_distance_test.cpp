@@ -145,7 +145,8 @@ TEST(HeldDistance, ServesSmoothFramesSmallOnesAndPanelsThatHangAsTheyMust) {
         const Flight::Shown a = held.draw(seconds_of(0));
         const Flight::Shown b = anew.draw(seconds_of(0));
         EXPECT_EQ(a.drawn.held_views, 4U);
-        EXPECT_LT(tests::off(a.pixels, b.pixels).rms, kUnseen)
+        // Of a panel on its side less is sky, and more of it leaves.
+        EXPECT_LT(tests::off(a.pixels, b.pixels).rms, (how.hanging.quarter_turns % 2 == 0 ? 1 : 1.25) * kUnseen)
             << how.detail.samples << ' ' << how.detail.scale << ' ' << how.hanging.quarter_turns;
     }
 }
