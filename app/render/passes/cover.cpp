@@ -308,7 +308,8 @@ CoverSeen look_at_cover(const CoverOfScene& cover, const Frustum& frustum, const
     for (std::size_t i = 0; i < cover.cells.size(); ++i) {
         const scene::Sward::Cell& cell = cover.cells[i];
         const float distance = nearest_m(cell, wish.eye_m());
-        if (distance < reach && frustum.may_see_box(cell.low_m, cell.high_m))
+        if (distance < reach && wish.reach.may_hold_box(cell.low_m, cell.high_m) &&
+            frustum.may_see_box(cell.low_m, cell.high_m))
             cells.push_back({i, bucket_of(share_at(distance, whole))});
     }
     const float grown = 0.1F + 0.9F * glm::smoothstep(0.0F, 0.7F, wish.growth);
@@ -325,7 +326,8 @@ CoverSeen look_at_cover(const CoverOfScene& cover, const Frustum& frustum, const
                 std::size_t first = cell.first;
                 for (std::size_t k = 0; k < kind; ++k) first += cell.counts[k];
                 for (std::size_t i = first; i < first + cell.counts[kind]; ++i)
-                    shown.instances.push_back(seen(cover.tufts[i], wish, whole, reach, grown));
+                    if (wish.reach.holds_standing({cover.tufts[i].root_m.x, cover.tufts[i].root_m.z}, 0))
+                        shown.instances.push_back(seen(cover.tufts[i], wish, whole, reach, grown));
             }
             batch.count = shown.instances.size() - batch.first;
             if (batch.count == 0) continue;

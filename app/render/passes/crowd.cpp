@@ -335,6 +335,7 @@ Sight look(std::span<const scene::Plant> plants, std::span<const Kind> kinds, co
     for (std::size_t i = 0; i < plants.size(); ++i) {
         const scene::Plant& plant = plants[i];
         const Kind& kind = kinds[plant.species];
+        if (!g.reach.holds_standing({plant.root_m.x, plant.root_m.z}, kind.radius_m * plant.scale)) continue;
         const float half_m = 0.5F * kind.height_m * plant.scale;
         const glm::vec3 middle_m = plant.root_m + glm::vec3{0, half_m, 0};
         const float distance_m = glm::length(middle_m - glm::vec3{g.view.eye_seconds});
@@ -360,7 +361,9 @@ int affordable_step(std::span<const Crowding> views, std::size_t triangle_budget
     const auto fits = [&](int step) {
         std::size_t left = triangle_budget;
         for (const Crowding& view : views) {
-            const std::size_t takes = triangles_at(step, view, left);
+            const auto enough = static_cast<std::size_t>(static_cast<float>(left) / view.share);
+            const auto takes =
+                static_cast<std::size_t>(view.share * static_cast<float>(triangles_at(step, view, enough)));
             if (takes > left) return false;
             left -= takes;
         }
