@@ -5,12 +5,12 @@
 
 #include <functional>
 
+#include "backup/manifest.hpp"
+#include "backup/tar.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "exhibit/archive.hpp"
 #include "exhibit/state_file.hpp"
-#include "backup/manifest.hpp"
-#include "backup/tar.hpp"
 #include "support/process.hpp"
 
 namespace quadrat::backup {
