@@ -52,9 +52,10 @@ install_packages() {
     rm -f "$log"
 }
 
-# configure_and_build FOLDER TARGET... -- CMAKE_ARGUMENT...
+# configure_and_build FOLDER TARGET... -- CMAKE_ARGUMENT...: ends as the build ends, also where the caller asks whether
+# it did ("if", "||"): the shell goes on after a failure then.
 configure_and_build() {
-    local folder=$1 targets=() log lock
+    local folder=$1 targets=() log lock ended=0
     shift
     while [ $# -gt 0 ] && [ "$1" != -- ]; do
         targets+=("$1")
@@ -75,6 +76,7 @@ configure_and_build() {
     fi
     local status='[%f/%t] '
     [ -t 1 ] || status='[%p] '
-    NINJA_STATUS=$status cmake --build "$folder" --parallel "$jobs" ${targets[@]+--target "${targets[@]}"}
+    NINJA_STATUS=$status cmake --build "$folder" --parallel "$jobs" ${targets[@]+--target "${targets[@]}"} || ended=$?
     exec {lock}>&-
+    return $ended
 }

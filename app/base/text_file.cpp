@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -22,11 +23,6 @@ constexpr Mark kForeign[] = {{std::string_view("\xFF\xFE\0\0", 4), "UTF-32"},
                              {"\xFF\xFE", "UTF-16"},
                              {"\xFE\xFF", "UTF-16"}};
 constexpr std::string_view kOwnMark = "\xEF\xBB\xBF";
-
-[[noreturn]] void refuse_encoding(std::string_view source, std::string_view encoding) {
-    throw InputError(fmt::format("{}: is {} text; save it as UTF-8 (in Windows Notepad: Save as, Encoding: UTF-8)",
-                                 source, encoding));
-}
 
 // Half of plain text's bytes are NUL in UTF-16, and all of them stand on one side.
 bool looks_like_utf16(std::string_view bytes) {
@@ -68,13 +64,20 @@ void check_line(std::string_view line, std::string_view place, std::size_t limit
 
 }  // namespace
 
+std::string trouble_of_encoding(std::string_view bytes) {
+    std::string_view encoding = looks_like_utf16(bytes) ? "UTF-16" : "";
+    const auto* const mark = std::ranges::find_if(kForeign, [&](const Mark& m) { return bytes.starts_with(m.bytes); });
+    if (mark != std::end(kForeign)) encoding = mark->encoding;
+    if (encoding.empty()) return "";
+    return fmt::format("is {} text; save it as UTF-8 (in Windows Notepad: Save as, Encoding: UTF-8)", encoding);
+}
+
 std::string text_from(std::string bytes, std::string_view source, const TextLimits& limits) {
     if (bytes.size() > limits.bytes)
         throw InputError(fmt::format("{}: has {} bytes; {} are the most: is this the right file?", source, bytes.size(),
                                      limits.bytes));
-    for (const Mark& mark : kForeign)
-        if (std::string_view(bytes).starts_with(mark.bytes)) refuse_encoding(source, mark.encoding);
-    if (looks_like_utf16(bytes)) refuse_encoding(source, "UTF-16");
+    if (const std::string trouble = trouble_of_encoding(bytes); !trouble.empty())
+        throw InputError(fmt::format("{}: {}", source, trouble));
     if (std::string_view(bytes).starts_with(kOwnMark)) bytes.erase(0, kOwnMark.size());
     make_line_ends_ours(bytes);
     std::size_t number = 0;

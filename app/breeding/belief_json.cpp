@@ -7,6 +7,8 @@
 
 #include "base/error.hpp"
 #include "breeding/belief/coordinates.hpp"
+#include "breeding/belief/layered_json.hpp"
+#include "breeding/json_vectors.hpp"
 #include "genome/json_text.hpp"
 #include "genome/values_json.hpp"
 
@@ -43,25 +45,6 @@ genome::PerAspect<bool> locked_from(const json& value, std::string_view source) 
         locked[*aspect] = true;
     }
     return locked;
-}
-
-// `what` says what an element is: "a probability is a number from 0 to 1".
-std::vector<double> vector_from(const json& value, std::size_t count, std::string_view source, const std::string& place,
-                                double low, double high, std::string_view what) {
-    if (!value.is_array() || value.size() != count)
-        throw base::InputError(fmt::format("{}: {} should be a list of {} numbers", source, place, count));
-    std::vector<double> vector;
-    for (const json& element : value) {
-        if (!element.is_number() || element.get<double>() < low || element.get<double>() > high)
-            throw base::InputError(fmt::format("{}: {} holds {}; {}", source, place, brief(element), what));
-        vector.push_back(element.get<double>());
-    }
-    return vector;
-}
-
-std::vector<double> shares_from(const json& value, std::size_t count, std::string_view source,
-                                const std::string& place) {
-    return vector_from(value, count, source, place, 0, 1, "it should be a number from 0 to 1");
 }
 
 // {"trees":…,"land":…,"sky":…}, each as `written` writes it.
@@ -109,15 +92,17 @@ Wish wish_from(const json& value, std::size_t n, std::string_view source, const 
                                   "a covariance is a number from -4 to 4");
     if (!is_covariance(wish.covariance, n))
         throw base::InputError(fmt::format("{}: {}.covariance is not one of positive variances", source, place));
-    const json& evidence = member(value, "evidence", source);
-    if (!evidence.is_number() || evidence > 0)
-        throw base::InputError(fmt::format("{}: {}.evidence is {}; the logarithm of a probability is at most 0", source,
-                                           place, brief(evidence)));
-    wish.evidence = evidence.get<double>();
+    wish.evidence = evidence_from(member(value, "evidence", source), source, place);
     return wish;
 }
 
 std::string aspect_json(const BeliefState& state, Aspect aspect) {
+    if (state.genome == genome::Genome::Full) {
+        std::string text = begun_json(state.layered[aspect]);
+        if (state.layered[aspect].winner)
+            text += fmt::format(R"(,"inherited":"{}")", genome::text_of(state.inherited[aspect]));
+        return text + "}";
+    }
     const AspectBelief& belief = state.aspects[aspect];
     std::string text = fmt::format(R"({{"isotropic":{})", wish_json(belief.isotropic));
     if (belief.near_archetypes) text += fmt::format(R"(,"archetypes":{})", wish_json(*belief.near_archetypes));
@@ -150,15 +135,40 @@ void read_winner(const json& value, std::size_t n, std::string_view source, cons
     inherited = genome::seed_from(member(value, "inherited", source), source, place + ".inherited");
 }
 
-void read_aspect(const json& value, std::string_view source, const std::string& place, Aspect aspect,
-                 BeliefState& state) {
+AspectBelief aspect_from(const json& value, std::string_view source, const std::string& place, AspectBelief belief,
+                         base::Seed& inherited) {
     genome::require_object(value, {"isotropic", "archetypes", "winner", "shown", "inherited"}, source, place);
-    AspectBelief& belief = state.aspects[aspect];
     const std::size_t n = belief.isotropic.mean.size();
     belief.isotropic = wish_from(member(value, "isotropic", source), n, source, place + ".isotropic");
     if (belief.near_archetypes)
         belief.near_archetypes = wish_from(member(value, "archetypes", source), n, source, place + ".archetypes");
-    read_winner(value, n, source, place, belief, state.inherited[aspect]);
+    read_winner(value, n, source, place, belief, inherited);
+    return belief;
+}
+
+// As it was kept before there was more than words.
+LayeredBelief migrated_from(const json& value, std::string_view source, const std::string& place, Aspect aspect,
+                            BeliefState& state) {
+    const std::vector<Place> archetypes = archetype_places(state.genome, aspect, state.map);
+    AspectBelief blank = initial_belief(dimensions_of(state.genome, aspect), archetypes);
+    return migrated(aspect_from(value, source, place, std::move(blank), state.inherited[aspect]), state.map, aspect);
+}
+
+void read_aspect(const json& value, std::string_view source, const std::string& place, Aspect aspect,
+                 BeliefState& state) {
+    if (state.genome == genome::Genome::Classic) {
+        state.aspects[aspect] =
+            aspect_from(value, source, place, std::move(state.aspects[aspect]), state.inherited[aspect]);
+        return;
+    }
+    if (value.is_object() && value.contains("isotropic")) {
+        state.layered[aspect] = migrated_from(value, source, place, aspect, state);
+        return;
+    }
+    state.layered[aspect] =
+        layered_from(value, source, place, state.map.atlas(aspect), genome::vocabulary(aspect).size());
+    if (state.layered[aspect].winner)
+        state.inherited[aspect] = genome::seed_from(member(value, "inherited", source), source, place + ".inherited");
 }
 
 // {"tall":…,…}, each axis of an aspect as `written` writes it.
@@ -170,6 +180,15 @@ std::string axes_json(genome::Genome genome, Aspect aspect, const Written& writt
         text += fmt::format(R"({}"{}":{})", i > 0 ? "," : "", axis.name, written(i, axis));
     }
     return text + "}";
+}
+
+std::string words_json(const BeliefState& state, Aspect aspect) {
+    const Atlas& atlas = state.map.atlas(aspect);
+    const Point mean = expected(atlas, state.layered[aspect]).words;
+    const Point deviation = word_deviation(atlas, state.layered[aspect]);
+    return axes_json(state.genome, aspect, [&](std::size_t i, const Axis&) {
+        return fmt::format(R"({{"mean":{},"deviation":{}}})", mean[i], deviation[i]);
+    });
 }
 
 std::string by_hand_json(const SliderState& state) {
@@ -231,6 +250,7 @@ std::string state_json(const RandomState& state) { return vectors_json(initial_p
 
 std::string state_json(const BeliefState& state) {
     return aspects_json([&](Aspect aspect) {
+        if (state.genome == genome::Genome::Full) return words_json(state, aspect);
         const Place mean = state.aspects[aspect].mean();
         const Place deviation = state.aspects[aspect].deviation();
         return axes_json(state.genome, aspect, [&](std::size_t i, const Axis& axis) {

@@ -16,9 +16,10 @@ namespace quadrat::breeding {
 //   PBIL      {"round":3,"locked":["trees"],"probability":{"trees":[0.5,…],"land":[…],"sky":[…]}}
 //   Gaussian  {"round":3,"locked":[],"mean":{"trees":[0.5,…],…},"deviation":{"trees":0.2,…}}
 //   random    {"round":3,"locked":[]}
-//   belief    {"round":3,"locked":[],"aspects":{"trees":{"isotropic":{"mean":[…],"covariance":[…],"evidence":-2.1},
-//             "archetypes":{…},"winner":2,"shown":[[…],[…],[…],[…]],"inherited":"0123456789abcdef"},…}}
-//             the last three once something was picked
+//   belief    {"round":3,"locked":[],"aspects":{"trees":{"blends":[…],"near":{…},"anywhere":{…},"winner":2,
+//             "shown":[…],"inherited":"0123456789abcdef"},…}}, of the classic genome "isotropic":{"mean":[…],
+//             "covariance":[…],"evidence":-2.1},"archetypes":{…} instead of the first three; the last three once
+//             something was picked. What was kept in words alone, as the classic one is, is read too.
 //   sliders   {"round":3,"locked":[],"places":{"trees":[0.5,…],…},"chosen":{"trees":0,…},"by_hand":{"land.gain":0.5}}
 std::string to_json(const PbilState& state);
 std::string to_json(const PbilGaussianState& state);

@@ -53,12 +53,9 @@ genome::Candidate wish_of(const PbilGaussianState& state, const genome::Candidat
 
 Breeder::Breeder(const BreederOptions& options) : options_(options) {
     switch (options.kind) {
-        case BreederKind::Belief: {
-            BeliefState belief = initial_belief(options.genome, word_map());
-            belief.ranges = options.ranges;
-            belief_ = std::move(belief);
+        case BreederKind::Belief:
+            belief_ = initial_belief(options.genome, word_map(), options.ranges, options.taste);
             break;
-        }
         case BreederKind::Pbil:
             belief_ = initial_pbil(options.genome);
             break;

@@ -25,6 +25,7 @@ struct BreederOptions {
     genome::Genome genome = genome::Genome::Classic;  // Full: in words, for the breeder that has them
     PbilOptions pbil;
     std::optional<WordMap> map;  // nothing: the default map, trained by the first breeder that asks it
+    Taste taste;                 // what the site's visitors ended up with; of the belief breeder in words
     WordRanges ranges;           // what a curator allows; the belief breeder and the sliders keep to them
     friend bool operator==(const BreederOptions&, const BreederOptions&) = default;
 };

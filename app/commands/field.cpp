@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "base/error.hpp"
@@ -217,6 +218,20 @@ void follow(mesh::Field& field, const Options& options) {
                  static_cast<double>(left), 2 * reach + 1, 2 * reach + 1);
 }
 
+double sum_of(const mesh::Field& field) { return std::accumulate(field.samples.begin(), field.samples.end(), 0.0); }
+
+// Where the earth went, as sums of heights in the field's own unit.
+void tell_budget(const land::MovedEarth& moved, double before_m, double after_m, double cell_m2, double unit_m) {
+    const auto heights = [&](double m3) { return m3 / cell_m2 / unit_m; };
+    std::fprintf(
+        stderr,
+        "sum of heights %.2f, then %.2f: worn %.2f, laid down again %.2f, carried off the edge %.2f, crept off "
+        "it %.2f; %.4f unaccounted for\n",
+        before_m / unit_m, after_m / unit_m, heights(moved.worn_m3), heights(moved.laid_m3),
+        heights(moved.carried_off_m3), heights(moved.crept_off_m3),
+        (before_m - after_m) / unit_m - heights(moved.carried_off_m3 + moved.crept_off_m3));
+}
+
 // Erosion thinks in metres: a sample is one, and a height of 1 a ninth of the field's side.
 void filter(mesh::Field& field, const Options& options) {
     if (options.burrs > 0) land::remove_burrs(field, options.burrs, 3);
@@ -226,10 +241,17 @@ void filter(mesh::Field& field, const Options& options) {
     const float unit_m = kCell_m * static_cast<float>(options.size - 1) / 9;
     for (float& h : field.samples) h *= unit_m;
     Progress progress("eroding");
+    land::MovedEarth moved;
+    const double before = sum_of(field);
     for (int step = 0; step < options.erode; ++step) {
-        land::erode_by_streams(field, kCell_m, {.steps = 1, .sea_m = -1.0e9F});
+        const land::MovedEarth now = land::erode_by_streams(field, kCell_m, {.steps = 1, .sea_m = -1.0e9F});
+        moved.worn_m3 += now.worn_m3;
+        moved.laid_m3 += now.laid_m3;
+        moved.carried_off_m3 += now.carried_off_m3;
+        moved.crept_off_m3 += now.crept_off_m3;
         progress.at(static_cast<double>(step + 1) / options.erode);
     }
+    if (options.erode > 0) tell_budget(moved, before, sum_of(field), kCell_m * kCell_m, unit_m);
     constexpr int kSlides = 400;
     const float slope = std::tan(options.repose_deg * std::numbers::pi_v<float> / 180.0F);
     for (int slides = 0; options.repose_deg > 0 && slides < kSlides; slides += 10) {
@@ -354,7 +376,9 @@ void add_constraints(CLI::App& command, Options& options) {
 }
 
 void add_filters(CLI::App& command, Options& options) {
-    command.add_option("--burrs", options.burrs, "Take off burrs that stand higher over their neighbours than this")
+    command
+        .add_option("--burrs", options.burrs,
+                    "Take off burrs, wrinkles and pits that stand out from the slopes around them by more than this")
         ->check(CLI::Range(0.0F, 10.0F))
         ->capture_default_str();
     command.add_option("--smooth", options.smooth, "Mean over this many samples to each side")

@@ -108,6 +108,16 @@ mesh::Model model_of(const TreeSkeleton& skeleton, const std::string& limbs) {
     return model;
 }
 
+// A rule that waits for what never comes looks like a fault of the program.
+void warn_of_contexts(const Grammar& grammar, const std::string& source) {
+    for (const Production* p : contexts_in_vain(grammar))
+        fmt::print(stderr, "{}:{}: {} can never apply: no word of this grammar has that context{}\n", source, p->line,
+                   p->text,
+                   grammar.outside == 0 ? "; contexts see nothing beyond an axis's ends unless the grammar says so, as "
+                                          "in outside: 0"
+                                        : "");
+}
+
 int derive_and_draw(const Options& options) {
     if (options.is_listing) {
         for (const NamedGrammar& one : grammar_library())
@@ -120,6 +130,7 @@ int derive_and_draw(const Options& options) {
     if (!options.output.empty())
         base::require_ending(options.output, {".txt", ".svg", ".obj", ".glb"}, "a grammar's word");
     const Grammar grammar = grammar_from(options.grammar);
+    warn_of_contexts(grammar, options.grammar);
     DeriveOptions how;
     how.steps = options.steps;
     how.seed = base::Seed{options.seed};

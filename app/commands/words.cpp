@@ -14,7 +14,10 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text_file.hpp"
+#include "breeding/reach.hpp"
+#include "breeding/words/comes_back.hpp"
 #include "breeding/words/own_word.hpp"
+#include "breeding/words/questions.hpp"
 #include "commands/commands.hpp"
 #include "genome/speech.hpp"
 #include "kiosk/school.hpp"
@@ -36,6 +39,12 @@ struct Options {
     double value = 1;
     std::string size = "320x180";
     int steps = 5;
+    std::string aspect = "trees";
+    std::size_t first = 0;
+    std::size_t count = 24;
+    int visits = 40;
+    int offers = 7;
+    bool is_all = false;
     std::uint64_t seed = 1;
 };
 
@@ -43,6 +52,21 @@ struct Options {
 breeding::WordMap map_for(const Options& options) {
     return options.state.empty() ? breeding::default_word_map()
                                  : kiosk::site_words(site::existing_state_folder(options.state)).map;
+}
+
+// What each scene taught: how far around it is heard, and how near its own words come to it again.
+void show_scenes(const breeding::WordMap& map, genome::Aspect aspect) {
+    const auto all = breeding::how_scenes_come_back(map);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const breeding::DescribedScene& scene = map.scenes()[i];
+        if (scene.aspect != aspect) continue;
+        const breeding::ComesBack& back = all[i];
+        fmt::print("  {:<32} heard within {:.2f}; comes back within {:.1f} % of a range",
+                   scene.name.empty() ? fmt::format("number {}", i + 1) : scene.name, back.radius, 100 * back.error);
+        if (back.worst_error > 0.02)
+            fmt::print(", {} off by {:.0f} %", parameter(back.worst).name, 100 * back.worst_error);
+        fmt::print("\n");
+    }
 }
 
 int show(const Options& options) {
@@ -53,10 +77,22 @@ int show(const Options& options) {
         for (const breeding::DescribedScene& scene : map.scenes()) scenes += scene.aspect == aspect;
         fmt::print("{}: {} described scenes; a scene told from the others is off by {:.0f} % of a range\n",
                    name_of(aspect), scenes, 100 * map.leave_one_out(aspect));
+        if (options.is_all) show_scenes(map, aspect);
         for (const genome::Word& word : genome::vocabulary(aspect))
             fmt::print("  {:<14} {} ← → {}    {}\n", word.name, language.end(word.id, false),
                        language.end(word.id, true), word.meaning);
     }
+    return 0;
+}
+
+// Visits in which anything is named best, over the map's own breeder: what no pick moves is no gene.
+int tell_reach(const Options& options) {
+    breeding::BreederOptions breeder;
+    breeder.kind = breeding::BreederKind::Belief;
+    breeder.genome = genome::Genome::Full;
+    breeder.map = map_for(options);
+    const breeding::Reach reach = breeding::reach_of(breeder, {options.visits, options.offers});
+    std::cout << text_of(reach, options.is_all);
     return 0;
 }
 
@@ -110,10 +146,34 @@ archive::WordAnswers answers_of(const std::filesystem::path& folder) {
     return archive::word_answers_in(folder);
 }
 
+// Landscapes spread evenly over the words of an aspect, for a curator to look at and to describe; then `train` learns.
+int ask(const Options& options) {
+    base::require_ending(options.output, {".json"}, "scenes to be described");
+    const genome::Aspect aspect = *genome::aspect_named(options.aspect);
+    const auto scenes = breeding::scenes_to_describe(map_for(options), aspect, options.first, options.count);
+    const display::Size size = display::size_from(options.size, "--size");
+    pictures::Picture picture;
+    picture.width = size.width;
+    picture.height = size.height;
+    stage::Easel easel(picture.width, picture.height);
+    genome::Recipe recipe = genome::random_recipe(base::Seed{options.seed});
+    std::vector<pictures::SheetEntry> entries;
+    for (const breeding::DescribedScene& scene : scenes) {
+        recipe.values = scene.values;
+        picture.scenes = {recipe};
+        entries.push_back({easel.draw(picture), scene.name});
+    }
+    const std::string sheet = std::filesystem::path(options.output).replace_extension(".png").string();
+    pictures::write_image(sheet, pictures::contact_sheet(entries, 4, picture.width));
+    std::cout << sheet << '\n';
+    write_and_name(options.output, to_json(scenes, aspect));
+    return 0;
+}
+
 // What is in the files replaces what the curator taught before; what visitors said is read again.
 int train(const Options& options) {
-    const std::filesystem::path folder = site::state_folder(options.state);
-    std::error_code ignored;  // where it cannot be made, the lock says so
+    const std::filesystem::path folder = site::existing_state_folder(options.state);
+    std::error_code ignored;  // only the user's own is made; where that cannot be, the lock says so
     std::filesystem::create_directories(folder, ignored);
     const auto lock = backup::hold_state(folder, "quadrat words train");
     const kiosk::SiteWords before = kiosk::site_words(folder);
@@ -240,13 +300,32 @@ void add_words(CLI::App& app, Action& chosen) {
     command->add_option("--state", options->state, "The exhibit's state folder, for the map that its site has trained")
         ->default_str("show, sheet, own: the map that comes along; others: the service's, else the user's");
     CLI::App* shown = command->add_subcommand("show", "Every word with its two ends, and how well the map knows them");
+    shown->add_flag("--scenes", options->is_all, "Every described scene too: its reach, and what is left over of it");
     shown->callback([options, &chosen] { chosen = [options] { return show(*options); }; });
+    CLI::App* reach = command->add_subcommand(
+        "reach", "How far picks move each parameter, and how often each kind is offered, where anybody picks anything");
+    reach->add_option("--visits", options->visits, "To look through")
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
+    reach->add_option("--offers", options->offers, "In each")->check(CLI::Range(1, 100))->capture_default_str();
+    reach->add_flag("--all", options->is_all, "A line for every parameter and kind, not only for what falls short");
+    reach->callback([options, &chosen] { chosen = [options] { return tell_reach(*options); }; });
     CLI::App* sheet = command->add_subcommand("sheet", "A picture with a row a word, from one end to the other");
     sheet->add_option("-o,--output", options->output, "NAME.png or NAME.exr")->required();
     sheet->add_option("--size", options->size, "Of each picture, in pixels")->capture_default_str();
     sheet->add_option("--steps", options->steps, "Pictures a row")->check(CLI::Range(2, 21))->capture_default_str();
     sheet->add_option("--seed", options->seed, "Names the places")->capture_default_str();
     sheet->callback([options, &chosen] { chosen = [options] { return draw_sheet(*options); }; });
+    CLI::App* asked = command->add_subcommand(
+        "ask", "Landscapes spread evenly over the words (Halton), to be described: NAME.json for train, and NAME.png");
+    asked->add_option("-o,--output", options->output, "NAME.json")->required();
+    asked->add_option("--aspect", options->aspect, "trees, land or sky")
+        ->check(CLI::IsMember({"trees", "land", "sky"}))
+        ->capture_default_str();
+    asked->add_option("--count", options->count, "Landscapes")->check(CLI::Range(1, 400))->capture_default_str();
+    asked->add_option("--first", options->first, "Go on after so many that were asked before")->capture_default_str();
+    asked->add_option("--size", options->size, "Of each picture, in pixels")->capture_default_str();
+    asked->callback([options, &chosen] { chosen = [options] { return ask(*options); }; });
     CLI::App* trained =
         command->add_subcommand("train", "Learn from what visitors said, and from files, with the exhibit stopped");
     trained->add_option("FILE", options->files, "Scenes described by a curator, instead of those taught before")

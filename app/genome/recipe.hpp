@@ -23,7 +23,7 @@ struct Recipe {
 Recipe recipe_of(const Candidate& candidate, base::Seed flight);
 Candidate candidate_of(const Recipe& recipe);  // grows the same; what it was bred from, bits or words, is not known
 
-// The scene seed:N — every parameter uniform over its range.
+// Uniform over every range, whatever it looks like: for tests and benches. seed:N is breeding::seeded_scene().
 Recipe random_recipe(base::Seed seed);
 
 std::string to_json(const Recipe& recipe);  // exact: from_json(to_json(r)) == r

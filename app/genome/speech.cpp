@@ -19,6 +19,7 @@ using nlohmann::json;
 // Below this nobody would use the word; from kVery on they would add to it.
 constexpr float kNoticed = 0.25F;
 constexpr float kVery = 0.8F;
+constexpr float kNoticedShare = 0.05F;  // of a parameter's range
 
 // The one text between two pieces of a template. `holes` are all it may name.
 std::string text_from(const json& object, std::string_view key, std::string_view source,
@@ -38,13 +39,41 @@ std::string filled(std::string text, std::string_view hole, std::string_view wit
     return text;
 }
 
-std::array<std::string, 2> ends_from(const json& words, const Word& word, std::string_view source) {
-    const auto found = words.find(std::string(word.name));
-    if (found == words.end()) return {std::string(word.low), std::string(word.high)};
+struct Detail {
+    ParameterId id;
+    std::string_view less;
+    std::string_view more;
+};
+constexpr std::array kDetails{
+#define DETAIL(id, less, more) Detail{ParameterId::id, less, more},
+#include "genome/details.inc"
+#undef DETAIL
+};
+
+using Ends = std::array<std::string, 2>;
+
+Ends ends_from(const json& texts, std::string_view key, std::string_view name, const Ends& otherwise,
+               std::string_view source) {
+    const auto found = texts.find(std::string(name));
+    if (found == texts.end()) return otherwise;
     if (!found->is_array() || found->size() != 2 || !(*found)[0].is_string() || !(*found)[1].is_string())
-        throw base::InputError(
-            fmt::format("{}: words.{} should be two texts, low end and high end", source, word.name));
+        throw base::InputError(fmt::format("{}: {}.{} should be two texts, low end and high end", source, key, name));
     return {(*found)[0].get<std::string>(), (*found)[1].get<std::string>()};
+}
+
+std::map<ParameterId, Ends> details_from(const json& root, std::string_view source) {
+    const json texts = root.contains("details") ? root["details"] : json::object();
+    if (!texts.is_object()) throw base::InputError(fmt::format("{}: details should be an object", source));
+    for (const auto& [name, ends] : texts.items()) {
+        const auto id = parameter_named(name);
+        if (!id || std::ranges::find(kDetails, *id, &Detail::id) == kDetails.end())
+            throw base::InputError(fmt::format("{}: there is no detail \"{}\"", source, name));
+    }
+    std::map<ParameterId, Ends> details;
+    for (const Detail& detail : kDetails)
+        details[detail.id] = ends_from(texts, "details", parameter(detail.id).name,
+                                       {std::string(detail.less), std::string(detail.more)}, source);
+    return details;
 }
 
 std::map<std::string, std::string, std::less<>> prompts_from(const json& root, std::string_view source) {
@@ -75,8 +104,9 @@ std::vector<WordId> strongest(Aspect aspect, const Measure& measure) {
 
 Language Language::from_json(std::string_view text, std::string_view source) {
     const json root = parse_json(text, source);
-    require_object(root, {"language", "sentence", "and", "very", "rather", "trees", "land", "sky", "words", "prompts"},
-                   source, "the language");
+    require_object(
+        root, {"language", "sentence", "and", "very", "rather", "trees", "land", "sky", "words", "details", "prompts"},
+        source, "the language");
     Language read;
     read.name_ = text_from(root, "language", source, {});
     read.sentence_ = text_from(root, "sentence", source, {"{trees}", "{land}", "{sky}"});
@@ -93,7 +123,9 @@ Language Language::from_json(std::string_view text, std::string_view source) {
     for (const auto& [name, ends] : words.items())
         if (!word_named(name)) throw base::InputError(fmt::format("{}: there is no word \"{}\"", source, name));
     for (const Word& word : vocabulary())
-        read.ends_[static_cast<std::size_t>(word.id)] = ends_from(words, word, source);
+        read.ends_[static_cast<std::size_t>(word.id)] =
+            ends_from(words, "words", word.name, {std::string(word.low), std::string(word.high)}, source);
+    read.details_ = details_from(root, source);
     read.prompts_ = prompts_from(root, source);
     return read;
 }
@@ -124,6 +156,20 @@ std::string Language::heredity(const Description& from, const Description& to, A
     for (const WordId id : strongest(aspect, [&](WordId word) { return to[word] - from[word]; }))
         text += fmt::format("{}{}", text.empty() ? "" : ", ", end(id, to[id] > from[id]));
     return text;
+}
+
+std::string Language::detail(const ParameterShares& moved, Aspect aspect) const {
+    const auto far = [&](const Detail& detail) { return std::abs(moved[static_cast<std::size_t>(detail.id)]); };
+    const Detail* most = nullptr;
+    for (const Detail& detail : kDetails)
+        if (parameter(detail.id).aspect == aspect && (most == nullptr || far(detail) > far(*most))) most = &detail;
+    if (most == nullptr || far(*most) < kNoticedShare) return {};
+    return std::string(detail(most->id, moved[static_cast<std::size_t>(most->id)] > 0));
+}
+
+std::string_view Language::detail(ParameterId id, bool is_more) const {
+    const auto found = details_.find(id);
+    return found == details_.end() ? std::string_view{} : std::string_view{found->second[is_more ? 1 : 0]};
 }
 
 std::array<std::string, 4> Language::answers(WordId id) const {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "genome/parameter_table.hpp"
 #include "genome/words.hpp"
 
 namespace quadrat::genome {
@@ -15,11 +16,14 @@ inline constexpr std::array<std::string_view, 14> kPrompts{
     "attract", "ask.trees",      "ask.land",      "ask.sky",      "breed", "still-there", "finale",
     "first",   "describe.trees", "describe.land", "describe.sky", "slide", "closed",      "settings"};
 
+// A number for each parameter of the table, in its order.
+using ParameterShares = std::array<float, kParameterCount>;
+
 // How one language speaks of a Description: an adjective for each end of each word, agreeing with its aspect's noun,
 // and the templates that join them. Data: genome/languages/*.json, inside the binary.
 class Language {
   public:
-    // Throws InputError naming source and the key. A word left out is spoken in English; so is a prompt.
+    // Throws InputError naming source and the key. A word or a detail left out is spoken in English; so is a prompt.
     static Language from_json(std::string_view json, std::string_view source);
 
     const std::string& name() const { return name_; }  // in itself: "Deutsch"
@@ -32,6 +36,13 @@ class Language {
     // What changed most for an aspect from one to the other, as its two adjectives at most: "tall, sparse"; "" if
     // nothing did that one would notice.
     std::string heredity(const Description& from, const Description& to, Aspect aspect) const;
+
+    // What moved most for an aspect of what no word speaks of: "wider crowns"; "" where nothing did that one would
+    // notice. How far parameters went is told as shares of their ranges.
+    std::string detail(const ParameterShares& moved, Aspect aspect) const;
+
+    // What less or more of a parameter is called; "" for one that nobody would name.
+    std::string_view detail(ParameterId id, bool is_more) const;
 
     // The four answers to which words suit an aspect, from the word's low end: "dry land", "rather dry land", …
     std::array<std::string, 4> answers(WordId id) const;
@@ -55,6 +66,7 @@ class Language {
     std::string rather_;
     PerAspect<Phrase> phrases_;
     std::array<std::array<std::string, 2>, kWordCount> ends_;
+    std::map<ParameterId, std::array<std::string, 2>> details_;
     std::map<std::string, std::string, std::less<>> prompts_;
 };
 

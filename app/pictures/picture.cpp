@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text_file.hpp"
+#include "breeding/seeded_scene.hpp"
 #include "pictures/image_file.hpp"
 
 namespace quadrat::pictures {
@@ -160,7 +161,7 @@ void write_image(const std::filesystem::path& path, const mesh::Image& pixels) {
 Picture read_scene(const std::string& scene) {
     if (const auto number = seed_number(scene)) {
         Picture picture;
-        picture.scenes.push_back(genome::random_recipe(base::Seed{*number}));
+        picture.scenes.push_back(breeding::seeded_scene(breeding::default_word_map(), base::Seed{*number}));
         return picture;
     }
     std::string bytes = base::read_file(scene);

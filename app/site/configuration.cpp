@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/text_file.hpp"
 #include "genome/speech.hpp"
 #include "render/ground_by.hpp"
 #include "site/configuration_checks.hpp"
@@ -168,8 +169,7 @@ CheckedConfiguration check_configuration(std::string_view toml, const std::strin
         return unusable(source,
                         "the file is empty, as a pulled plug leaves one; put the settings back, or a line that begins "
                         "with # to have the defaults");
-    if (toml.starts_with("\xff\xfe") || toml.starts_with("\xfe\xff"))
-        return unusable(source, "is UTF-16 text; save it as UTF-8 (in Windows Notepad: Save as, Encoding: UTF-8)");
+    if (const std::string trouble = base::trouble_of_encoding(toml); !trouble.empty()) return unusable(source, trouble);
     ParsedToml parsed = parse_toml(toml, source);
     CheckedConfiguration checked;
     checked.mistakes = std::move(parsed.mistakes);

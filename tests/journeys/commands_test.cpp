@@ -235,11 +235,11 @@ TEST(Words, LearnFromACuratorsFileAndSayWhatIsOddInIt) {
     folder.write("odd.json", R"({"quadrat":"described","version":1,"aspect":"land","scenes":[
         {"name":"our bay","words":{"wet":0.9},"parameters":{"land.sea_level":0.5,"island.share":1,"cliff.share":1}},
         {"name":"our dunes","words":{"wet":0.9},"parameters":{"dune.share":0.8,"mesa.share":0.7,"canyon.share":0.6}}]})");
-    const Ended trained = run(program({"words", "--state", "state", "train", "odd.json", "--anyway"}), folder);
+    const Ended trained = run(program({"words", "--state", ".", "train", "odd.json", "--anyway"}), folder);
     ASSERT_EQ(trained.status, 0) << trained.err;
     EXPECT_THAT(trained.err, testing::HasSubstr("\"our bay\" and \"our dunes\""));
     EXPECT_THAT(trained.out, testing::HasSubstr("the map is another"));
-    EXPECT_TRUE(std::filesystem::exists(folder / "state" / "words.json"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "words.json"));
 }
 
 // Lands that somebody calls Irish: ten, by some of their words.

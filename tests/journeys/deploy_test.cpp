@@ -28,6 +28,21 @@ TEST(Deploy, RunPassesHelpThrough) {
     EXPECT_NE(ended.out.find("--capture"), std::string::npos);
 }
 
+// "set -e" has no say where a caller asks how it ended.
+TEST(Deploy, ABuildThatFailsIsSaidToHaveFailedToWhoeverAsks) {
+    const TemporaryFolder folder;
+    for (const auto& [step, said] : {std::pair{"-S", ""}, {"--build", "ended with 1\n"}, {"neither", "built\n"}}) {
+        const Ended ended =
+            run({"bash", "-c",
+                 ". " QUADRAT_SOURCE_DIR "/deploy/common.sh; cmake() { [ \"$1\" != " + std::string(step) +
+                     " ]; }; if configure_and_build there target -- -DA=B; then echo built; "
+                     "else echo \"ended with $?\"; fi"},
+                folder);
+        EXPECT_EQ(ended.out, said) << ended.err;
+        EXPECT_EQ(ended.status, std::string(step) == "-S" ? 2 : 0) << "what cannot be configured ends all of it";
+    }
+}
+
 // deploy/test --deep with stages that pass at once, so many seconds after its start: its last line.
 std::string last_line_of_deep_tests_after(int seconds) {
     const TemporaryFolder folder;

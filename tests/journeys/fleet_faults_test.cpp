@@ -59,12 +59,17 @@ class ItsCertificate : public AFleet {
     // A broker with a certificate for this name, for so many days.
     std::unique_ptr<Process> certified(const std::string& name, const std::string& days,
                                        const std::string& more = "") const {
+        return signed_by(
+            "openssl x509 -req -in broker.csr -CA ca.pem -CAkey ca.key -CAcreateserial -out broker.pem "
+            "-extfile names -days " +
+                days,
+            name, more);
+    }
+    std::unique_ptr<Process> signed_by(const std::string& authority, const std::string& name,
+                                       const std::string& more = "") const {
         const std::string make =
             "openssl req -newkey rsa:2048 -nodes -keyout broker.key -out broker.csr -subj /CN=" + name +
-            " && echo subjectAltName=DNS:" + name +
-            " > names && openssl x509 -req -in broker.csr -CA ca.pem -CAkey ca.key -CAcreateserial "
-            "-out broker.pem -extfile names -days " +
-            days + " && chmod 644 *.key *.pem";
+            " && echo subjectAltName=DNS:" + name + " > names && " + authority + " && chmod 644 *.key *.pem";
         EXPECT_TRUE(succeeds(run({"sh", "-c", make}, folder)));
         return broker("allow_anonymous true\ncafile " + path("ca.pem") + "\ncertfile " + path("broker.pem") +
                       "\nkeyfile " + path("broker.key") + "\n" + more);
@@ -85,6 +90,20 @@ TEST_F(ItsCertificate, IsOfAnotherHost) {
 TEST_F(ItsCertificate, HasExpired) {
     const auto house = certified("localhost", "0");
     expect_told("the broker's certificate has expired, on 20");
+}
+
+// Which is what a clock that is years behind makes of every one.
+TEST_F(ItsCertificate, IsNotYetValid) {
+    folder.write("index.txt", "");
+    folder.write("authority",
+                 "[ca]\ndefault_ca = house\n[house]\ndatabase = index.txt\nnew_certs_dir = .\nserial = serial\n"
+                 "default_md = sha256\npolicy = any\n[any]\ncommonName = supplied\n");
+    const auto house = signed_by(
+        "openssl ca -batch -notext -config authority -create_serial -in broker.csr -cert ca.pem -keyfile ca.key "
+        "-extfile "
+        "names -startdate 20910203000000Z -enddate 20920203000000Z -out broker.pem",
+        "localhost");
+    expect_told("the broker's certificate is valid from 2091-02-03");
 }
 
 TEST_F(ItsCertificate, IsSignedBySomebodyElse) {

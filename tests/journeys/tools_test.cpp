@@ -185,6 +185,7 @@ TEST(Text, FromOutsideIsReadInOneWay) {
         {"train.json", {"words", "--state", ".", "train", "train.json"}},
         {"fix.txt", {"field", "fbm", "-o", "out.png", "--size", "33", "--fix", "fix.txt"}},
         {"lines.txt", {"field", "fbm", "-o", "out.png", "--size", "33", "--lines", "lines.txt"}},
+        {"a.script", {"run", "--display", "headless", "--state", "s", "--input", "script:a.script"}},
         {"shaders.json", {"bench", "trees", "--report", "r.html", "--shaders", "shaders.json"}}};
     const std::pair<std::string, std::string> contents[] = {{in_utf16("a = 1\n"), ": is UTF-16 text; save it as UTF-8"},
                                                             {std::string("a\nb\0c\n", 6), ":2: byte 2 is NUL"},
@@ -237,6 +238,7 @@ TEST(CommandLine, RefusesALanguageThatIsNotSpokenAndAStateFolderThatIsNotThere) 
          std::vector<std::vector<std::string>>{{"words", "--state", "/nope", "show"},
                                                {"words", "--state", "/nope", "export", "-o", "a.json"},
                                                {"words", "--state", "/nope", "forget"},
+                                               {"words", "--state", "/nope", "train"},
                                                {"breed", "--stdio", "--state", "/nope"}}) {
         const Ended ended = run(program(command), folder);
         EXPECT_EQ(ended.status, 2) << command[2];

@@ -6,14 +6,14 @@
 
 #include "breeding/belief/coordinates.hpp"
 #include "breeding/growth_seeds.hpp"
+#include "genome/parameter_rules.hpp"
 
 namespace quadrat::breeding {
 namespace {
 
 using genome::Aspect;
 
-// Accidents stay well under what a word does, or four candidates would differ by chance and not by wish.
-constexpr double kLargestAccident = 0.06;  // deviation, of a range
+constexpr float kRounding = 1e-5F;  // of a word
 
 void keep_in_ranges(Place& place, Aspect aspect, const WordRanges& ranges) {
     const auto vocabulary = genome::vocabulary(aspect);
@@ -24,27 +24,97 @@ void keep_in_ranges(Place& place, Aspect aspect, const WordRanges& ranges) {
     }
 }
 
-void put(genome::Candidate& candidate, const BeliefState& state, Aspect aspect, Place place) {
-    if (state.genome == genome::Genome::Classic) {
-        set_values(candidate.values, state.genome, aspect, place);
-        return;
-    }
-    keep_in_ranges(place, aspect, state.ranges);
+void put_classic(genome::Candidate& candidate, const BeliefState& state, Aspect aspect, const Place& place) {
+    set_values(candidate.values, state.genome, aspect, place);
+}
+
+// A sketch that a curator's ranges do not allow is moved as its words are moved.
+void put(genome::Candidate& candidate, const BeliefState& state, Aspect aspect, const Sketch& sketch) {
+    Place place;
+    for (const double word : sketch.words) place.push_back((word + 1) / 2);
     if (!candidate.words) candidate.words.emplace();
     set_words(*candidate.words, aspect, place);
-    realise(state.map, aspect, *candidate.words, candidate.seeds[aspect], candidate.values);
+    Place parameters = sketch.parameters;
+    if (Place allowed = place; keep_in_ranges(allowed, aspect, state.ranges), allowed != place) {
+        genome::ParameterValues asked;
+        state.map.realise(aspect, *candidate.words, asked);
+        set_words(*candidate.words, aspect, allowed);
+        genome::ParameterValues instead;
+        state.map.realise(aspect, *candidate.words, instead);
+        const Place from = place_of(asked, state.genome, aspect);
+        const Place to = place_of(instead, state.genome, aspect);
+        for (std::size_t p = 0; p < parameters.size(); ++p)
+            parameters[p] = std::clamp(parameters[p] + to[p] - from[p], 0.0, 1.0);
+    }
+    set_values(candidate.values, state.genome, aspect, parameters);
+    genome::make_consistent(aspect, candidate.values);
+}
+
+bool is_allowed(const std::vector<float>& words, Aspect aspect, const WordRanges& ranges) {
+    const auto vocabulary = genome::vocabulary(aspect);
+    for (std::size_t w = 0; w < words.size(); ++w) {
+        const WordRange& range = ranges[static_cast<std::size_t>(vocabulary[w].id)];
+        if (words[w] < range.low - kRounding || words[w] > range.high + kRounding) return false;
+    }
+    return true;
+}
+
+// As it was, exactly.
+void put(genome::Candidate& candidate, Aspect aspect, const Shown& shown) {
+    const auto ids = parameters_of(aspect, genome::Genome::Full);
+    for (std::size_t p = 0; p < ids.size(); ++p) candidate.values.set(ids[p], shown.parameters[p]);
+    if (!candidate.words) candidate.words.emplace();
+    const auto vocabulary = genome::vocabulary(aspect);
+    for (std::size_t w = 0; w < vocabulary.size(); ++w) candidate.words->set(vocabulary[w].id, shown.words[w]);
+}
+
+Shown shown_of(const genome::Candidate& candidate, Aspect aspect, const Atlas& atlas) {
+    Shown shown;
+    for (const genome::ParameterId id : atlas.ids) shown.parameters.push_back(candidate.values[id]);
+    if (candidate.words)
+        for (const genome::Word& word : genome::vocabulary(aspect)) shown.words.push_back((*candidate.words)[word.id]);
+    else
+        for (const double word : words_at(atlas, place_of(candidate.values, genome::Genome::Full, aspect)))
+            shown.words.push_back(static_cast<float>(word));
+    return shown;
 }
 
 // Which candidates of an aspect grow by the last winner's accidents: all but the one farthest from it.
-std::array<bool, genome::kCandidates> inheriting(const AspectBelief& belief, const FourPlaces& four) {
+std::array<bool, genome::kCandidates> inheriting(std::optional<std::size_t> winner, const FourPlaces& four) {
     std::array<bool, genome::kCandidates> inherits{};
-    if (!belief.winner) return inherits;
-    const Place& stays = belief.shown[*belief.winner];
+    if (!winner) return inherits;
     const auto farthest =
-        std::ranges::max_element(four, {}, [&](const Place& place) { return squared_distance(place, stays); });
+        std::ranges::max_element(four, {}, [&](const Place& place) { return squared_distance(place, four[*winner]); });
     inherits.fill(true);
-    inherits[static_cast<std::size_t>(farthest - four.begin())] = farthest == four.begin() + *belief.winner;
+    inherits[static_cast<std::size_t>(farthest - four.begin())] = farthest == four.begin() + *winner;
     return inherits;
+}
+
+void propose_classic(const BeliefState& state, Aspect aspect, base::Seed seed, genome::Offer& offer) {
+    const AspectBelief& belief = state.aspects[aspect];
+    // Archetypes are asked for as long as nothing was named.
+    const auto known = belief.winner ? std::vector<Place>{} : archetype_places(state.genome, aspect, state.map);
+    const FourPlaces four = proposed(belief, known, seed);
+    const auto inherits = inheriting(belief.winner, four);
+    for (std::size_t c = 0; c < genome::kCandidates; ++c) {
+        if (inherits[c]) offer.candidates[c].seeds[aspect] = state.inherited[aspect];
+        put_classic(offer.candidates[c], state, aspect, four[c]);
+    }
+}
+
+void propose_layered(const BeliefState& state, Aspect aspect, base::Seed seed, genome::Offer& offer) {
+    const LayeredBelief& belief = state.layered[aspect];
+    const FourSketches four = proposed(state.map.atlas(aspect), belief, seed);
+    FourPlaces places;
+    for (std::size_t c = 0; c < places.size(); ++c) places[c] = four[c].parameters;
+    const auto inherits = inheriting(belief.winner, places);
+    for (std::size_t c = 0; c < genome::kCandidates; ++c) {
+        if (inherits[c]) offer.candidates[c].seeds[aspect] = state.inherited[aspect];
+        if (c == belief.winner && is_allowed(belief.shown[c].words, aspect, state.ranges))
+            put(offer.candidates[c], aspect, belief.shown[c]);
+        else
+            put(offer.candidates[c], state, aspect, four[c]);
+    }
 }
 
 }  // namespace
@@ -58,25 +128,17 @@ std::vector<Place> archetype_places(genome::Genome genome, Aspect aspect, const 
     return places;
 }
 
-void realise(const WordMap& map, Aspect aspect, const genome::Description& words, base::Seed seed,
-             genome::ParameterValues& values) {
-    map.realise(aspect, words, values);
-    const base::Seed accidents = seed.child("accidents");
-    for (const genome::ParameterId id : parameters_of(aspect, genome::Genome::Full)) {
-        const genome::Parameter& p = parameter(id);
-        if (p.unit == genome::kChoice) continue;
-        base::RandomStream chance(accidents.child(p.name));
-        const double deviation = std::min(kLargestAccident, map.spread(id) / 2);
-        const double moved = values[id] + deviation * static_cast<double>(chance.normal()) *
-                                              (static_cast<double>(p.max) - static_cast<double>(p.min));
-        values.set(id, static_cast<float>(moved));
+BeliefState initial_belief(genome::Genome genome, const WordMap& map, const WordRanges& ranges, const Taste& taste) {
+    BeliefState state{genome, map, ranges};
+    for (const Aspect aspect : genome::kAspects) {
+        if (genome == genome::Genome::Classic) {
+            state.aspects[aspect] =
+                initial_belief(dimensions_of(genome, aspect), archetype_places(genome, aspect, map));
+            continue;
+        }
+        state.layered[aspect] = initial_belief(map.atlas(aspect));
+        state.layered[aspect].blends = blend_weights(map, aspect, taste, ranges);
     }
-}
-
-BeliefState initial_belief(genome::Genome genome, const WordMap& map) {
-    BeliefState state{genome, map};
-    for (const Aspect aspect : genome::kAspects)
-        state.aspects[aspect] = initial_belief(dimensions_of(genome, aspect), archetype_places(genome, aspect, map));
     return state;
 }
 
@@ -86,27 +148,46 @@ genome::Offer propose(const BeliefState& state, base::Seed seed) {
     for (std::size_t c = 0; c < genome::kCandidates; ++c)
         offer.candidates[c].seeds = growth_seeds(seed, state.round, c);
     for (const Aspect aspect : genome::kAspects) {
-        const AspectBelief& belief = state.aspects[aspect];
-        // Archetypes are asked for as long as nothing was named.
-        const auto known = belief.winner ? std::vector<Place>{} : archetype_places(state.genome, aspect, state.map);
-        const FourPlaces four = proposed(belief, known, draw_seed(seed, state.round, aspect, 0));
-        const auto inherits = inheriting(belief, four);
-        for (std::size_t c = 0; c < genome::kCandidates; ++c) {
-            if (inherits[c]) offer.candidates[c].seeds[aspect] = state.inherited[aspect];
-            put(offer.candidates[c], state, aspect, four[c]);
-        }
+        const base::Seed draw = draw_seed(seed, state.round, aspect, 0);
+        if (state.genome == genome::Genome::Classic)
+            propose_classic(state, aspect, draw, offer);
+        else
+            propose_layered(state, aspect, draw, offer);
     }
     return offer;
 }
+
+namespace {
+
+void learn_classic(BeliefState& state, Aspect aspect, const genome::Offer& offer, std::size_t picked) {
+    FourPlaces shown;
+    for (std::size_t c = 0; c < shown.size(); ++c) shown[c] = place_of(offer.candidates[c], state.genome, aspect);
+    state.aspects[aspect] = learnt(std::move(state.aspects[aspect]), shown, picked);
+}
+
+void learn_layered(BeliefState& state, Aspect aspect, const genome::Offer& offer, std::size_t picked) {
+    const Atlas& atlas = state.map.atlas(aspect);
+    FourShown shown;
+    for (std::size_t c = 0; c < shown.size(); ++c) shown[c] = shown_of(offer.candidates[c], aspect, atlas);
+    state.layered[aspect] = learnt(atlas, std::move(state.layered[aspect]), shown, picked);
+}
+
+bool was_judged(const BeliefState& state, Aspect aspect) {
+    return state.genome == genome::Genome::Classic ? state.aspects[aspect].winner.has_value()
+                                                   : state.layered[aspect].winner.has_value();
+}
+
+}  // namespace
 
 BeliefState learn(const BeliefState& state, const genome::Offer& offer, const genome::Pick& pick) {
     BeliefState next = state;
     ++next.round;
     for (const Aspect aspect : genome::kAspects) {
         if (!pick[aspect] || state.locked[aspect]) continue;
-        FourPlaces shown;
-        for (std::size_t c = 0; c < shown.size(); ++c) shown[c] = place_of(offer.candidates[c], state.genome, aspect);
-        next.aspects[aspect] = learnt(std::move(next.aspects[aspect]), shown, *pick[aspect]);
+        if (state.genome == genome::Genome::Classic)
+            learn_classic(next, aspect, offer, *pick[aspect]);
+        else
+            learn_layered(next, aspect, offer, *pick[aspect]);
         next.inherited[aspect] = offer.candidates[*pick[aspect]].seeds[aspect];
     }
     return next;
@@ -115,11 +196,26 @@ BeliefState learn(const BeliefState& state, const genome::Offer& offer, const ge
 genome::Candidate wished(const BeliefState& state, const genome::Candidate& otherwise) {
     genome::Candidate candidate = otherwise;
     for (const Aspect aspect : genome::kAspects) {
-        if (!state.aspects[aspect].winner) continue;
+        if (!was_judged(state, aspect)) continue;
         candidate.seeds[aspect] = state.inherited[aspect];
-        put(candidate, state, aspect, state.aspects[aspect].mean());
+        if (state.genome == genome::Genome::Classic)
+            put_classic(candidate, state, aspect, state.aspects[aspect].mean());
+        else
+            put(candidate, state, aspect, expected(state.map.atlas(aspect), state.layered[aspect]));
     }
     return candidate;
+}
+
+std::array<float, genome::kParameterCount> moved_beside_words(const WordMap& map, const genome::Candidate& before,
+                                                              const genome::Candidate& now) {
+    const genome::ParameterValues asked_before = map(*before.words);
+    const genome::ParameterValues asked_now = map(*now.words);
+    std::array<float, genome::kParameterCount> moved{};
+    for (const genome::Parameter& p : genome::parameter_table()) {
+        const float by_words = asked_now[p.id] - asked_before[p.id];
+        moved[static_cast<std::size_t>(p.id)] = (now.values[p.id] - before.values[p.id] - by_words) / (p.max - p.min);
+    }
+    return moved;
 }
 
 }  // namespace quadrat::breeding

@@ -13,18 +13,6 @@ namespace {
 
 constexpr double kVisibly = 0.02;
 
-// Every second named scene is known, every word's ends are: what a site would have that had made half of them itself.
-const WordMap& map_of_half() {
-    static const WordMap kMap = [] {
-        std::vector<DescribedScene> known;
-        genome::PerAspect<int> count{};
-        for (const DescribedScene& scene : default_scenes())
-            if (scene.name.empty() || count[scene.aspect]++ % 2 == 0) known.push_back(scene);
-        return WordMap(known);
-    }();
-    return kMap;
-}
-
 // Of both genomes, once.
 const genome::PerAspect<std::vector<Place>>& all_archetypes(genome::Genome genome) {
     const auto places_of = [](genome::Genome of) {
@@ -57,13 +45,36 @@ std::string title_of(const Tournament& t) {
 
 }  // namespace
 
+const WordMap& known_half() {
+    static const WordMap kMap = [] {
+        std::vector<DescribedScene> known;
+        genome::PerAspect<int> count{};
+        for (const DescribedScene& scene : default_scenes())
+            if (scene.name.empty() || count[scene.aspect]++ % 2 == 0) known.push_back(scene);
+        return WordMap(known);
+    }();
+    return kMap;
+}
+
+Estimate mean_of(const std::vector<double>& numbers) {
+    const auto n = static_cast<double>(numbers.size());
+    double sum = 0;
+    double squares = 0;
+    for (const double number : numbers) {
+        sum += number;
+        squares += number * number;
+    }
+    const double mean = sum / n;
+    return {mean, std::sqrt(std::max(0.0, squares / n - mean * mean) / n)};
+}
+
 SimulatedVisitor visitor_of(const Tournament& t, int visitor) {
     return {t.genome, t.world, t.noise, all_archetypes(t.genome), seed_of(t, visitor)};
 }
 
 Played play(const Tournament& t, const SimulatedVisitor& visitor, int number, Method method) {
     const base::Seed seed = seed_of(t, number);
-    const auto playing = player(method, visitor, map_of_half(), seed.child("player"));
+    const auto playing = player(method, visitor, known_half(), seed.child("player"));
     base::RandomStream chance(seed.child("chance").child(name_of(method)));
     Played played;
     std::optional<double> before;
@@ -82,7 +93,6 @@ Played play(const Tournament& t, const SimulatedVisitor& visitor, int number, Me
 
 Standing standing_of(Method method, const std::vector<Played>& played) {
     Standing standing{method, {}, {}, 0, 0};
-    const auto n = static_cast<double>(played.size());
     int worse = 0;
     int compared = 0;
     for (const Played& one : played) {
@@ -92,15 +102,11 @@ Standing standing_of(Method method, const std::vector<Played>& played) {
     standing.worse_share = compared > 0 ? static_cast<double>(worse) / compared : 0;
     standing.worse_error = compared > 0 ? std::sqrt(standing.worse_share * (1 - standing.worse_share) / compared) : 0;
     for (std::size_t round = 0; !played.empty() && round < played.front().closeness.size(); ++round) {
-        double sum = 0;
-        double squares = 0;
-        for (const Played& one : played) {
-            sum += one.closeness[round];
-            squares += one.closeness[round] * one.closeness[round];
-        }
-        const double mean = sum / n;
-        standing.closeness.push_back(mean);
-        standing.standard_error.push_back(std::sqrt(std::max(0.0, squares / n - mean * mean) / n));
+        std::vector<double> closeness;
+        for (const Played& one : played) closeness.push_back(one.closeness[round]);
+        const Estimate mean = mean_of(closeness);
+        standing.closeness.push_back(mean.value);
+        standing.standard_error.push_back(mean.error);
     }
     return standing;
 }

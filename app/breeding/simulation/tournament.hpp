@@ -10,6 +10,13 @@ namespace quadrat::breeding {
 
 inline constexpr std::array kRoundsReported{3, 5, 8, 15};
 
+// A number and its standard error.
+struct Estimate {
+    double value = 0;
+    double error = 0;
+};
+Estimate mean_of(const std::vector<double>& numbers);
+
 struct Tournament {
     genome::Genome genome = genome::Genome::Classic;
     World world = World::NearArchetypes;
@@ -31,6 +38,10 @@ struct Played {
 SimulatedVisitor visitor_of(const Tournament& tournament, int number);
 Played play(const Tournament& tournament, const SimulatedVisitor& visitor, int number, Method method);
 
+// The word map that breeders have in a simulated world: every second named scene is known, every word's ends are; what
+// a site would have that had made half of them itself.
+const WordMap& known_half();
+
 struct Standing {
     Method method = Method::NoPick;
     std::vector<double> closeness;       // the mean, after each round
@@ -39,12 +50,6 @@ struct Standing {
     double worse_error = 0;
 };
 Standing standing_of(Method method, const std::vector<Played>& played);
-
-// A number and its standard error.
-struct Estimate {
-    double value = 0;
-    double error = 0;
-};
 
 // How the belief breeder stands among the others. Rounds beyond those played count as the last one.
 struct Figures {

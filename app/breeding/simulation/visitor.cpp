@@ -22,18 +22,6 @@ constexpr double kMeaningless = 0.1;   // picks that children make
 constexpr double kIndifferent = 1.3;   // distances beyond it are all too far
 constexpr std::size_t kRandomScenes = 400;
 
-double tau_of(Noise noise) {
-    switch (noise) {
-        case Noise::None:
-            return 0;
-        case Noise::Mild:
-            return 0.05;
-        case Noise::Strong:
-            return 0.15;
-    }
-    return 0;
-}
-
 double hyperbolic_tangent(double x) {
     const double e = base::portable_exp(-2 * std::abs(x));
     return std::copysign((1 - e) / (1 + e), x);
@@ -102,6 +90,18 @@ Place near(const Mixture& mixture, const std::vector<Place>& archetypes, base::R
 std::string_view name_of(World world) { return world == World::Anywhere ? "anywhere" : "near archetypes"; }
 std::string_view name_of(Noise noise) {
     return noise == Noise::None ? "none" : noise == Noise::Mild ? "mild" : "strong";
+}
+
+double tau_of(Noise noise) {
+    switch (noise) {
+        case Noise::None:
+            return 0;
+        case Noise::Mild:
+            return 0.05;
+        case Noise::Strong:
+            return 0.15;
+    }
+    return 0;
 }
 
 SimulatedVisitor::SimulatedVisitor(genome::Genome genome, World world, Noise noise,

@@ -15,6 +15,7 @@ enum class Noise { None, Mild, Strong };        // how well a visitor sees what 
 
 std::string_view name_of(World world);
 std::string_view name_of(Noise noise);
+double tau_of(Noise noise);  // of Plackett and Luce's choice; a random scene is 1 from the wish
 
 // A simulated visitor: has one landscape in mind, cares for few parameters much, sees differences saturate and
 // parameters interact, and names one of four by Plackett and Luce; one pick in ten means nothing. It ranks methods; it

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+// What the regression smooths away comes back near each scene by Shepard's inverse distance weights ("A two-dimensional
+// interpolation function for irregularly-spaced data", 1968), made local by a radius a scene as in Franke & Nielson
+// ("Smooth interpolation of large sets of scattered data", 1980); the regression itself is one more voice, everywhere
+// as loud, so that far from all scenes it alone is heard.
 #include "breeding/words/word_map.hpp"
 
 #include <algorithm>
@@ -7,6 +11,7 @@
 #include <utility>
 
 #include "breeding/words/basis.hpp"
+#include "breeding/words/comes_back.hpp"
 #include "breeding/words/ridge.hpp"
 #include "breeding/words/word_gaussian.hpp"
 #include "genome/parameter_rules.hpp"
@@ -25,31 +30,47 @@ struct AspectMap {
     std::vector<Point> points;                 // the scenes' words, completed
     std::vector<genome::ParameterValues> values;
     std::vector<double> trust;
+    std::vector<double> hearing;                 // a scene's radius, in words
+    std::vector<std::vector<double>> left_over;  // a scene, then a parameter; what the regression misses, of its range
     std::optional<WordGaussian> gaussian;
 };
 
-// Between two kinds lies neither of them: scenes vote for theirs, the louder the nearer they are described.
-constexpr double kHearing = 0.6;  // radius, in words
+double squared_distance(const Point& a, const Point& b) {
+    double squares = 0;
+    for (std::size_t d = 0; d < a.size(); ++d) squares += (a[d] - b[d]) * (a[d] - b[d]);
+    return squares;
+}
 
-// How loud each scene is.
+// At its own words a scene that is trusted fully speaks so many times as loud as the regression.
+constexpr double kOwnWords = 1000;
+
+// How loud each scene is, the regression's voice being 1. One that is trusted less is never followed all the way.
 std::vector<double> voices(const AspectMap& map, const Point& at) {
     std::vector<double> loud;
     loud.reserve(map.points.size());
     for (std::size_t i = 0; i < map.points.size(); ++i) {
-        double squares = 0;
-        for (std::size_t d = 0; d < at.size(); ++d) squares += (at[d] - map.points[i][d]) * (at[d] - map.points[i][d]);
-        // The far tail is a polynomial's: there is always a nearest scene, however far it is.
-        const double nearness = 1 / (1 + squares / (kHearing * kHearing));
-        loud.push_back(map.trust[i] * nearness * nearness * nearness * nearness);
+        const double far = squared_distance(at, map.points[i]) / (map.hearing[i] * map.hearing[i]);
+        const double doubt = std::max(0.0, 1 - map.trust[i]);
+        loud.push_back(map.trust[i] / (far * far + doubt + 1 / kOwnWords));
     }
     return loud;
 }
 
+// What the scenes add to the regression, a parameter, of its range.
+void add_left_over(const AspectMap& map, const std::vector<double>& loud, std::vector<double>& shares) {
+    double sum = 1;
+    for (const double one : loud) sum += one;
+    for (std::size_t i = 0; i < loud.size(); ++i)
+        for (std::size_t p = 0; p < shares.size(); ++p) shares[p] += loud[i] / sum * map.left_over[i][p];
+}
+
+// Between two kinds lies neither of them: scenes vote for theirs, the louder the nearer they are described.
 // Kinds are whole numbers of the parameter's range, in which ties go to the lowest.
 float voted(const AspectMap& map, const genome::Parameter& row, const std::vector<double>& loud) {
     std::vector<double> votes(static_cast<std::size_t>(row.max - row.min) + 1, 0.0);
     for (std::size_t i = 0; i < loud.size(); ++i)
-        votes[static_cast<std::size_t>(std::lround(map.values[i][row.id] - row.min))] += loud[i];
+        votes[static_cast<std::size_t>(std::lround(map.values[i][row.id] - row.min))] +=
+            loud[i] * loud[i] / map.trust[i];
     return row.min + static_cast<float>(std::ranges::max_element(votes) - votes.begin());
 }
 
@@ -119,6 +140,26 @@ void complete(AspectMap& map, const std::vector<const DescribedScene*>& scenes, 
     map.gaussian.emplace(map.points, map.trust, dimensions);
 }
 
+// What the regression says at some words, a parameter, of its range.
+std::vector<double> regressed(const AspectMap& map, const Point& at) {
+    std::vector<double> basis(map.basis.size());
+    map.basis.evaluate(at, basis);
+    std::vector<double> shares(map.ids.size(), 0.0);
+    for (std::size_t j = 0; j < basis.size(); ++j)
+        for (std::size_t p = 0; p < shares.size(); ++p) shares[p] += map.weights[j][p] * basis[j];
+    return shares;
+}
+
+void keep_left_over(AspectMap& map) {
+    map.hearing = hearing_of(map.points);
+    for (std::size_t i = 0; i < map.points.size(); ++i) {
+        std::vector<double> missed = regressed(map, map.points[i]);
+        for (std::size_t p = 0; p < missed.size(); ++p)
+            missed[p] = share_of_range(parameter(map.ids[p]), map.values[i][map.ids[p]]) - missed[p];
+        map.left_over.push_back(std::move(missed));
+    }
+}
+
 AspectMap trained(const std::vector<const DescribedScene*>& scenes, Aspect aspect) {
     AspectMap map;
     map.ids = parameters_of(aspect, genome::Genome::Full);
@@ -143,6 +184,7 @@ AspectMap trained(const std::vector<const DescribedScene*>& scenes, Aspect aspec
         map.spread[p] = fit.leave_one_out;
         for (std::size_t j = 0; j < fit.weights.size(); ++j) map.weights[j][p] = fit.weights[j];
     }
+    keep_left_over(map);
     return map;
 }
 
@@ -151,6 +193,7 @@ AspectMap trained(const std::vector<const DescribedScene*>& scenes, Aspect aspec
 struct WordMap::Trained {
     std::vector<DescribedScene> scenes;
     genome::PerAspect<AspectMap> aspects;
+    genome::PerAspect<Atlas> atlases;
 };
 
 WordMap::WordMap(std::vector<DescribedScene> scenes) {
@@ -162,7 +205,8 @@ WordMap::WordMap(std::vector<DescribedScene> scenes) {
             if (scene.aspect == aspect) of_aspect.push_back(&scene);
         made->aspects[aspect] = trained(of_aspect, aspect);
     }
-    trained_ = std::move(made);
+    trained_ = made;
+    for (const Aspect aspect : genome::kAspects) made->atlases[aspect] = atlas_of(*this, aspect);
 }
 
 void WordMap::realise(Aspect aspect, const genome::Description& words, genome::ParameterValues& values) const {
@@ -174,16 +218,12 @@ void WordMap::realise(Aspect aspect, const genome::Description& words, genome::P
     }
     Point at;
     for (const genome::Word& word : genome::vocabulary(aspect)) at.push_back(words[word.id]);
-    std::vector<double> basis(map.basis.size());
-    map.basis.evaluate(at, basis);
-    std::vector<double> shares(map.ids.size(), 0.0);
-    for (std::size_t j = 0; j < basis.size(); ++j)
-        for (std::size_t p = 0; p < shares.size(); ++p) shares[p] += map.weights[j][p] * basis[j];
-    std::vector<double> loud;  // only where something is a choice
+    std::vector<double> shares = regressed(map, at);
+    const std::vector<double> loud = voices(map, at);
+    add_left_over(map, loud, shares);
     for (std::size_t p = 0; p < map.ids.size(); ++p) {
         const genome::Parameter& row = parameter(map.ids[p]);
         if (row.unit == genome::kChoice) {
-            if (loud.empty()) loud = voices(map, at);
             values.set(row.id, voted(map, row, loud));
             continue;
         }
@@ -223,6 +263,8 @@ double WordMap::leave_one_out(Aspect aspect) const {
 }
 
 const std::vector<DescribedScene>& WordMap::scenes() const { return trained_->scenes; }
+
+const Atlas& WordMap::atlas(Aspect aspect) const { return trained_->atlases[aspect]; }
 
 const WordMap& default_word_map() {
     static const WordMap kMap(default_scenes());

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "breeding/words/atlas.hpp"
 #include "breeding/words/basis.hpp"
 #include "breeding/words/described_scene.hpp"
 #include "genome/parameter_table.hpp"
@@ -24,7 +25,7 @@ struct Direction {
 // same map, bit for bit. A value that is cheap to copy.
 class WordMap {
   public:
-    // Trains; about 0.1 s for 400 scenes. An aspect without scenes keeps the table's defaults.
+    // Trains; 0.1 s for 400 scenes. Those trusted fully come back in their own words. Without scenes: the defaults.
     explicit WordMap(std::vector<DescribedScene> scenes);
 
     // The aspect's parameters for its words; the other aspects' stay as they are in `values`.
@@ -41,6 +42,9 @@ class WordMap {
     double leave_one_out(genome::Aspect aspect) const;  // the mean of it over the aspect's parameters
 
     const std::vector<DescribedScene>& scenes() const;
+
+    // What breeders know beside the map: made with it.
+    const Atlas& atlas(genome::Aspect aspect) const;
 
     // Of one training: the same values, not just equal ones.
     friend bool operator==(const WordMap&, const WordMap&) = default;

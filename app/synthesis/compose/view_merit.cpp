@@ -2,10 +2,63 @@
 #include "synthesis/compose/view_merit.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "synthesis/compose/view_rays.hpp"
 
 namespace quadrat::synthesis {
+namespace {
+
+// Something a country does not have everywhere, and how large it is.
+struct Landmark {
+    glm::vec3 at_m;
+    float size_m;
+};
+
+std::vector<Landmark> landmarks_of(const scene::Land& land) {
+    std::vector<Landmark> all;
+    constexpr std::size_t kRoadStep = 4;
+    for (const scene::Road& road : land.roads)
+        for (std::size_t i = 0; i < road.line_m.size(); i += kRoadStep)
+            all.push_back({road.line_m[i] + glm::vec3{0, 0.3F, 0}, road.width_m});
+    // What stands higher over the ground than boulders do. A facet has three corners of its own: some of them tell.
+    constexpr std::size_t kStoneStep = 31;
+    constexpr float kTall_m = 2.6F;
+    for (std::size_t i = 0; i < land.stone.mesh.positions_m.size(); i += kStoneStep) {
+        const glm::vec3& p = land.stone.mesh.positions_m[i];
+        const float over_m = p.y - scene::ground_height_m(land, {p.x, p.z});
+        if (over_m > kTall_m) all.push_back({p, 0.5F * over_m});
+    }
+    return all;
+}
+
+// Where the picture of 16 by 9 holds a point, its distance; less than 0 where it does not.
+float distance_in_picture_m(const scene::Camera& camera, const glm::vec3& at_m) {
+    const glm::vec3 ahead = glm::normalize(camera.target_m - camera.eye_m);
+    const glm::vec3 right = glm::normalize(glm::cross(ahead, glm::vec3{0, 1, 0}));
+    const glm::vec3 to = at_m - camera.eye_m;
+    const float depth_m = glm::dot(to, ahead);
+    const float half = std::tan(glm::radians(0.5F * camera.vertical_fov_deg));
+    const bool is_in = depth_m > 4 && std::abs(glm::dot(to, right)) < 0.92F * depth_m * half * 16 / 9 &&
+                       std::abs(glm::dot(to, glm::cross(right, ahead))) < 0.92F * depth_m * half;
+    return is_in ? glm::length(to) : -1.0F;
+}
+
+float made_in_sight(const scene::Land& land, const scene::Camera& camera) {
+    float sum = 0;
+    for (const Landmark& mark : landmarks_of(land)) {
+        const float distance_m = distance_in_picture_m(camera, mark.at_m);
+        if (distance_m < 0 || distance_m > 320) continue;
+        if (first_hit(land, camera.eye_m, (mark.at_m - camera.eye_m) / distance_m).distance_m < 0.94F * distance_m)
+            continue;
+        sum += mark.size_m / distance_m;
+    }
+    return sum;
+}
+
+}  // namespace
 
 Outlook outlook(const scene::Land& land, const scene::Camera& camera) {
     Outlook seen;
@@ -24,6 +77,7 @@ Outlook outlook(const scene::Land& land, const scene::Camera& camera) {
         // Ground at one's feet is no wall.
         if (!hit.is_water && hit.distance_m < 12 && ray.y > -0.12F) seen.walled += share;
     }
+    seen.made = made_in_sight(land, camera);
     return seen;
 }
 
@@ -31,8 +85,9 @@ float view_merit(const Outlook& seen) {
     const auto up_to = [](float share, float enough) { return std::min(share / enough, 1.0F); };
     const float off_sky = (seen.sky - 0.42F) / 0.25F;
     const float too_much = std::max(seen.near - 0.42F, 0.0F) + std::max(seen.water - 0.30F, 0.0F);
-    return up_to(seen.near, 0.16F) + 0.9F * up_to(seen.far, 0.10F) + 0.8F * up_to(seen.water, 0.10F) -
-           0.8F * off_sky * off_sky - 3 * too_much - 4 * std::max(seen.walled - 0.10F, 0.0F);
+    return up_to(seen.near, 0.16F) + 0.9F * up_to(seen.far, 0.10F) + 0.8F * up_to(seen.water, 0.10F) +
+           1.2F * up_to(seen.made, 0.7F) - 0.8F * off_sky * off_sky - 3 * too_much -
+           4 * std::max(seen.walled - 0.10F, 0.0F);
 }
 
 }  // namespace quadrat::synthesis

@@ -157,6 +157,7 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     land.kinds = std::move(ground.kinds);
     Stones stones = make_stones({land, over_water_m, palette}, p, seed.child("stones"));
     shade_under(ground.albedo, kSide_m, stones.footprints);
+    ease_into_land(land.surround_albedo, kSurroundCell_m, ground.albedo, kSide_m);
     land.albedo = scene::GroundColours(ground.albedo);
     land.stone = std::move(stones.stone);
     GroundDetail detail = ground_detail(seed, 256, p.ground_detail, p.ground_bumps);

@@ -2,7 +2,9 @@
 // Streams: J. Braun & S. Willett, "A very efficient O(n), implicit and parallel method to solve the stream power
 // equation", 2013, with n = 1: h_i' = (h_i + f h_r') / (1 + f), f = K A^m dt / d, receivers first. Changed: the areas
 // come from a flooded surface, so that closed hollows drain; what is worn is carried down and partly laid where it runs
-// flat. Slides: Musgrave, Kolb & Mace 1989, made symmetric so that nothing is lost.
+// flat. Slides: Musgrave, Kolb & Mace 1989, made symmetric so that nothing is lost. Burrs: Chen & Shi 2011 lower the
+// corner of a triangle that stands over both others, which eats every steep slope and only summits; changed: what each
+// side's own slope leads to is ground.
 #include "synthesis/land/erosion.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "synthesis/land/drainage.hpp"
@@ -114,7 +117,20 @@ void lay(mesh::Field& h, const Drainage& d, std::vector<float> load_m, float cel
     }
 }
 
-void creep(mesh::Field& h, mesh::Field& scratch, float rate) {
+// Returns what crept over the border, whose samples stand still: the sum of heights that is gone.
+double creep(mesh::Field& h, mesh::Field& scratch, float rate) {
+    double gone = 0;
+    const auto over = [&](int x, int y, int border_x, int border_y) {
+        gone += static_cast<double>(rate) * (static_cast<double>(h.at(x, y)) - h.at(border_x, border_y));
+    };
+    for (int x = 1; x < h.columns - 1; ++x) {
+        over(x, 1, x, 0);
+        over(x, h.rows - 2, x, h.rows - 1);
+    }
+    for (int y = 1; y < h.rows - 1; ++y) {
+        over(1, y, 0, y);
+        over(h.columns - 2, y, h.columns - 1, y);
+    }
     for_rows(1, h.rows - 1, [&](int y) {
         for (int x = 1; x < h.columns - 1; ++x) {
             const float around = h.at(x - 1, y) + h.at(x + 1, y) + h.at(x, y - 1) + h.at(x, y + 1);
@@ -124,6 +140,7 @@ void creep(mesh::Field& h, mesh::Field& scratch, float rate) {
     for_rows(1, h.rows - 1, [&](int y) {
         for (int x = 1; x < h.columns - 1; ++x) h.at(x, y) = scratch.at(x, y);
     });
+    return gone;
 }
 
 }  // namespace
@@ -139,7 +156,7 @@ MovedEarth erode_by_streams(mesh::Field& height_m, float cell_m, const StreamEro
         std::vector<float> worn = cut(height_m, d, area_m2, cell_m, how);
         for (const float w : worn) moved.worn_m3 += static_cast<double>(w) * cell_area_m2;
         lay(height_m, d, std::move(worn), cell_m, how, moved);
-        if (how.hillslope > 0) creep(height_m, scratch, how.hillslope);
+        if (how.hillslope > 0) moved.crept_off_m3 += cell_area_m2 * creep(height_m, scratch, how.hillslope);
     }
     return moved;
 }
@@ -223,19 +240,38 @@ float slide_to_repose(mesh::Field& height_m, float cell_m, float repose_slope, i
 }
 
 void remove_burrs(mesh::Field& h, float threshold_m, int sweeps) {
-    const auto lower = [threshold_m](float& a, float& b, float& c) {
-        float* top = a >= b ? (a >= c ? &a : &c) : (b >= c ? &b : &c);
-        const float mean = (a + b + c) * (1.0F / 3.0F);
-        const float second = top == &a ? std::max(b, c) : top == &b ? std::max(a, c) : std::max(a, b);
-        if (*top - second > threshold_m) *top = mean;
+    constexpr std::array<std::array<int, 2>, 8> kWays{
+        {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+    constexpr std::size_t kFewest = 5;  // ways, at the border
+    constexpr std::size_t kHeld = 3;    // so many must hold a sample for it to be ground: a burr may be two long
+    mesh::Field next = h;
+    const auto evened = [&](int x, int y) {
+        const float here = h.at(x, y);
+        std::array<float, 8> over{};   // what each side's slope leads one to expect here, the higher
+        std::array<float, 8> under{};  // and the lower
+        std::size_t ways = 0;
+        float sum = 0;
+        for (const auto& [dx, dy] : kWays) {
+            if (!h.is_inside(x + dx, y + dy)) continue;
+            const float near = h.at(x + dx, y + dy);
+            const float led = h.is_inside(x + 2 * dx, y + 2 * dy) ? 2 * near - h.at(x + 2 * dx, y + 2 * dy) : near;
+            over[ways] = std::max(near, led);
+            under[ways] = std::min(near, led);
+            sum += near;
+            ++ways;
+        }
+        if (ways < kFewest) return here;
+        const auto last = static_cast<std::ptrdiff_t>(ways);
+        std::nth_element(over.begin(), over.begin() + (kHeld - 1), over.begin() + last, std::greater<>());
+        std::nth_element(under.begin(), under.begin() + (kHeld - 1), under.begin() + last);
+        const bool is_burr = here > over[kHeld - 1] + threshold_m || here < under[kHeld - 1] - threshold_m;
+        return is_burr ? sum / static_cast<float>(ways) : here;
     };
     for (int sweep = 0; sweep < sweeps; ++sweep) {
-        for (int y = 0; y + 1 < h.rows; ++y) {
-            for (int x = 0; x + 1 < h.columns; ++x) {
-                lower(h.at(x, y), h.at(x + 1, y), h.at(x + 1, y + 1));
-                lower(h.at(x, y), h.at(x + 1, y + 1), h.at(x, y + 1));
-            }
-        }
+        for_rows(0, h.rows, [&](int y) {
+            for (int x = 0; x < h.columns; ++x) next.at(x, y) = evened(x, y);
+        });
+        std::swap(h.samples, next.samples);
     }
 }
 

@@ -14,11 +14,13 @@ struct StreamErosion {
     float hillslope = 0.05F;  // creep: how far a step evens the ground between streams, 0 to 0.2
 };
 
-// What erosion moved, in cubic metres: worn == laid + carried_off, to rounding.
+// What erosion moved, in cubic metres: worn == laid + carried_off, and the sum of heights is less by carried_off and
+// crept_off, to rounding.
 struct MovedEarth {
     double worn_m3 = 0;
     double laid_m3 = 0;
     double carried_off_m3 = 0;  // over the border or into the sea
+    double crept_off_m3 = 0;    // over the border, by creep; less than 0 where the border stands higher
 };
 
 // Streams cut by the area they drain and their fall, solved implicitly from the outlets upward, and lay down part of
@@ -35,8 +37,9 @@ void carve_valleys(mesh::Field& height_m, float cell_m, const StreamErosion& how
 // run.
 float slide_to_repose(mesh::Field& height_m, float cell_m, float repose_slope, int passes);
 
-// Each triangle of the mesh of samples: where one corner stands more than threshold_m over both others it is lowered to
-// the mean of the three (Chen & Shi 2011): takes off burrs and wrinkles.
+// Takes off burrs, wrinkles and pits: a sample that stands more than threshold_m over what the slopes of all but two of
+// its eight sides lead to there, or lies so far below it, becomes the mean of those around it. Slopes, ridges and
+// summits are what their sides lead to, and stay.
 void remove_burrs(mesh::Field& height_m, float threshold_m, int sweeps);
 
 // The mean over a square of (2 reach + 1) samples a side, in two passes of running sums; at the border of what there

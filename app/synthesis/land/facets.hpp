@@ -33,6 +33,9 @@ void add_facet(scene::Stone& stone, const std::array<glm::vec3, 3>& corners, con
 void add_boulder(Stones& stones, const Strata& strata, const glm::vec3& foot_m, float radius_m,
                  base::RandomStream& random);
 
+// A ring of hewn stones on the ground that is kept for a settlement, some with a lintel; none without such ground.
+void add_standing_stones(Stones& stones, const scene::Land& land, const Strata& strata, base::Seed seed);
+
 // Arches by arch_share, and caves beside them.
 void add_arches(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, const Strata& strata,
                 base::Seed seed);

@@ -55,6 +55,10 @@ GroundDetail ground_detail(base::Seed seed, int side_px, float contrast, float b
 mesh::Image surround_colours(const mesh::Field& surround_m, float cell_m, const Palette& palette,
                              const scene::LandParameters& parameters, base::Seed seed);
 
+// Where the country around meets the land it has the land's colours, and its own some hundred metres out: what lies in
+// two pictures is painted by one hand. surround: as surround_colours() made it; albedo: of the land.
+void ease_into_land(mesh::Image& surround, float cell_m, const mesh::Image& albedo, float side_m);
+
 // Height above the sea from which snow lies; far above everything where none does.
 float snow_line_m(const scene::LandParameters& parameters);
 

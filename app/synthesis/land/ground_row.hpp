@@ -106,7 +106,10 @@ struct GroundKernel {
         lay(m, k.mud, F(k.mud_share) * smooth(0.75F, 1.0F, moist + F(0.15F) * p) * (F(1.0F) - smooth(0.12F, 0.3F, s)));
         const F beach_m = shore - F(k.beach_top_m) * (F(1.0F) + F(0.7F) * p + F(0.15F) * g);
         lay(m, k.sand, (F(1.0F) - smooth(0.0F, 0.9F * k.beach_top_m, beach_m)) * (F(1.0F) - smooth(0.5F, 0.8F, s)));
-        lay(m, k.gravel, F(0.9F) - F(0.9F) * smooth(-0.5F, 0.9F, at(row.road_m) + F(0.45F) * g));
+        // A dark verge on both sides is what tells a road from a strip of bare ground.
+        const F road_m = at(row.road_m) + F(0.3F) * g;
+        lay(m, k.mud, F(0.6F) * smooth(0.2F, 0.8F, road_m) * (F(1.0F) - smooth(1.4F, 3.0F, road_m)));
+        lay(m, k.gravel, F(0.95F) - F(0.95F) * smooth(-0.3F, 0.6F, road_m));
         const F shady = xsimd::min(xsimd::max(at(row.shade), F(-0.6F)), F(0.6F));
         const F over_snow_m = h - F(k.snow_line_m) + F(k.snow_aspect_m) * shady + F(5.0F + k.snow_drift_m) * hollow;
         // It ends at an edge: above it lies or slides off, it does not thin.

@@ -15,6 +15,7 @@
 namespace quadrat::synthesis::land {
 namespace {
 
+constexpr glm::vec2 kViewer_m{0, 300};  // where the camera's way lies, about
 constexpr float kNode_m = 8.0F;
 constexpr float kDryOverSea_m = 0.8F;
 // A road ends this far inside the land's border, which must stay where the country around meets it.
@@ -100,10 +101,21 @@ float cost_of(const Nodes& nodes, std::int32_t from, const Move& move, float gra
     if (nodes.wet.samples[to] == 2) return kNever;
     const float steep = std::abs(nodes.height_m.samples[to] - nodes.height_m.samples[from]) / move.length_m / grade;
     float cost = move.length_m * (1.0F + 0.7F * steep * steep + (steep > 1 ? 14.0F * (steep - 1) : 0.0F));
-    const auto crossed = nodes.wet.at(x + move.dx / 2, y + move.dy / 2);
-    if (crossed == 2) return kNever;
-    if (crossed == 1 || nodes.wet.samples[to] == 1) cost += 90.0F;
-    return cost;
+    bool fords = nodes.wet.samples[to] == 1;
+    const int stride = std::max(std::abs(move.dx), std::abs(move.dy));
+    for (int k = 1; k < stride; ++k) {
+        const float share = static_cast<float>(k) / static_cast<float>(stride);
+        const float column = static_cast<float>(x) + share * static_cast<float>(move.dx);
+        const float row = static_cast<float>(y) + share * static_cast<float>(move.dy);
+        // The two nodes that the way runs between there.
+        for (const auto crossed :
+             {nodes.wet.at(static_cast<int>(std::floor(column)), static_cast<int>(std::floor(row))),
+              nodes.wet.at(static_cast<int>(std::ceil(column)), static_cast<int>(std::ceil(row)))}) {
+            if (crossed == 2) return kNever;
+            fords = fords || crossed == 1;
+        }
+    }
+    return fords ? cost + 90.0F : cost;
 }
 
 float turn_of(const Move& a, const Move& b) {
@@ -269,6 +281,44 @@ void level(mesh::Field& h, const mesh::Field& surface, float cell_m, const scene
     }
 }
 
+// A dry, gently sloping place some way before the viewer with nothing higher between.
+std::optional<std::int32_t> before_the_viewer(const Nodes& nodes, float side) {
+    constexpr float kEye_m = 5;
+    const float eye_m = std::max(nodes.height_m.samples[nodes.nearest(kViewer_m)], 0.0F) + kEye_m;
+    const auto is_in_sight = [&](glm::vec2 to_m, float height_m) {
+        for (float t = 0.1F; t < 0.95F; t += 0.1F)
+            if (nodes.height_m.samples[nodes.nearest(kViewer_m + t * (to_m - kViewer_m))] >
+                eye_m + t * (height_m - eye_m))
+                return false;
+        return true;
+    };
+    std::optional<std::int32_t> best;
+    float least = 1.0e6F;
+    for (std::int32_t node = 0; node < nodes.side * nodes.side; ++node) {
+        const glm::vec2 at = nodes.place_m(node);
+        const float ahead_m = kViewer_m.y - at.y;
+        if (ahead_m < 60 || ahead_m > 220 || std::abs(at.x) > 0.35F * ahead_m || nodes.wet.samples[node] != 0) continue;
+        const int x = node % nodes.side;
+        const int y = node / nodes.side;
+        const float slope = std::hypot(nodes.height_m.at(x + 1, y) - nodes.height_m.at(x - 1, y),
+                                       nodes.height_m.at(x, y + 1) - nodes.height_m.at(x, y - 1)) /
+                            (2 * nodes.step_m);
+        const float price = 4 * slope + std::abs(ahead_m - 110) / 110 + std::abs(at.x - 0.12F * side * ahead_m) / 60;
+        if (price >= least || !is_in_sight(at, nodes.height_m.samples[node] + 0.5F)) continue;
+        least = price;
+        best = node;
+    }
+    return best;
+}
+
+// One way out of two that begin at the same place. Empty where either is.
+std::vector<std::int32_t> joined(std::vector<std::int32_t> back, const std::vector<std::int32_t>& on) {
+    if (back.empty() || on.empty()) return {};
+    std::ranges::reverse(back);
+    back.insert(back.end(), on.begin() + 1, on.end());
+    return back;
+}
+
 scene::Road road_along(std::vector<glm::vec2> line, Ends ends, mesh::Field& h, const mesh::Field& surface, float cell_m,
                        const RoadOptions& options) {
     const std::vector<float> profile = profile_of(line, h, cell_m, options.grade, ends);
@@ -327,9 +377,13 @@ std::vector<scene::Road> make_roads(mesh::Field& height_m, const mesh::Field& su
             ways.push_back(cheapest_way(nodes, home, is_far_edge, options.grade, border));
         if (ways.front().empty() && ways.back().empty())
             ways.push_back(cheapest_way(nodes, home, is_shore, options.grade, border));
-    } else {
-        ways.push_back(cheapest_way(nodes, starts, is_far_edge, options.grade, border));
+    } else if (const auto seen = before_the_viewer(nodes, side)) {
+        // It leads into the picture: from the edge beside the viewer past a place in sight, and on into the distance.
+        ways.push_back(joined(cheapest_way(nodes, {*seen}, is_near_edge, options.grade, border),
+                              cheapest_way(nodes, {*seen}, is_far_edge, options.grade, border)));
     }
+    if (ways.empty() || (ways.front().empty() && !site))
+        ways = {cheapest_way(nodes, starts, is_far_edge, options.grade, border)};
     std::vector<scene::Road> roads;
     for (const auto& way : ways) {
         if (way.size() < 4) continue;

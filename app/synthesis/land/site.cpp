@@ -64,11 +64,12 @@ std::optional<scene::Site> make_site(mesh::Field& height_m, const mesh::Field& s
     for (const float radius : {radius_m, 0.6F * radius_m}) {
         glm::vec2 best_m{0};
         float least = 1.0e6F;
-        for (float z = -240.0F; z <= 130.0F; z += 16.0F) {
-            for (float x = -280.0F; x <= 280.0F; x += 16.0F) {
+        for (float z = -200.0F; z <= 168.0F; z += 16.0F) {
+            for (float x = -240.0F; x <= 240.0F; x += 16.0F) {
                 const Plane plane = plane_at(height_m, surface_m, cell_m, {x, z}, radius, stride);
                 if (!plane.is_dry) continue;
-                const glm::vec2 off = glm::vec2{x, z + 20.0F} / 260.0F;
+                // Near enough before the viewer that what stands on it is more than a dot.
+                const glm::vec2 off = glm::vec2{x, z - 120.0F} / 150.0F;
                 const float price = 9.0F * glm::length(plane.slope) + 0.25F * plane.rough_m + 0.5F * glm::dot(off, off);
                 if (price >= least) continue;
                 least = price;

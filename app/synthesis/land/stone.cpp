@@ -160,6 +160,7 @@ Stones make_stones(const StoneGround& ground, const scene::LandParameters& p, ba
     Stones stones;
     const Strata strata(ground.palette, p);
     add_boulders(stones, ground, p, strata, seed.child("boulders"));
+    add_standing_stones(stones, ground.land, strata, seed.child("ring"));
     if (p.arch_share > 0) add_arches(stones, ground, p, strata, seed);
     return stones;
 }

@@ -39,10 +39,11 @@ glm::vec3 between(const std::array<std::uint32_t, 6>& hexes, float hue) {
 
 glm::vec3 fruit_colour(float hue) { return between({0x9AA84A, 0xE0B43E, 0xE07A2E, 0xC23A2C, 0x7A3458, 0x44508A}, hue); }
 
-// Toward yellow or toward blue in OKLab.
+// Toward yellow or toward blue in OKLab; the bluest leaf is a spruce's.
 glm::vec3 yellower(const glm::vec3& colour, float by) {
+    constexpr float kBluest = -0.012F;
     glm::vec3 lab = scene::oklab_from_linear(colour);
-    lab.z += 0.045F * by;
+    lab.z = std::max(lab.z + 0.045F * by, std::min(lab.z, kBluest));
     lab.y += 0.012F * by;
     return glm::max(scene::linear_from_oklab(lab), glm::vec3{0});
 }

@@ -110,9 +110,10 @@ TreeSkeleton grow_colonised(const Form& f, base::Seed seed) {
     c.crown_radius = is_umbrella ? 0.46F : 0.36F;
     c.widest = is_umbrella ? 0.62F : std::clamp(0.42F - 0.25F * f.leader, 0.15F, 0.8F);
     c.roundness = is_umbrella ? 2.6F : 2.1F;
-    c.hollow = 0.5F;
+    // Room all through the crown: were the middle empty, limbs would run around its outside, as the bars of a cage.
+    c.hollow = 0.0F;
     c.points = static_cast<int>((is_umbrella ? 420.0F : 560.0F) * f.limb_density);
-    c.rise = 0.25F + 1.2F * f.limb_rise + (is_umbrella ? 0.2F : 0.0F);
+    c.rise = std::max(0.25F + 1.2F * f.limb_rise, 0.12F) + (is_umbrella ? 0.2F : 0.0F);
     c.gnarl = 0.03F + 0.018F * f.gnarl_deg;
     // Neighbours take the light of the sides, the more the more it is crowded.
     std::vector<glm::vec4> neighbours;

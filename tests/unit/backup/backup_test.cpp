@@ -5,12 +5,12 @@
 
 #include <functional>
 
+#include "archive/archive.hpp"
+#include "archive/state_file.hpp"
 #include "backup/manifest.hpp"
 #include "backup/tar.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "exhibit/archive.hpp"
-#include "exhibit/state_file.hpp"
 #include "support/process.hpp"
 
 namespace quadrat::backup {
@@ -21,8 +21,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-constexpr std::size_t kUserVersionAt =
-    60;  // SQLite, "Database File Format", section 1.3: four bytes, the highest first
+// SQLite, "Database File Format", section 1.3: four bytes, the highest first.
+constexpr std::size_t kUserVersionAt = 60;
 
 const Progress kUnheard = [](const std::string&, double) {};
 
@@ -31,10 +31,10 @@ class ABackup : public testing::Test {
   protected:
     ABackup() {
         fs::create_directory(site / "state");
-        exhibit::Archive::open(site / "state", exhibit::WallTime{}).archive.begin_visit(exhibit::WallTime{});
-        write_backup({site / "state", "", exhibit::WallTime{}}, site / "site.tar.xz", kUnheard);
+        archive::Archive::open(site / "state", archive::WallTime{}).archive.begin_visit(archive::WallTime{});
+        write_backup({site / "state", "", archive::WallTime{}}, site / "site.tar.xz", kUnheard);
         machine.write("words.json", "taught here");
-        machine.write(exhibit::kStateFile, "visited here");
+        machine.write(archive::kStateFile, "visited here");
     }
     // The same backup with one of its files as `change` makes it.
     fs::path with(const std::string& changed, const std::function<void(std::string&)>& change) const {
@@ -49,11 +49,11 @@ class ABackup : public testing::Test {
         return site / "changed.tar.xz";
     }
     void restore_from(const fs::path& backup) const {
-        restore({machine.path(), "", exhibit::WallTime{}}, backup, {}, kUnheard);
+        restore({machine.path(), "", archive::WallTime{}}, backup, {}, kUnheard);
     }
     void expect_untouched() const {
         EXPECT_EQ(base::read_file(machine / "words.json", kLargest), "taught here");
-        EXPECT_EQ(base::read_file(machine / exhibit::kStateFile, kLargest), "visited here");
+        EXPECT_EQ(base::read_file(machine / archive::kStateFile, kLargest), "visited here");
         EXPECT_EQ(std::distance(fs::directory_iterator(machine.path()), fs::directory_iterator()), 2);
     }
     tests::TemporaryFolder site, machine;
@@ -61,7 +61,7 @@ class ABackup : public testing::Test {
 
 TEST_F(ABackup, ThatIsPackedAnewIsRestored) {
     restore_from(with("", {}));
-    EXPECT_EQ(exhibit::examine_state_file(machine / exhibit::kStateFile).condition, exhibit::Condition::Whole);
+    EXPECT_EQ(archive::examine_state_file(machine / archive::kStateFile).condition, archive::Condition::Whole);
     EXPECT_FALSE(fs::exists(machine / "words.json")) << "there was none in it";
 }
 

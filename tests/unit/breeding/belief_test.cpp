@@ -84,6 +84,17 @@ std::size_t nearest(const genome::Offer& offer, Aspect aspect, const Place& wish
     return best;
 }
 
+// In words, half of one named scene and half of another: no landscape has words by chance. Otherwise anything.
+Place wish_of(genome::Genome genome, Aspect aspect, base::RandomStream& chance) {
+    Place wish;
+    const std::vector<Place> named = archetype_places(genome, aspect, default_word_map());
+    const Place& one = named[chance.below(static_cast<std::uint32_t>(named.size()))];
+    const Place& other = named[chance.below(static_cast<std::uint32_t>(named.size()))];
+    for (std::size_t i = 0; i < dimensions_of(genome, aspect); ++i)
+        wish.push_back(genome == genome::Genome::Full ? (one[i] + other[i]) / 2 : chance.unit());
+    return wish;
+}
+
 class Belief : public testing::TestWithParam<genome::Genome> {};
 
 TEST_P(Belief, ComesHalfTheWayToAWishInSixRounds) {
@@ -93,8 +104,7 @@ TEST_P(Belief, ComesHalfTheWayToAWishInSixRounds) {
         Session session = session_of(GetParam(), v);
         base::RandomStream chance{base::Seed{v}.child("wish")};
         genome::PerAspect<Place> wish;
-        for (const Aspect aspect : kAspects)
-            for (std::size_t i = 0; i < dimensions_of(GetParam(), aspect); ++i) wish[aspect].push_back(chance.unit());
+        for (const Aspect aspect : kAspects) wish[aspect] = wish_of(GetParam(), aspect, chance);
         for (const Aspect aspect : kAspects)
             before += std::sqrt(squared_distance(Place(wish[aspect].size(), 0.5), wish[aspect]));
         for (int round = 0; round < 6; ++round) {
@@ -198,15 +208,82 @@ TEST(Belief, RefusesABrokenBeliefByKeyAndStaysAsItWas) {
         }
         return "accepted";
     };
-    EXPECT_THAT(message([](auto& b) { b["aspects"]["land"]["isotropic"]["mean"].push_back(0.5); }),
-                testing::HasSubstr("aspects.land.isotropic.mean should be a list of 7 numbers"));
-    EXPECT_THAT(message([](auto& b) { b["aspects"]["land"]["isotropic"]["covariance"][0] = -1; }),
-                testing::HasSubstr("positive variances"));
-    EXPECT_THAT(message([](auto& b) { b["aspects"]["sky"]["isotropic"]["evidence"] = 3; }),
-                testing::HasSubstr("aspects.sky.isotropic.evidence is 3"));
+    EXPECT_THAT(message([](auto& b) { b["aspects"]["land"]["blends"].push_back(0); }),
+                testing::HasSubstr("aspects.land.blends should be a list of 768 numbers"));
+    EXPECT_THAT(message([](auto& b) { b["aspects"]["land"]["near"]["mean"].push_back(0.5); }),
+                testing::HasSubstr("aspects.land.near.mean should be a list of"));
+    EXPECT_THAT(message([](auto& b) { b["aspects"]["land"]["near"]["variance"][0] = -1; }),
+                testing::HasSubstr("a variance is more than 0"));
+    EXPECT_THAT(message([](auto& b) { b["aspects"]["sky"]["anywhere"]["evidence"] = 3; }),
+                testing::HasSubstr("aspects.sky.anywhere.evidence is 3"));
     EXPECT_THAT(message([](auto& b) { b["aspects"]["sky"]["winner"] = 9; }),
                 testing::HasSubstr("a candidate is 0, 1, 2 or 3"));
     EXPECT_EQ(breeder.belief_json(), good);
+}
+
+// {"mean":[…],"covariance":[…],"evidence":0}: sure of one word, and of no other.
+std::string wish_in_words(std::size_t words, std::size_t sure_of, double at) {
+    nlohmann::json wish{{"mean", std::vector<double>(words, 0.5)}, {"evidence", -1.5}};
+    std::vector<double> covariance(words * words, 0.0);
+    for (std::size_t w = 0; w < words; ++w) covariance[w * words + w] = 0.08;
+    covariance[sure_of * words + sure_of] = 0.002;
+    wish["mean"][sure_of] = at;
+    wish["covariance"] = covariance;
+    return wish.dump();
+}
+
+// Until there were blends a belief was kept as a Gaussian in words.
+TEST(Belief, ReadsWhatWasKeptInWordsAloneAndGoesOnFromThere) {
+    const auto kept = [](double tall) {
+        std::string aspects;
+        for (const Aspect aspect : kAspects) {
+            const std::size_t words = genome::vocabulary(aspect).size();
+            const std::string wish = wish_in_words(words, 2, aspect == Aspect::Trees ? tall : 0.5);
+            aspects += (aspects.empty() ? "\"" : ",\"") + std::string(name_of(aspect)) + R"(":{"isotropic":)" + wish +
+                       R"(,"archetypes":)" + wish + "}";
+        }
+        return R"({"round":4,"locked":["sky"],"aspects":{)" + aspects + "}}";
+    };
+    BreederOptions options;
+    options.kind = BreederKind::Belief;
+    options.genome = genome::Genome::Full;
+    const auto tall_of = [&](double tall) {
+        Breeder breeder(options);
+        breeder.believe(kept(tall), "state");
+        EXPECT_EQ(breeder.round(), 4);
+        EXPECT_EQ(breeder.lock(Aspect::Sky), Lock::Locked);
+        return nlohmann::json::parse(breeder.state_json())["trees"]["tall"]["mean"].get<double>();
+    };
+    EXPECT_GT(tall_of(0.85), 0.2);
+    EXPECT_LT(tall_of(0.2), -0.2);
+    EXPECT_EQ(genome::vocabulary(Aspect::Trees)[2].id, genome::WordId::tall);
+}
+
+TEST(Belief, ShowsFourThatStillDifferAfterEightRounds) {
+    double after_five = 9;
+    double after_eight = 9;
+    for (std::uint64_t v = 0; v < 5; ++v) {
+        Session session = session_of(genome::Genome::Full, v);
+        base::RandomStream chance{base::Seed{v}};
+        for (int round = 1; round <= 8; ++round) {
+            genome::Pick pick;
+            for (const Aspect aspect : kAspects) pick[aspect] = chance.below(4);
+            session.next(pick);
+            if (round != 5 && round != 8) continue;
+            for (const Aspect aspect : kAspects)
+                for (std::size_t a = 0; a < genome::kCandidates; ++a)
+                    for (std::size_t b = 0; b < a; ++b) {
+                        const Place one = place_of(session.offer().candidates[a].values, genome::Genome::Full, aspect);
+                        const Place other =
+                            place_of(session.offer().candidates[b].values, genome::Genome::Full, aspect);
+                        const double apart = std::sqrt(squared_distance(one, other) / static_cast<double>(one.size()));
+                        double& least = round == 5 ? after_five : after_eight;
+                        least = std::min(least, apart);
+                    }
+        }
+    }
+    EXPECT_GE(after_five, 0.12);
+    EXPECT_GE(after_eight, 0.10);
 }
 
 }  // namespace

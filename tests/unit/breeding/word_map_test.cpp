@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/seed.hpp"
+#include "breeding/words/comes_back.hpp"
 #include "genome/parameter_rules.hpp"
 
 namespace quadrat::breeding {
@@ -25,17 +26,48 @@ double error_in_ranges(const genome::ParameterValues& a, const genome::Parameter
     return sum / static_cast<double>(ids.size());
 }
 
-TEST(WordMap, AScenesOwnWordsGiveItBack) {
+// Of words' distance at which people could not be expected to have meant another scene.
+constexpr float kAlike = 0.12F;
+
+bool are_alike(const DescribedScene& a, const DescribedScene& b) {
+    for (std::size_t w = 0; w < a.words.size(); ++w)
+        if (std::abs(a.words[w].value_or(0) - b.words[w].value_or(0)) > kAlike) return false;
+    return a.aspect == b.aspect;
+}
+
+TEST(WordMap, AScenesOwnWordsGiveItBackWithinTwoHundredthsOfEachRange) {
     const WordMap& map = default_word_map();
-    for (const Aspect aspect : genome::kAspects) {
-        double sum = 0;
-        for (const DescribedScene& scene : archetypes(aspect)) {
-            const double error = error_in_ranges(map(map.completed(scene.words)), scene.values, aspect);
-            EXPECT_LT(error, 0.15) << scene.name;
-            sum += error;
-        }
-        EXPECT_LT(sum / static_cast<double>(archetypes(aspect).size()), 0.10) << name_of(aspect);
+    const auto all = how_scenes_come_back(map);
+    int contradicted = 0;
+    for (std::size_t i = 0; i < map.scenes().size(); ++i) {
+        const DescribedScene& scene = map.scenes()[i];
+        const bool is_contradicted = std::ranges::any_of(
+            map.scenes(), [&](const DescribedScene& other) { return &other != &scene && are_alike(scene, other); });
+        contradicted += is_contradicted ? 1 : 0;
+        if (is_contradicted) continue;
+        const ComesBack& back = all[i];
+        EXPECT_LE(back.worst_error, 0.02) << scene.name << ", " << parameter(back.worst).name;
+        EXPECT_LE(back.error, 0.02) << scene.name;
     }
+    EXPECT_LE(contradicted, 4) << "archetypes are told apart by their words";
+}
+
+TEST(WordMap, HearsScenesLessFarWhereTheyStandDense) {
+    std::vector<DescribedScene> scenes;
+    base::RandomStream chance{base::Seed{2}};
+    for (int i = 0; i < 30; ++i) {
+        DescribedScene scene;
+        scene.aspect = Aspect::Land;
+        const float wide = i < 20 ? 0.15F : 1.0F;  // the first twenty stand together
+        for (const genome::Word& word : genome::vocabulary(Aspect::Land))
+            scene.words[static_cast<std::size_t>(word.id)] = wide * chance.between(-1, 1);
+        scenes.push_back(scene);
+    }
+    const auto all = how_scenes_come_back(WordMap(scenes));
+    double dense = 0;
+    double thin = 0;
+    for (std::size_t i = 0; i < scenes.size(); ++i) (i < 20 ? dense : thin) += all[i].radius / (i < 20 ? 20 : 10);
+    EXPECT_LT(dense, 0.5 * thin);
 }
 
 TEST(WordMap, TellsAnAspectsParametersFromOtherScenesToAQuarterOfTheirRange) {

@@ -227,6 +227,12 @@ std::vector<Wrong> wrong_texts() {
     };
 }
 
+std::string in_utf16(std::string_view ascii) {
+    std::string bytes = "\xff\xfe";
+    for (const char c : ascii) bytes += std::string{c, '\0'};
+    return bytes;
+}
+
 std::vector<Wrong> wrong_files() {
     return {
         {"Nothing", "", {{0, "is empty"}}},
@@ -244,6 +250,8 @@ std::vector<Wrong> wrong_files() {
         {"KeyTwice", "[visit]\nrounds = 3\nrounds = 4\n", {{3, "rounds"}}},
         {"NoQuotes", "[visit]\nlanguage = de\n", {{2, ""}}},
         {"NoUtf8", "[text]\nattract = \"\xff\xfe\"\n", {{2, ""}}},
+        {"Utf16", in_utf16("[visit]\nrounds = 3\n"), {{0, "UTF-16"}}},
+        {"Utf16WithoutItsMark", in_utf16("[visit]\nrounds = 3\n").substr(2), {{0, "UTF-16"}}},
         {"Zeros", std::string("[visit]\nrounds = 3\n\0\0\0\0\0\0", 25), {{3, ""}}},
         {"ManyMistakes",
          "[screen]\nmode = \"1080p\"\nsize = \"huge\"\n[buttons]\ninputs = [\"usb:\", \"gpio:\"]\n[visit]\n"

@@ -66,6 +66,43 @@ TEST(Speech, SaysWhatChanged) {
     EXPECT_EQ(language("en").heredity(evening(), later, Aspect::Sky), "");
 }
 
+ParameterShares only(ParameterId id, float share) {
+    ParameterShares moved{};
+    moved[static_cast<std::size_t>(id)] = share;
+    return moved;
+}
+
+TEST(Speech, SaysTheOneDetailThatMovedMost) {
+    ParameterShares moved = only(ParameterId::tree_crown_width, 0.2F);
+    moved[static_cast<std::size_t>(ParameterId::flower_share)] = -0.1F;
+    EXPECT_EQ(language("en").detail(moved, Aspect::Trees), "wider crowns");
+    EXPECT_EQ(language("de").detail(moved, Aspect::Trees), "breitere Kronen");
+    EXPECT_EQ(language("en").detail(moved, Aspect::Land), "");
+    EXPECT_EQ(language("en").detail(only(ParameterId::flower_share, -0.1F), Aspect::Trees), "fewer flowers");
+    EXPECT_EQ(language("en").detail(only(ParameterId::flower_share, -0.02F), Aspect::Trees), "") << "nobody sees it";
+    EXPECT_EQ(language("en").detail(only(ParameterId::tree_fruit_m, 0.9F), Aspect::Trees), "") << "nobody names it";
+}
+
+TEST(Speech, KnowsEveryDetailInEveryLanguageInItsOwnWords) {
+    const auto& english = language("en");
+    for (const std::string_view code : language_codes()) {
+        std::set<std::string_view> said;
+        for (const Parameter& p : parameter_table())
+            for (const bool is_more : {false, true}) {
+                const std::string_view text = language(code).detail(p.id, is_more);
+                if (english.detail(p.id, is_more).empty()) {
+                    EXPECT_TRUE(text.empty()) << code << " " << p.name;
+                    continue;
+                }
+                EXPECT_TRUE(said.insert(text).second) << code << " " << text;
+                if (code != "en") {
+                    EXPECT_NE(text, english.detail(p.id, is_more)) << code;
+                }
+            }
+        EXPECT_GE(said.size(), 40U);
+    }
+}
+
 TEST(Speech, FallsBackToEnglish) {
     EXPECT_EQ(language("tlh").name(), "English");
     EXPECT_EQ(language("").name(), "English");

@@ -182,13 +182,60 @@ TEST(Slides, LeaveGentleGroundAlone) {
 TEST(Burrs, AreTakenOffAndTheRestIsLeft) {
     mesh::Field field(33, 33, 5.0F);
     field.at(10, 12) = 30;
+    field.at(20, 7) = -9;                                                 // a pit
+    for (const int x : {24, 25}) field.at(x, 24) = 12;                    // two samples long
+    for (int y = 0; y < 33; ++y) field.at(28, y) += 0.3F * (y % 2 == 0);  // too low to be one
     land::remove_burrs(field, 2, 3);
-    EXPECT_LT(field.at(10, 12), 7.5F);
-    EXPECT_EQ(field.at(20, 20), 5);
+    for (int y = 0; y < 33; ++y)
+        for (int x = 0; x < 33; ++x) EXPECT_NEAR(field.at(x, y), 5, 1) << x << ' ' << y;
     mesh::Field gentle = hills(5, 65, 2);
     const mesh::Field before = gentle;
     land::remove_burrs(gentle, 3, 2);
     EXPECT_EQ(gentle, before);
+}
+
+TEST(Burrs, GoWhileSteepSlopesRidgesAndSummitsStay) {
+    mesh::Field cone(65, 65);
+    for (int y = 0; y < 65; ++y)
+        for (int x = 0; x < 65; ++x)
+            cone.at(x, y) = 200 - 4 * std::hypot(static_cast<float>(x - 30), static_cast<float>(y - 33)) -
+                            3 * static_cast<float>(std::abs(x - 30));  // steep, and with a crest
+    mesh::Field evened = cone;
+    land::remove_burrs(evened, 2, 3);
+    EXPECT_EQ(evened, cone);
+}
+
+TEST(Burrs, TakenOffHillsLeaveTheirMeanAndTheirSummitsWhereTheyWere) {
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        const mesh::Field clean = hills(seed, 129, 60);
+        mesh::Field field = clean;
+        base::RandomStream chance{base::Seed{seed}};
+        for (int i = 0; i < 160; ++i)
+            field.at(1 + static_cast<int>(chance.below(127)), 1 + static_cast<int>(chance.below(127))) +=
+                chance.unit() < 0.5 ? 12.0F : -12.0F;
+        land::remove_burrs(field, 4, 3);
+        double moved = 0;
+        double most = 0;
+        for (std::size_t i = 0; i < field.samples.size(); ++i) {
+            moved += field.samples[i] - clean.samples[i];
+            most = std::max(most, static_cast<double>(std::abs(field.samples[i] - clean.samples[i])));
+        }
+        EXPECT_LT(std::abs(moved) / static_cast<double>(field.samples.size()), 0.02) << "metres, of the mean";
+        EXPECT_LT(most, 12) << "no burr is left whole";
+        EXPECT_NEAR(*std::ranges::max_element(field.samples), *std::ranges::max_element(clean.samples), 4.0);
+        EXPECT_NEAR(*std::ranges::min_element(field.samples), *std::ranges::min_element(clean.samples), 4.0);
+    }
+}
+
+TEST(Streams, AccountForAllThatTheyMove) {
+    mesh::Field field = hills(7, 129, 60);
+    const auto sum = [&] { return std::accumulate(field.samples.begin(), field.samples.end(), 0.0); };
+    const double before = sum();
+    const land::MovedEarth moved =
+        land::erode_by_streams(field, 4, {.steps = 10, .deposit = 0.5F, .sea_m = -1.0e9F, .hillslope = 0.08F});
+    EXPECT_GT(moved.worn_m3, 0);
+    EXPECT_NEAR(moved.worn_m3, moved.laid_m3 + moved.carried_off_m3, 1e-3 * moved.worn_m3);
+    EXPECT_NEAR(16 * (before - sum()), moved.carried_off_m3 + moved.crept_off_m3, 1e-3 * moved.worn_m3);
 }
 
 TEST(Smoothing, KeepsAPlaneInsideAndLessensTheRest) {

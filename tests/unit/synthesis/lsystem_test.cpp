@@ -145,6 +145,23 @@ TEST(LSystem, GivesKellysFigureNineteenItsSignals) {
     EXPECT_GT(std::ranges::count_if(whole.word.symbols, [](const Word::Symbol& s) { return s.letter == '['; }), 10);
 }
 
+// As the thesis prints it, figure 19 names nothing beyond an axis's ends, and no rule of it can ever begin.
+TEST(LSystem, NamesTheContextsThatNoWordCanOffer) {
+    const auto kelly = std::ranges::find(grammar_library(), "kelly-19", &NamedGrammar::name);
+    std::string printed(kelly->text);
+    printed.erase(printed.find("outside: 0"), 10);
+    const Grammar as_printed = read_grammar(printed, "printed");
+    EXPECT_EQ(text_of(derive(as_printed).word), "F1F1F1");
+    // Its two rules that turn the angles wait for any neighbour, and have one; but there is nothing to turn.
+    EXPECT_EQ(contexts_in_vain(as_printed).size(), 9U);
+    EXPECT_TRUE(contexts_in_vain(library_grammar("kelly-19")).empty());
+    EXPECT_TRUE(contexts_in_vain(library_grammar("abop-1-31b")).empty());
+    const Grammar hidden = read_grammar("ignore: C\naxiom: ABC\nA < B -> D\nB > C -> D\nA(x) < B -> D\n", "hidden");
+    const auto vain = contexts_in_vain(hidden);
+    ASSERT_EQ(vain.size(), 2U) << "one is ignored, one has no number";
+    EXPECT_EQ(vain.front()->line, 4);
+}
+
 TEST(LSystem, StopsAWordThatExplodesAndNamesTheProductionThatDidIt) {
     const Grammar doubling = read_grammar("axiom: XY\nY -> Y\nX -> XX\n", "test");
     DeriveOptions options;
