@@ -99,8 +99,8 @@ void carve_surround(mesh::Field& surround_m, const scene::LandParameters& p) {
     }
 }
 
-void finish_surround(scene::Land& land, const Palette& palette, const scene::LandParameters& p) {
-    land.surround_cell_m = kSurroundCell_m;
+void set_distant_colours(scene::Land& land, const Palette& palette, const scene::LandParameters& p) {
+    land.snow_line_m = snow_line_m(p);
     land.shallow_colour = palette.shallow;
     land.deep_colour = palette.deep;
     land.far_colour = scene::mix_colours(scene::mix_colours(palette.lush, palette.dry, 0.4F), palette.scree,
@@ -114,6 +114,7 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     const Terrain terrain(p, seed);
     const Palette palette = choose_palette(p, seed);
     land.cell_m = kSide_m / static_cast<float>(fineness.land_samples - 1);
+    land.surround_cell_m = kSurroundCell_m;
     land.height_m = field_of(terrain, fineness.land_samples, land.cell_m);
     carve_valleys(land.height_m, land.cell_m,
                   {.steps = static_cast<int>(std::lround(p.erosion_age)),
@@ -164,9 +165,8 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     land.detail = std::move(detail.grain);
     land.detail_slopes = std::move(detail.slopes);
     land.detail_tile_m = p.ground_detail_m;
-    land.snow_line_m = snow_line_m(p);
     land.ripple = p.water_ripple;
-    finish_surround(land, palette, p);
+    set_distant_colours(land, palette, p);
     return land;
 }
 
