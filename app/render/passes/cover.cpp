@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "base/seed.hpp"
-#include "render/passes/air.hpp"
 #include "render/gl/wires.hpp"
+#include "render/passes/air.hpp"
 #include "render/passes/cloud_shadow.hpp"
 #include "render/passes/encode.hpp"
 #include "render/passes/packing.hpp"
@@ -23,7 +23,7 @@ constexpr float kTurn_rad = 6.2831853F;
 constexpr float kGoldenAngle_rad = 2.3999632F;
 constexpr float kWhole_m = 8.0F;  // to this distance, in a quarter of a screen of 1080 lines, all blades are drawn
 constexpr float kUsual_px = 703;  // pixels per radian there
-constexpr float kGust = 0.22F;  // of a blade's height, at most
+constexpr float kGust = 0.22F;    // of a blade's height, at most
 
 struct CoverVertex {
     glm::vec3 at;
@@ -117,8 +117,7 @@ void add_cushion(CoverMesh& to) {
         tufts.begin(i);
         tufts.vertex({foot.x, 0.35F * dome, foot.y}, -aside, 0.72F * tone);
         tufts.vertex({foot.x, 0.45F * dome, foot.y}, aside, 0.92F * tone);
-        tufts.vertex({foot.x + out.x, dome * random.between(0.75F, 1.1F), foot.y + out.y}, glm::vec3{0},
-                     1.22F * tone);
+        tufts.vertex({foot.x + out.x, dome * random.between(0.75F, 1.1F), foot.y + out.y}, glm::vec3{0}, 1.22F * tone);
         tufts.triangle(0, 1, 2);
     }
 }
@@ -353,8 +352,8 @@ gl::Work CoverPass::draw(const CoverOfScene& cover, const CoverSeen& seen, const
         const auto kind = static_cast<std::size_t>(batch.kind);
         const std::size_t triangles = batch.parts * static_cast<std::size_t>(kParts[kind].triangles);
         gl::draw_triangles(GL_UNSIGNED_SHORT, first_indices_[kind], 3 * triangles, batch.count);
-        work += {1, batch.count * triangles,
-                 batch.count * batch.parts * static_cast<std::size_t>(kParts[kind].vertices)};
+        work +=
+            {1, batch.count * triangles, batch.count * batch.parts * static_cast<std::size_t>(kParts[kind].vertices)};
     }
     glEnable(GL_CULL_FACE);
     return work;

@@ -53,7 +53,7 @@ struct CoverSeen {
     struct Batch {
         scene::CoverKind kind;
         std::size_t parts;  // a prefix of the kind's: rows of blades, leaves, stems, stones
-        std::size_t first;   // instances
+        std::size_t first;  // instances
         std::size_t count;
     };
     std::vector<Batch> batches;

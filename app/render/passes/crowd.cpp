@@ -27,7 +27,7 @@ constexpr float kMergedTo = 0.15F;
 constexpr float kMergedFrom_px = 44;  // and how high it is then
 constexpr float kMergedTo_px = 24;
 constexpr float kLeavesMerged = 0.55F;   // of the blades are not needed then
-constexpr float kMassA_px2 = 0.15F;  // triangles, of a plant as high as wide
+constexpr float kMassA_px2 = 0.15F;      // triangles, of a plant as high as wide
 constexpr float kMass_px = 13;           // of a tree so small no more is seen
 constexpr float kMassAlone = 0.7F;       // of its leaves, where its mass stands for so many
 constexpr std::size_t kSimpleMass = 16;  // triangles: no more than the blades that would be seen instead
@@ -51,9 +51,9 @@ constexpr float kMostNear = 2.2F;
 constexpr float kHiddenFrom = 0.07F;  // of a plant's clear share: what shows less dwindles
 constexpr float kHiddenTo = 0.02F;    // and is gone
 constexpr float kCanopy_px = 10;      // a lower crown hides too little to be worth reckoning
-constexpr float kLeaving = 1.5F;  // a level begins to become the next with so many times the triangles asked for
-constexpr float kLimb_px = 1.3F;  // as thick are limbs that begin to be missed
-constexpr float kShape_px = 11;   // a shorter blade shows no more than that it is one
+constexpr float kLeaving = 1.5F;      // a level begins to become the next with so many times the triangles asked for
+constexpr float kLimb_px = 1.3F;      // as thick are limbs that begin to be missed
+constexpr float kShape_px = 11;       // a shorter blade shows no more than that it is one
 
 using Seen = Sight::Seen;
 
@@ -274,7 +274,8 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     }
     how.share = share_of(wanted_blades);
     how.stand = std::clamp(wanted_blades / fewest, least_stand(height_px), 1.0F);
-    how.is_plain = kind.triangles_per_plain_blade > 0 && blade_px * std::sqrt(std::sqrt(fineness / how.share)) < kShape_px;
+    how.is_plain =
+        kind.triangles_per_plain_blade > 0 && blade_px * std::sqrt(std::sqrt(fineness / how.share)) < kShape_px;
     return how;
 }
 
