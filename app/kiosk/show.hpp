@@ -112,7 +112,7 @@ class Show {
     void carry_out(const exhibit::KeepWord& wish, Instant now);
     void carry_out(const exhibit::EndVisit& wish, Instant now);
 
-    std::string heredity(const genome::Description& before, const genome::Description& now,
+    std::string heredity(const genome::Candidate& before, const genome::Candidate& now,
                          const genome::Pick& answers) const;
     bool take_up(Instant now);
     bool resume(const exhibit::Generation& kept, Instant now);
