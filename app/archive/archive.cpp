@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "archive/archive_schema.hpp"
@@ -116,6 +117,22 @@ bool is_of_the_last_scene(const Connection& connection, const std::string& scene
 }  // namespace
 
 std::uint64_t digest_of(const genome::Offer& offer) { return base::Seed{}.child(genome::to_json(offer)).value; }
+
+std::vector<Generation> last_generations_of(const Connection& connection) {
+    std::vector<Generation> last;
+    std::set<std::int64_t> visits;
+    Statement rows = connection.prepare(kGenerations);
+    while (rows.step()) {
+        try {
+            Generation generation = generation_from(rows);
+            if (visits.insert(generation.visit).second) last.push_back(std::move(generation));
+        } catch (const base::InputError&) {
+            continue;
+        }
+    }
+    std::ranges::reverse(last);
+    return last;
+}
 
 Archive::Archive(Connection connection, const Retention& retention)
     : connection_(std::move(connection)),

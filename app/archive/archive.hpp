@@ -39,6 +39,10 @@ struct Generation {
 
 std::uint64_t digest_of(const genome::Offer& offer);
 
+// Of each visit its last generation, oldest visit first: with its deeds and answers, all that was picked in it. Rows
+// that cannot be read are passed over. Throws SqliteError.
+std::vector<Generation> last_generations_of(const Connection& connection);
+
 // How much is kept; the oldest goes first, a few at a time. A visit of six rounds takes about 1 kB.
 struct Retention {
     int visits = 200'000;     // with their generations and answers

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "archive/archive_schema.hpp"
+#include "archive/reading.hpp"
 #include "archive/scene_rows.hpp"
 #include "archive/state_file.hpp"
 #include "base/error.hpp"
@@ -28,38 +29,6 @@ genome::WordAnswer answer_from(const Statement& row, const genome::Recipe& scene
     return answer;
 }
 
-std::filesystem::path file_in(const std::filesystem::path& directory) {
-    const std::filesystem::path file = directory / kStateFile;
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored))
-        throw base::InputError(fmt::format("{}: there is no state file; name its folder with --state", file.string()));
-    return file;
-}
-
-// What is wrong with the file, as one exception that names it.
-template <typename Work>
-auto named_in_errors(const std::filesystem::path& file, const Work& work) {
-    try {
-        return work();
-    } catch (const SqliteError& error) {
-        throw base::InputError(fmt::format("{}: {}", file.string(), error.what()));
-    } catch (const DamageError& error) {
-        throw base::InputError(
-            fmt::format("{}: {}; the exhibit sets it aside at its next start", file.string(), error.what()));
-    }
-}
-
-// The tables of a file of an older program are brought up to date in memory.
-WordAnswers answers_read_from(const std::filesystem::path& file) {
-    Connection connection = open_to_read(file);
-    if (check_schema(connection) == schema_version()) return word_answers_of(connection);
-    Connection copy(":memory:");
-    copy.run(fmt::format("PRAGMA page_size={}", connection.integer("PRAGMA page_size")).c_str());
-    connection.copy_to(copy);
-    move_schema(copy, schema_version());
-    return word_answers_of(copy);
-}
-
 }  // namespace
 
 WordAnswers word_answers_of(const Connection& connection) {
@@ -82,13 +51,26 @@ WordAnswers word_answers_of(const Connection& connection) {
     return answers;
 }
 
+std::filesystem::path state_file_in(const std::filesystem::path& directory) {
+    const std::filesystem::path file = directory / kStateFile;
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+        throw base::InputError(fmt::format("{}: there is no state file; name its folder with --state", file.string()));
+    return file;
+}
+
 WordAnswers word_answers_in(const std::filesystem::path& directory) {
-    const std::filesystem::path file = file_in(directory);
-    return named_in_errors(file, [&] { return answers_read_from(file); });
+    const std::filesystem::path file = state_file_in(directory);
+    return named_in_errors(file, [&] { return read_from(file, word_answers_of); });
+}
+
+std::vector<Generation> last_generations_in(const std::filesystem::path& directory) {
+    const std::filesystem::path file = state_file_in(directory);
+    return named_in_errors(file, [&] { return read_from(file, last_generations_of); });
 }
 
 int forget_word_answers_in(const std::filesystem::path& directory) {
-    const std::filesystem::path file = file_in(directory);
+    const std::filesystem::path file = state_file_in(directory);
     return named_in_errors(file, [&] {
         Connection connection(file);
         prepare_schema(connection);

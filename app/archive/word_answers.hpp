@@ -10,6 +10,9 @@ namespace quadrat::archive {
 // InputError naming the file when there is none, or none that is whole.
 WordAnswers word_answers_in(const std::filesystem::path& directory);
 
+// As last_generations_of(), of the state file of a directory. Throws as above.
+std::vector<Generation> last_generations_in(const std::filesystem::path& directory);
+
 // Deletes all of them, while no exhibit uses the directory; how many there were. Throws as above.
 int forget_word_answers_in(const std::filesystem::path& directory);
 

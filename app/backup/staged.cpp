@@ -88,9 +88,13 @@ void carry_out(const fs::path& state, const Note& note) {
 }  // namespace
 
 std::vector<std::string> site_files() {
-    return {archive::kStateFile,       "words.json",
-            "words.previous.json",     "buttons.map",
-            "earlier/landscape-1.png", "earlier/landscape-2.png",
+    return {archive::kStateFile,
+            "words.json",
+            "words.previous.json",
+            "taste.json",
+            "buttons.map",
+            "earlier/landscape-1.png",
+            "earlier/landscape-2.png",
             "earlier/landscape-3.png"};
 }
 

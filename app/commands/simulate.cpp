@@ -5,24 +5,35 @@
 
 #include <atomic>
 #include <iostream>
+#include <map>
 #include <mutex>
+#include <optional>
 
 #include "base/file.hpp"
+#include "breeding/simulation/replay.hpp"
+#include "breeding/simulation/seeing.hpp"
+#include "breeding/simulation/study.hpp"
 #include "breeding/simulation/tournament.hpp"
 #include "commands/commands.hpp"
+#include "kiosk/past_visits.hpp"
+#include "kiosk/school.hpp"
+#include "site/state_folder.hpp"
+#include "stage/eye.hpp"
 
 namespace quadrat::commands {
 namespace {
 
 struct Options {
     bool is_all = false;
+    bool is_study = false;
     std::string genome = "words";
     std::string world = "archetypes";
     std::string noise = "mild";
-    int visitors = 200;
-    int rounds = 15;
+    std::optional<int> visitors;
+    std::optional<int> rounds;
     std::uint64_t seed = 1;
     std::string plot;
+    std::string from;
 };
 
 // One line that is rewritten on a terminal, and left out elsewhere.
@@ -60,16 +71,20 @@ std::vector<breeding::Standing> standings_of(const breeding::Tournament& tournam
     return standings;
 }
 
+breeding::Noise noise_of(const Options& options) {
+    return options.noise == "none"   ? breeding::Noise::None
+           : options.noise == "mild" ? breeding::Noise::Mild
+                                     : breeding::Noise::Strong;
+}
+
 std::vector<breeding::Tournament> tournaments_of(const Options& options) {
     breeding::Tournament base;
-    base.visitors = options.visitors;
-    base.rounds = options.rounds;
+    base.visitors = options.visitors.value_or(base.visitors);
+    base.rounds = options.rounds.value_or(base.rounds);
     base.seed = base::Seed{options.seed};
     base.genome = options.genome == "classic" ? genome::Genome::Classic : genome::Genome::Full;
     base.world = options.world == "anywhere" ? breeding::World::Anywhere : breeding::World::NearArchetypes;
-    base.noise = options.noise == "none"   ? breeding::Noise::None
-                 : options.noise == "mild" ? breeding::Noise::Mild
-                                           : breeding::Noise::Strong;
+    base.noise = noise_of(options);
     if (!options.is_all) return {base};
     std::vector<breeding::Tournament> all;
     for (const auto genome : {genome::Genome::Classic, genome::Genome::Full})
@@ -81,10 +96,80 @@ std::vector<breeding::Tournament> tournaments_of(const Options& options) {
     return all;
 }
 
+// Pictures that were drawn once are not drawn again.
+class Eyes {
+  public:
+    std::vector<breeding::Picture> look(const std::vector<breeding::Look>& looks) {
+        std::vector<genome::Recipe> missing;
+        std::vector<Key> keys;
+        for (const breeding::Look& look : looks) {
+            keys.emplace_back(look.visitor, nursery::key_of(look.aspect, look.in));
+            if (pictures_.emplace(keys.back(), breeding::Picture{}).second)
+                missing.push_back(genome::recipe_of(look.in, base::Seed{look.visitor + 1}));
+        }
+        std::vector<stage::Sight> sights = eye_.look(missing);
+        auto next = sights.begin();
+        std::vector<breeding::Picture> all;
+        for (const Key& key : keys) {
+            breeding::Picture& picture = pictures_.at(key);
+            if (picture.empty()) picture = std::move(*next++);
+            all.push_back(picture);
+        }
+        return all;
+    }
+
+  private:
+    using Key = std::pair<std::size_t, nursery::AspectKey>;
+    stage::Eye eye_;
+    std::map<Key, breeding::Picture> pictures_;
+};
+
+int simulate_seeing(const Options& options) {
+    breeding::SeeingWorld world;
+    world.visitors = options.visitors.value_or(world.visitors);
+    world.rounds = options.rounds.value_or(world.rounds);
+    world.seed = base::Seed{options.seed};
+    world.noise = noise_of(options);
+    Eyes eyes;
+    const auto seen =
+        breeding::play_seeing(world, [&](const std::vector<breeding::Look>& looks) { return eyes.look(looks); });
+    std::cout << breeding::table_of(world, seen) << std::flush;
+    return 0;
+}
+
+// Real visitors' picks, bred again: how well each way of learning would have foretold them.
+int replay(const Options& options) {
+    const kiosk::PastVisits past = kiosk::past_visits_in(site::existing_state_folder(options.from));
+    fmt::print("{} visits are bred again; {} by other settings and {} by sliders are left out\n", past.visits.size(),
+               past.tuned_differently, past.by_sliders);
+    if (past.visits.empty()) return 0;
+    std::vector<breeding::Foretelling> foretellings;
+    const breeding::WordMap map = kiosk::site_words(options.from).map;
+    for (const auto kind :
+         {breeding::BreederKind::Belief, breeding::BreederKind::PbilGaussian, breeding::BreederKind::Random})
+        foretellings.push_back(breeding::foretelling(kind, genome::Genome::Full, map, past.visits));
+    std::cout << breeding::table_of(foretellings) << std::flush;
+    return 0;
+}
+
+int redo_study(const Options& options) {
+    breeding::Study study;
+    study.users = options.visitors.value_or(study.users);
+    study.seed = base::Seed{options.seed};
+    Progress progress(static_cast<std::size_t>(6 * study.users));
+    const auto rows = breeding::study(study, [&] { progress.step(); });
+    std::cout << breeding::table_of(study, rows) << std::flush;
+    return 0;
+}
+
 int simulate(const Options& options) {
+    if (options.is_study) return redo_study(options);
+    if (!options.from.empty()) return replay(options);
+    if (options.world == "sees") return simulate_seeing(options);
     if (!options.plot.empty()) base::require_ending(options.plot, {".svg"}, "a plot");
     const auto tournaments = tournaments_of(options);
-    Progress progress(tournaments.size() * breeding::all_methods().size() * static_cast<std::size_t>(options.visitors));
+    Progress progress(tournaments.size() * breeding::all_methods().size() *
+                      static_cast<std::size_t>(tournaments.front().visitors));
     for (std::size_t i = 0; i < tournaments.size(); ++i) {
         const auto standings = standings_of(tournaments[i], progress);
         std::cout << (i > 0 ? "\n" : "") << breeding::table_of(tournaments[i], standings)
@@ -107,22 +192,32 @@ void add_simulate(CLI::App& app, Action& chosen) {
     CLI::App* command =
         app.add_subcommand("simulate", "Let simulated visitors play breeders and sliders: closeness to their wish");
     command->add_flag("--all", options->is_all, "Both genomes, both worlds");
+    command->add_flag("--study", options->is_study,
+                      "The user test of the paper of 2003 again, by simulated users: breeding against sliders");
     command->add_option("--genome", options->genome, "words or classic")
         ->check(CLI::IsMember({"words", "classic"}))
         ->capture_default_str();
-    command->add_option("--world", options->world, "Where wishes lie: archetypes (near mixtures of them) or anywhere")
-        ->check(CLI::IsMember({"archetypes", "anywhere"}))
+    command
+        ->add_option("--world", options->world,
+                     "Where wishes lie: archetypes (near mixtures of them) or anywhere; sees: visitors compare small "
+                     "pictures instead of parameters (60 visitors, 8 rounds take minutes)")
+        ->check(CLI::IsMember({"archetypes", "anywhere", "sees"}))
         ->capture_default_str();
     command->add_option("--noise", options->noise, "How badly visitors see: none, mild, strong")
         ->check(CLI::IsMember({"none", "mild", "strong"}))
         ->capture_default_str();
     command->add_option("--visitors", options->visitors, "How many play each method")
         ->check(CLI::Range(2, 100000))
-        ->capture_default_str();
+        ->default_str("200; 60 who see or are studied");
     command->add_option("--rounds", options->rounds, "How many each plays")
         ->check(CLI::Range(1, 200))
-        ->capture_default_str();
+        ->default_str("15; 8 for those who see");
     command->add_option("--seed", options->seed, "Names all chance")->capture_default_str();
+    command
+        ->add_option("--from", options->from,
+                     "A state folder: its visitors' picks are bred again instead, and how well each breeder would have "
+                     "foretold them is told in bits a pick, with the noise that suits them best")
+        ->default_str("none");
     command->add_option("--plot", options->plot, "An SVG file; with --all, one a table, numbered")->default_str("none");
     command->callback([options, &chosen] { chosen = [options] { return simulate(*options); }; });
 }

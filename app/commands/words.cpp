@@ -20,6 +20,8 @@
 #include "breeding/words/questions.hpp"
 #include "commands/commands.hpp"
 #include "genome/speech.hpp"
+#include "commands/words_axes.hpp"
+#include "kiosk/past_visits.hpp"
 #include "kiosk/school.hpp"
 #include "nursery/growing.hpp"
 #include "pictures/tree_view.hpp"
@@ -69,6 +71,17 @@ void show_scenes(const breeding::WordMap& map, genome::Aspect aspect) {
     }
 }
 
+// What visitors end up with, where that moved what is believed before a pick.
+void show_taste(const std::filesystem::path& folder, const breeding::WordMap& map) {
+    const breeding::Taste taste = kiosk::site_taste(folder);
+    for (const genome::Aspect aspect : genome::kAspects) {
+        const std::vector<std::string>& names = map.atlas(aspect).names;
+        for (const auto& [name, count] : taste.chosen[aspect])
+            fmt::print("{}: {} visits ended with {}, which is held {:.1f} times as likely\n", name_of(aspect), count,
+                       name, breeding::weight_of(taste, aspect, name, names.size()));
+    }
+}
+
 int show(const Options& options) {
     const breeding::WordMap map = map_for(options);
     const genome::Language& language = genome::language(options.language);
@@ -82,6 +95,7 @@ int show(const Options& options) {
             fmt::print("  {:<14} {} ← → {}    {}\n", word.name, language.end(word.id, false),
                        language.end(word.id, true), word.meaning);
     }
+    if (!options.state.empty()) show_taste(site::existing_state_folder(options.state), map);
     return 0;
 }
 
@@ -196,6 +210,7 @@ int train(const Options& options) {
         fmt::print("{}: a scene told from the others is off by {:.2f} % of a range; before, by {:.2f} %\n",
                    name_of(aspect), 100 * training.map.leave_one_out(aspect), 100 * before.map.leave_one_out(aspect));
     fmt::print("{}\n", training.lessons == before.lessons ? "the map stays" : "the map is another");
+    if (std::filesystem::exists(folder / "quadrat.db")) kiosk::keep_site_taste(folder, kiosk::counted_taste(folder));
     return 0;
 }
 
@@ -260,11 +275,17 @@ int forget(const Options& options) {
     const archive::WordAnswers answers = archive::word_answers_in(folder);
     const breeding::Lessons lessons = kiosk::site_words(folder).lessons;
     const std::size_t count = answers.readable.size() + static_cast<std::size_t>(answers.unreadable);
-    if (count == 0 && lessons.visitors.empty()) {
+    const breeding::Taste taste = kiosk::site_taste(folder);
+    const bool has_taste = taste.chosen != breeding::Taste{}.chosen;
+    if (count == 0 && lessons.visitors.empty() && !has_taste) {
         fmt::print("visitors have said nothing yet: there is nothing to forget\n");
         return 0;
     }
     require_consent(options, count);
+    // Visits that nobody counted yet are forgotten too.
+    kiosk::keep_site_taste(folder, {{}, std::max(taste.since, kiosk::last_visit_in(folder))});
+    if (has_taste) fmt::print("what visitors end up with is forgotten: all named scenes are as likely again\n");
+    if (count == 0 && lessons.visitors.empty()) return 0;
     const std::filesystem::path copy = keep_copy(folder, answers, lessons);
     archive::forget_word_answers_in(folder);
     if (!lessons.visitors.empty()) kiosk::keep_site_words(folder, {lessons.curator, {}});
@@ -349,6 +370,12 @@ void add_words(CLI::App& app, Action& chosen) {
     CLI::App* exported = command->add_subcommand("export", "Write what visitors and the curator taught, to train from");
     exported->add_option("-o,--output", options->output, "FILE.json")->required();
     exported->callback([options, &chosen] { chosen = [options] { return export_lessons(*options); }; });
+    CLI::App* axes = command->add_subcommand(
+        "axes", "Measure by pictures along which axes scenes of the same words still differ; takes minutes");
+    axes->add_option("-o,--output", options->output, "A folder for trees.json, land.json and sky.json")
+        ->required()
+        ->check(CLI::ExistingDirectory);
+    axes->callback([options, &chosen] { chosen = [options] { return measure_axes(options->output); }; });
     CLI::App* forgotten = command->add_subcommand(
         "forget", "Delete what visitors said, and what was learnt of it, with the exhibit stopped; a dated copy stays");
     forgotten->add_flag("--yes", options->is_sure, "Without being asked");

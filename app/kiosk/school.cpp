@@ -8,6 +8,7 @@
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "base/text_file.hpp"
+#include "kiosk/past_visits.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -59,7 +60,45 @@ std::optional<SiteWords> learnt(const fs::path& folder, const SiteWords& known, 
     return SiteWords{std::move(training.lessons), std::move(training.map)};
 }
 
+// Nothing where nobody chose anything new.
+std::optional<breeding::Taste> learnt_taste(const fs::path& folder) {
+    try {
+        breeding::Taste taste = counted_taste(folder);
+        if (taste == site_taste(folder)) return std::nullopt;
+        keep_site_taste(folder, taste);
+        return taste;
+    } catch (const base::InputError& error) {
+        base::log::warn("taste: {}; what was learnt before holds", error.what());
+        return std::nullopt;
+    }
+}
+
 }  // namespace
+
+breeding::Taste site_taste(const fs::path& folder) {
+    const fs::path file = folder / "taste.json";
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) return {};
+    try {
+        return breeding::taste_from(base::read_text(file, base::kJsonLimits), file.string());
+    } catch (const base::InputError& error) {
+        base::log::warn("taste: {}; all named scenes are as likely as before", error.what());
+        return {};
+    }
+}
+
+void keep_site_taste(const fs::path& folder, const breeding::Taste& taste) {
+    base::write_file(folder / "taste.json", to_json(taste));
+}
+
+breeding::Taste counted_taste(const fs::path& folder) {
+    breeding::Taste taste = site_taste(folder);
+    const breeding::WordMap map = site_words(folder).map;
+    for (const EndedVisit& visit : ended_visits_in(folder, taste.since, kMostVisits))
+        breeding::add(taste, map, visit.bred, visit.judged);
+    taste.since = std::max(taste.since, last_visit_in(folder));
+    return taste;
+}
 
 SiteWords site_words(const fs::path& folder) {
     std::error_code ignored;
@@ -107,8 +146,11 @@ std::optional<breeding::WordMap> School::map_before() const {
 void School::begin(archive::WordAnswers answers) {
     const std::scoped_lock lock(mutex_);
     if (lesson_.valid()) return;
-    lesson_ = std::async(std::launch::async, [folder = folder_, known = known_, answers = std::move(answers)] {
-        return learnt(folder, known, answers);
+    lesson_ = std::async(std::launch::async, [folder = folder_, known = known_, answers = std::move(answers),
+                                              is_learning = of_taste_ == OfTaste::Learn] {
+        Learnt all{learnt(folder, known, answers), std::nullopt};
+        if (is_learning) all.taste = learnt_taste(folder);
+        return all;
     });
 }
 
@@ -116,10 +158,10 @@ bool School::take() {
     const std::scoped_lock lock(mutex_);
     using std::chrono::seconds;
     if (!lesson_.valid() || lesson_.wait_for(seconds{0}) != std::future_status::ready) return false;
-    auto words = lesson_.get();
-    if (!words) return false;
-    known_ = std::move(*words);
-    return true;
+    Learnt learnt = lesson_.get();
+    if (learnt.words) known_ = std::move(*learnt.words);
+    if (learnt.taste) taste_ = std::move(*learnt.taste);
+    return learnt.words || learnt.taste;
 }
 
 void School::wait() {

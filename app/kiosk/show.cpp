@@ -69,12 +69,14 @@ Show::Show(const site::Configuration& configuration, ShowOptions options, std::u
       breeder_options_(breeder_options_of(configuration)),
       options_(std::move(options)),
       visit_(std::make_shared<std::int64_t>(0)),
-      school_(std::make_shared<School>(options_.state)),
+      school_(std::make_shared<School>(
+          options_.state, configuration.breeding.learns_taste ? School::OfTaste::Learn : School::OfTaste::Ignore)),
       keeper_(std::move(keeper)),
       grower_(options_.growing),
       is_in_fleet_(!configuration.fleet.broker.empty()),
       language_(configuration.visit.language) {
     breeder_options_.map = school_->map();
+    breeder_options_.taste = school_->taste();
     for (const std::string& name : configuration.breeding.locked) locked_.push_back(genome::aspect_named(name).value());
 }
 
@@ -98,7 +100,10 @@ void Show::study() {
 }
 
 void Show::study_at_night() {
-    if (school_->take()) breeder_options_.map = school_->map();
+    if (school_->take()) {
+        breeder_options_.map = school_->map();
+        breeder_options_.taste = school_->taste();
+    }
     if (state_.screen == exhibit::Screen::Attract && night_of(options_.local_time()) != studied_night_) study();
 }
 
@@ -207,24 +212,28 @@ void Show::carry_out(const exhibit::KeepAnswers& wish, base::Instant /*now*/) {
     });
 }
 
-// Where the answers moved the wish, aspect by aspect.
-std::string Show::heredity(const genome::Description& before, const genome::Description& now,
+// Where the answers moved the wish, aspect by aspect: in words, and one detail that no word tells.
+std::string Show::heredity(const genome::Candidate& before, const genome::Candidate& now,
                            const genome::Pick& answers) const {
+    const genome::Language& language = genome::language(language_);
+    const auto moved = breeding::moved_beside_words(session_->breeder().word_map(), before, now);
     std::string text;
     for (const genome::Aspect aspect : genome::kAspects) {
         if (!answers[aspect]) continue;
-        const std::string moved = genome::language(language_).heredity(before, now, aspect);
-        if (!moved.empty()) text += (text.empty() ? "→ " : " · ") + moved;
+        const std::string in_words = language.heredity(*before.words, *now.words, aspect);
+        const std::string detail = language.detail(moved, aspect);
+        const std::string both = in_words.empty() || detail.empty() ? in_words + detail : in_words + ", " + detail;
+        if (!both.empty()) text += (text.empty() ? "→ " : " · ") + both;
     }
     return text;
 }
 
 void Show::carry_out(const exhibit::GrowNext& wish, base::Instant /*now*/) {
     keep_answers(wish.answers);
-    const auto before = session_->favourite().words;
+    const genome::Candidate before = session_->favourite();
     session_->next(wish.answers);
     deeds_.push_back({wish.answers, std::nullopt});
-    caption_ = before ? heredity(*before, *session_->favourite().words, wish.answers) : "";
+    caption_ = before.words ? heredity(before, session_->favourite(), wish.answers) : "";
     grow_offer(wish.generation, keep_generation({}));
 }
 

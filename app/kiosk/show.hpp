@@ -112,7 +112,7 @@ class Show {
     void carry_out(const exhibit::KeepWord& wish, base::Instant now);
     void carry_out(const exhibit::EndVisit& wish, base::Instant now);
 
-    std::string heredity(const genome::Description& before, const genome::Description& now,
+    std::string heredity(const genome::Candidate& before, const genome::Candidate& now,
                          const genome::Pick& answers) const;
     bool take_up(base::Instant now);
     bool resume(const archive::Generation& kept, base::Instant now);

@@ -60,6 +60,7 @@ void read_closing(Reader& reader, DoorkeeperOptions& closing) {
 void read_breeding(Reader& reader, Configuration::Breeding& breeding) {
     reader.read("breeding", "genome", breeding.genome, {"words", "classic"});
     reader.read("breeding", "breeder", breeding.breeder, {"belief", "pbil", "pbil-gaussian", "random", "sliders"});
+    reader.read("breeding", "learns_taste", breeding.learns_taste);
     reader.read("breeding", "learning_rate", breeding.learning_rate, 0, 1);
     reader.read("breeding", "mutation", breeding.mutation, 0, 1);
     reader.read("breeding", "mutation_form", breeding.mutation_form, {"toward-half", "random"});

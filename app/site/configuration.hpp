@@ -47,6 +47,7 @@ struct Configuration {
     struct Breeding {
         std::string genome = "words";               // words, classic
         std::string breeder = "belief";             // belief, pbil, pbil-gaussian, random, sliders
+        bool learns_taste = true;                   // belief in words: begins nearer to what visitors end up with
         double learning_rate = 0.2;                 // 0 to 1
         double mutation = 0.02;                     // 0 to 1
         std::string mutation_form = "toward-half";  // toward-half, random
