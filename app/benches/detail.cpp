@@ -133,7 +133,7 @@ void as_on(Results& results, Options options) {
     if (options.size == Options{}.size) options.size = "1920x1080";
     if (options.triangles == 0) options.triangles = options.profile == "pi4" ? 240'000 : 400'000;
     FourViews views(options);
-    estimate(results, options.profile, views.easel, views.picture);
+    estimate(results, options.profile, views);
 }
 
 }  // namespace

@@ -91,11 +91,13 @@ render::Drawn FourViews::draw() {
 }
 
 void FourViews::keep_within(const Options& options) {
+    picture.holds_distance = false;  // of whole landscapes, however much of them will be held
     picture.detail = stage::detail_within({options.triangles, options.pixels}, picture.size, picture.detail,
                                           [this](const render::Detail& detail) {
                                               picture.detail = detail;
                                               return draw().triangles;
                                           });
+    picture.holds_distance = true;
 }
 
 }  // namespace quadrat::benches

@@ -22,7 +22,9 @@ constexpr std::array<const char*, render::kKinds> kTrianglesOf{
     "frame.leaf_triangles",  "frame.wood_triangles", "frame.cover_triangles",  "frame.ground_triangles",
     "frame.water_triangles", "frame.sky_triangles",  "frame.falling_triangles"};
 
-float seconds_at(int frame) { return 0.25F * static_cast<float>(std::max(frame, 0)); }
+// Thirty a second of a flight at its mean speed: how far a view has moved from one frame to the next decides what of it
+// can be held.
+float seconds_at(int frame) { return 10 + static_cast<float>(frame) / 30; }
 
 // Counted pixels of each kind of shader, overdraw included, times what it costs on a Raspberry Pi 4; signs left out.
 double instructions_per_pixel(stage::Easel& easel, const render::Frame& picture) {
@@ -130,6 +132,42 @@ std::size_t fewest_trees(FourViews& views, int frames) {
     return least;
 }
 
+// Frames of a flight with what is far held, and drawn anew, in turns.
+void held(Results& results, FourViews& views) {
+    constexpr int kFrames = 12;  // in which each view has its turn three times
+    constexpr int kTurns = 8;
+    std::vector<double> ratios;
+    std::vector<double> held_ms;
+    std::vector<double> anew_ms;
+    double held_triangles = 0;
+    double anew_triangles = 0;
+    double split_m = 0;
+    for (int turn = 0; turn < kTurns; ++turn) {
+        const auto fly = [&](bool holds, double& triangles) {
+            views.picture.holds_distance = holds;
+            double cpu = 0;
+            for (int n = -kFrames; n < kFrames; ++n) {
+                if (n == 0) cpu = machine::cpu_seconds();
+                views.look(seconds_at(turn * kFrames + n));
+                const render::Drawn drawn = views.draw();
+                if (n >= 0) triangles += static_cast<double>(drawn.triangles) / (kTurns * kFrames);
+                if (n >= 0 && holds) split_m += drawn.held_from_m / (kTurns * kFrames);
+            }
+            return 1e3 * (machine::cpu_seconds() - cpu) / kFrames;
+        };
+        held_ms.push_back(fly(true, held_triangles));
+        anew_ms.push_back(fly(false, anew_triangles));
+        ratios.push_back(held_ms.back() / anew_ms.back());
+    }
+    views.picture.holds_distance = true;
+    results.push_back({"frame.held_cpu_ms", machine::percentile(held_ms, 0.5), "ms of all cores, what is far held", cores()});
+    results.push_back({"frame.anew_cpu_ms", machine::percentile(anew_ms, 0.5), "ms of all cores, all drawn anew", cores()});
+    results.push_back({"frame.held_ratio", machine::percentile(ratios, 0.5), "of it", cores()});
+    results.push_back({"frame.held_triangles", held_triangles, "triangles in the mean", cores()});
+    results.push_back({"frame.anew_triangles", anew_triangles, "triangles in the mean", cores()});
+    results.push_back({"frame.held_from_m", split_m, "m: what is farther is held", cores()});
+}
+
 }  // namespace
 
 void frame(Results& results, const Options& options) {
@@ -171,6 +209,7 @@ void frame(Results& results, const Options& options) {
     results.push_back({"frame.alpha", picture.detail.alpha, "detail", cores()});
     results.push_back({"frame.trees_least", static_cast<double>(fewest_trees(views, options.frames)),
                        "trees in the view that has fewest", 1});
+    held(results, views);
     passes(results, easel, picture);
     results.push_back({"frame.instructions_per_pixel", instructions_per_pixel(easel, picture), "", 1});
     results.push_back({"memory.peak_mb", machine::peak_memory_mb(), "MB", cores()});

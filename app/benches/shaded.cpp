@@ -45,6 +45,7 @@ struct Chip {
     const char* name;
     const ChipCosts* costs;
     const ShaderCosts* dome;
+    const ShaderCosts* distance;
     double lanes_per_s;      // instructions times lanes
     double triangles_per_s;  // nobody has published it: what is planned for, 250,000 at 60 a second
     double bytes_per_s;      // of the memory's peak, a share
@@ -54,8 +55,8 @@ constexpr double kBusy = 0.7;  // of the processors' cycles: four threads hide m
 
 // Two slices of four processors, each an instruction on sixteen lanes every four cycles, at 500 MHz. The Pi 5's are
 // taken for twice as fast: glmark2 has it so.
-const Chip kChips[] = {{"pi4", &kPi4Costs, &kPi4Dome, 16e9, 15e6, 0.35 * 12.8e9},
-                       {"pi5", &kPi5Costs, &kPi5Dome, 32e9, 30e6, 0.35 * 17e9}};
+const Chip kChips[] = {{"pi4", &kPi4Costs, &kPi4Dome, &kPi4Distance, 16e9, 15e6, 0.35 * 12.8e9},
+                       {"pi5", &kPi5Costs, &kPi5Dome, &kPi5Distance, 32e9, 30e6, 0.35 * 17e9}};
 
 // Pixels come in squares of four: those of a small triangle's rim are shaded beside it.
 double beside(render::Kind kind) { return kind <= render::Kind::Wood ? 1.6 : 1.1; }
@@ -69,6 +70,7 @@ void add_costs(Results& results, const Chip& chip) {
     };
     for (const ShaderCosts& costs : *chip.costs) add(costs);
     add(*chip.dome);
+    add(*chip.distance);
 }
 
 }  // namespace
@@ -89,75 +91,153 @@ const ChipCosts kPi5Costs{{{"leaves.frag", 18, 150, 93},
                            {"falling.frag", 12, 132, 141}}};
 const ShaderCosts kPi4Dome{"sky.frag", 48, 158, 57};
 const ShaderCosts kPi5Dome{"sky.frag", 44, 149, 50};
+const ShaderCosts kPi4Distance{"held_distance.frag", 24, 206, 162};
+const ShaderCosts kPi5Distance{"held_distance.frag", 24, 179, 140};
 
-ShadedPixels shaded_pixels(stage::Easel& easel, const render::Frame& picture) {
+ShadedPixels shaded_pixels(stage::Easel& easel, const render::Frame& picture, render::passes::Reach::Part part,
+                           float split_m) {
     using render::Kind;
-    constexpr render::Measured kLeaves{true, false, false, false, false};
-    constexpr render::Measured kPlants{true, true, false, false, false};
-    constexpr render::Measured kSolid{true, true, true, false, false};
-    constexpr render::Measured kWet{true, true, true, true, false};
-    constexpr render::Measured kAll{true, true, true, true, true};
+    const auto of = [&](bool leaves, bool wood, bool ground, bool water, bool sky) {
+        return render::Measured{leaves, wood, ground, water, sky, false, part, split_m};
+    };
     ShadedPixels pixels{};
-    pixels[at(Kind::Leaves)] = counted(easel, picture, kLeaves);
-    const double plants = counted(easel, picture, kPlants);
+    pixels[at(Kind::Leaves)] = counted(easel, picture, of(true, false, false, false, false));
+    const double plants = counted(easel, picture, of(true, true, false, false, false));
     pixels[at(Kind::Wood)] = plants - pixels[at(Kind::Leaves)];
+    const render::Measured solid = of(true, true, true, false, false);
+    const render::Measured wet = of(true, true, true, true, false);
     // The cover's pixels are among them, at what the ground's take, which is more.
-    pixels[at(Kind::Ground)] = counted(easel, picture, kSolid) - plants;
-    pixels[at(Kind::Water)] = changed(easel, picture, kSolid, kWet);
-    pixels[at(Kind::Sky)] = changed(easel, picture, kWet, kAll);  // and what falls before it
+    pixels[at(Kind::Ground)] = counted(easel, picture, solid) - plants;
+    pixels[at(Kind::Water)] = changed(easel, picture, solid, wet);
+    // And what falls before it.
+    pixels[at(Kind::Sky)] = changed(easel, picture, wet, of(true, true, true, true, true));
     return pixels;
 }
 
-void estimate(Results& results, const std::string& profile, stage::Easel& easel, const render::Frame& picture) {
-    const Chip& chip = *std::ranges::find(kChips, profile, &Chip::name);
-    const ShadedPixels pixels = shaded_pixels(easel, picture);
-    const display::Canvas canvas = easel.display().begin_frame();
-    render::Frame whole = picture;
-    whole.framebuffer = canvas.framebuffer;
-    const render::Drawn work = easel.renderer().draw(whole);
-    easel.display().present();
-    double shading = 0;
+namespace {
+
+// What a frame asks of a chip.
+struct Load {
+    double shading = 0;  // instructions times pixels
     double vertices = 0;
-    double shaded = 0;
+    double shaded = 0;  // pixels
     double vertex_count = 0;
-    for (std::size_t kind = 0; kind < render::kKinds; ++kind) {
-        const ShaderCosts& costs = (*chip.costs)[kind];
-        shaded += pixels[kind];
-        shading += pixels[kind] * beside(static_cast<render::Kind>(kind)) * costs.fragment;
-        const auto count = static_cast<double>(work.of[kind].vertices);
-        vertex_count += count;
-        vertices += count * (costs.vertex + costs.binning);
+    double triangles = 0;
+    double moved = 0;  // bytes, beside those of vertices and fetches
+    double draws = 0;
+    double sent = 0;
+
+    void shade(double pixels, double instructions, double beside = 1) {
+        shaded += pixels;
+        shading += pixels * beside * instructions;
     }
-    const double size_px = static_cast<double>(picture.size.x) * picture.size.y;
+    double bytes() const { return moved + sent + 2 * 24 * vertex_count + 4 * shaded; }
+};
+
+struct Times {
+    double shading_ms, vertices_ms, triangles_ms, memory_ms;
+    double frame_ms() const { return std::max({shading_ms + vertices_ms, triangles_ms, memory_ms}); }
+};
+
+Times times_of(const Load& load, const Chip& chip) {
+    return {1e3 * load.shading / (kBusy * chip.lanes_per_s), 1e3 * load.vertices / (kBusy * chip.lanes_per_s),
+            1e3 * load.triangles / chip.triangles_per_s, 1e3 * load.bytes() / chip.bytes_per_s};
+}
+
+// Colour is written once (and once more what of the sky is for later) and scanned out once; a vertex is read twice,
+// some 24 bytes of it; a fetch that misses brings about a texel for each pixel.
+void ask(Load& load, const render::Drawn& work, double size_px, const Chip& chip) {
+    for (std::size_t kind = 0; kind < render::kKinds; ++kind) {
+        const auto count = static_cast<double>(work.of[kind].vertices);
+        load.vertex_count += count;
+        load.vertices += count * ((*chip.costs)[kind].vertex + (*chip.costs)[kind].binning);
+    }
+    load.triangles = static_cast<double>(work.triangles);
+    load.draws = static_cast<double>(work.draws);
+    load.sent = static_cast<double>(work.sent_bytes);
     const double dome_px = size_px * render::kSkyDrawnAnew;
-    shaded += dome_px;
-    shading += dome_px * chip.dome->fragment;
-    // Colour is written once (and once more what of the sky is for later) and scanned out once; a vertex is read twice,
-    // some 24 bytes of it; a fetch that misses brings about a texel for each pixel.
-    const double bytes =
-        8 * size_px + 4 * dome_px + 2 * 24 * vertex_count + 4 * shaded + static_cast<double>(work.sent_bytes);
-    const double shading_ms = 1e3 * shading / (kBusy * chip.lanes_per_s);
-    const double vertices_ms = 1e3 * vertices / (kBusy * chip.lanes_per_s);
-    const double triangles_ms = 1e3 * static_cast<double>(work.triangles) / chip.triangles_per_s;
-    const double memory_ms = 1e3 * bytes / chip.bytes_per_s;
-    const double frame_ms = std::max({shading_ms + vertices_ms, triangles_ms, memory_ms});
+    load.shade(dome_px, chip.dome->fragment);
+    load.moved = 8 * size_px + 4 * dome_px;
+}
+
+void shade(Load& load, const ShadedPixels& pixels, double share, const Chip& chip) {
+    for (std::size_t kind = 0; kind < pixels.size(); ++kind)
+        load.shade(share * pixels[kind], (*chip.costs)[kind].fragment, beside(static_cast<render::Kind>(kind)));
+}
+
+// As a flight goes on: of the frames in which each view has its turn, the one that asks for most.
+struct Steady {
+    render::Drawn most;
+    float split_m = 0;
+};
+Steady steady_frame(FourViews& views, bool holds) {
+    constexpr float kAt_s = 10;  // at its mean speed
+    constexpr int kFrames = 16;
+    views.picture.holds_distance = holds;
+    Steady steady;
+    for (int n = 0; n < kFrames; ++n) {
+        views.look(kAt_s + static_cast<float>(n) / static_cast<float>(kHz));
+        const render::Drawn drawn = views.draw();
+        if (n < kFrames / 2) continue;
+        if (drawn.triangles >= steady.most.triangles) steady.most = drawn;
+        steady.split_m = drawn.held_from_m;
+    }
+    return steady;
+}
+
+Load load_of(FourViews& views, bool holds, const Chip& chip, float& split_m) {
+    using Part = render::passes::Reach::Part;
+    const Steady steady = steady_frame(views, holds);
+    const double size_px = static_cast<double>(views.picture.size.x) * views.picture.size.y;
+    Load load;
+    ask(load, steady.most, size_px, chip);
+    split_m = steady.split_m;
+    if (steady.most.held_views == 0) {
+        shade(load, shaded_pixels(views.easel, views.picture), 1, chip);
+        return load;
+    }
+    ShadedPixels near = shaded_pixels(views.easel, views.picture, Part::Near, split_m);
+    ShadedPixels far = shaded_pixels(views.easel, views.picture, Part::Far, split_m);
+    // What is held is shown where nothing near is and over near ground that lies beyond the split, which is drawn for
+    // what stands on it.
+    const ShadedPixels before = shaded_pixels(views.easel, views.picture, Part::Near,
+                                              split_m - render::passes::Reach::kUnderCrowns_m);
+    load.shade(before[at(render::Kind::Sky)], chip.distance->fragment);
+    near[at(render::Kind::Sky)] = far[at(render::Kind::Sky)] = 0;
+    shade(load, near, 1, chip);
+    shade(load, far, render::kDistanceDrawnAnew, chip);
+    // Written, and read for its copy, and written there.
+    load.moved += 3 * 4 * size_px * render::kDistanceDrawnAnew;
+    return load;
+}
+
+}  // namespace
+
+void estimate(Results& results, const std::string& profile, FourViews& views) {
+    const Chip& chip = *std::ranges::find(kChips, profile, &Chip::name);
+    float split_m = 0;
+    const double anew_ms = times_of(load_of(views, false, chip, split_m), chip).frame_ms();
+    const Load load = load_of(views, true, chip, split_m);
+    const Times times = times_of(load, chip);
     const std::string row = "detail." + profile + "_";
     const auto add = [&](const char* name, double value, const char* unit) {
         results.push_back({row + name, value, unit, 1});
     };
-    add("alpha", picture.detail.alpha, "detail");
-    add("scale", picture.detail.scale, "of a side");
-    add("triangles", static_cast<double>(work.triangles), "triangles");
-    add("vertices", vertex_count, "vertices");
-    add("shaded_pixels", shaded, "pixels, drawn over ones too");
-    add("draws", static_cast<double>(work.draws), "draws");
-    add("sent_kb", static_cast<double>(work.sent_bytes) / 1e3, "KB new every frame");
-    add("moved_mb", bytes / 1e6, "MB a frame, estimated");
-    add("shading_ms", shading_ms, "ms");
-    add("vertices_ms", vertices_ms, "ms");
-    add("triangles_ms", triangles_ms, "ms");
-    add("memory_ms", memory_ms, "ms");
-    add("frame_ms", frame_ms, "ms: the longest of shading and vertices, triangles, memory");
+    add("alpha", views.picture.detail.alpha, "detail");
+    add("scale", views.picture.detail.scale, "of a side");
+    add("triangles", load.triangles, "triangles");
+    add("vertices", load.vertex_count, "vertices");
+    add("shaded_pixels", load.shaded, "pixels, drawn over ones too");
+    add("draws", load.draws, "draws");
+    add("sent_kb", load.sent / 1e3, "KB new every frame");
+    add("moved_mb", load.bytes() / 1e6, "MB a frame, estimated");
+    add("shading_ms", times.shading_ms, "ms");
+    add("vertices_ms", times.vertices_ms, "ms");
+    add("triangles_ms", times.triangles_ms, "ms");
+    add("memory_ms", times.memory_ms, "ms");
+    add("frame_ms", times.frame_ms(), "ms: the longest of shading and vertices, triangles, memory");
+    add("held_from_m", split_m, "m: what is farther is drawn for one view in a frame");
+    add("anew_ms", anew_ms, "ms: the frame, if nothing far were held");
     add("assumed_busy", kBusy, "of the processors' cycles");
     add("assumed_lanes", chip.lanes_per_s / 1e9, "G instructions times lanes a second");
     add("assumed_triangles", chip.triangles_per_s / 1e6, "M triangles a second");
@@ -165,7 +245,8 @@ void estimate(Results& results, const std::string& profile, stage::Easel& easel,
     add("assumed_beside", beside(render::Kind::Leaves), "pixels shaded for each of a plant's");
     add("assumed_signs_ms", 0, "ms: letters and frames are left out");
     add("assumed_spread_ms", 0, "ms: spreading views that are drawn smaller is left out");
-    add("busy_for_60hz", kHz * (shading + vertices) / chip.lanes_per_s, "of the cycles would be enough for 60 Hz");
+    add("busy_for_60hz", kHz * (load.shading + load.vertices) / chip.lanes_per_s,
+        "of the cycles would be enough for 60 Hz");
     add_costs(results, chip);
 }
 

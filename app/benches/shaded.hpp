@@ -4,6 +4,7 @@
 #include <string>
 
 #include "benches/benches.hpp"
+#include "benches/four_views.hpp"
 #include "stage/detail_within.hpp"
 #include "stage/easel.hpp"
 
@@ -11,7 +12,9 @@ namespace quadrat::benches {
 
 // Pixels that are shaded for each render::Kind, those that are drawn over later too.
 using ShadedPixels = std::array<double, render::kKinds>;
-ShadedPixels shaded_pixels(stage::Easel& easel, const render::Frame& picture);
+// Of a part of each view, or of all: its sky is what no nearer thing of that part hides.
+ShadedPixels shaded_pixels(stage::Easel& easel, const render::Frame& picture,
+                           render::passes::Reach::Part part = render::passes::Reach::Part::Whole, float split_m = 0);
 
 // Instructions of the dearest shaders of a kind on a Raspberry Pi, as Mesa 25.0.7 compiles them: for a pixel, and for a
 // vertex in rendering and in binning, which both are done. The shader is the one of the pair that no other pair has.
@@ -28,7 +31,12 @@ extern const ChipCosts kPi5Costs;
 extern const ShaderCosts kPi4Dome;
 extern const ShaderCosts kPi5Dome;
 
-// What a picture of four views would take on a Raspberry Pi, with everything that is assumed as rows of its own.
-void estimate(Results& results, const std::string& profile, stage::Easel& easel, const render::Frame& picture);
+// Where what is far and the sky are shown as they were held.
+extern const ShaderCosts kPi4Distance;
+extern const ShaderCosts kPi5Distance;
+
+// What a frame of four flights would take on a Raspberry Pi, at 60 Hz and at their mean speed, with everything that is
+// assumed as rows of its own; and what it would take if nothing far were held.
+void estimate(Results& results, const std::string& profile, FourViews& views);
 
 }  // namespace quadrat::benches

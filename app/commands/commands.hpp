@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The room `commands`: the command line, one file a subcommand. What a command does lives in the rooms below; here it is
-// asked for, and its mistakes are told to people.
+// The room `commands`: the command line, one file a subcommand. What a command does lives in the rooms below; here it
+// is asked for, and its mistakes are told to people.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>

@@ -280,6 +280,19 @@ int forget(const Options& options) {
     return 0;
 }
 
+void add_own(CLI::App& command, const std::shared_ptr<Options>& options, Action& chosen) {
+    CLI::App* own = command.add_subcommand("own", "What a word of one's own means, told by ten scenes or more");
+    own->footer(
+        "FILE is {\"quadrat\":\"own word\",\"version\":1,\"name\":\"spooky\",\"aspect\":\"sky\",\"scenes\":[…]} with "
+        "ten "
+        "scenes or more,\neach {\"value\":0.8,\"words\":{\"misty\":0.5,…}} or "
+        "{\"value\":-0.4,\"parameters\":{\"haze.distance_m\":900,…}}; values from -1 to 1.");
+    own->add_option("FILE", options->files, "Scenes, and how far the word suits each")->required()->expected(1);
+    own->add_option("--value", options->value, "How much of it")->check(CLI::Range(-1.0, 1.0))->capture_default_str();
+    own->add_option("-o,--output", options->output, "SCENE.json, the scene it then asks for")->default_str("none");
+    own->callback([options, &chosen] { chosen = [options] { return tell_own(*options); }; });
+}
+
 }  // namespace
 
 void add_words(CLI::App& app, Action& chosen) {
@@ -332,16 +345,7 @@ void add_words(CLI::App& app, Action& chosen) {
         ->default_str("none");
     trained->add_flag("--anyway", options->is_anyway, "Also where scenes could be told from one another less well");
     trained->callback([options, &chosen] { chosen = [options] { return train(*options); }; });
-    CLI::App* own = command->add_subcommand("own", "What a word of one's own means, told by ten scenes or more");
-    own->footer(
-        "FILE is {\"quadrat\":\"own word\",\"version\":1,\"name\":\"spooky\",\"aspect\":\"sky\",\"scenes\":[…]} with "
-        "ten "
-        "scenes or more,\neach {\"value\":0.8,\"words\":{\"misty\":0.5,…}} or "
-        "{\"value\":-0.4,\"parameters\":{\"haze.distance_m\":900,…}}; values from -1 to 1.");
-    own->add_option("FILE", options->files, "Scenes, and how far the word suits each")->required()->expected(1);
-    own->add_option("--value", options->value, "How much of it")->check(CLI::Range(-1.0, 1.0))->capture_default_str();
-    own->add_option("-o,--output", options->output, "SCENE.json, the scene it then asks for")->default_str("none");
-    own->callback([options, &chosen] { chosen = [options] { return tell_own(*options); }; });
+    add_own(*command, options, chosen);
     CLI::App* exported = command->add_subcommand("export", "Write what visitors and the curator taught, to train from");
     exported->add_option("-o,--output", options->output, "FILE.json")->required();
     exported->callback([options, &chosen] { chosen = [options] { return export_lessons(*options); }; });

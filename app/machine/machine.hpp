@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The room `machine`: the computer that we run on. Its facts, its memory and threads, its accounts, what systemd is told
-// and asks. Nothing here knows of landscapes, visits or settings.
+// The room `machine`: the computer that we run on. Its facts, its memory and threads, its accounts, what systemd is
+// told and asks. Nothing here knows of landscapes, visits or settings.
 #pragma once
 #include <chrono>
 #include <cstdint>

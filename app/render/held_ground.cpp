@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "render/view.hpp"
+
 namespace quadrat::render {
 namespace {
 
@@ -48,7 +50,7 @@ void HeldGround::update(const View& view, const glm::mat4& clip_from_world, cons
     wish_ = wish;
     hold_.choose(view.camera);
     chosen_.clear();
-    const passes::Frustum frustum = passes::Hold::wider(clip_from_world);
+    const passes::Frustum frustum = passes::Hold::wider(strip_of(clip_from_world, wish.strip));
     const CountryOnGpu& country = *view.scene->country;
     // The ground's outline against the sky is missed before leaves are, and it is cheap. Its triangles grow all the
     // same: a software rasteriser shades squares of 16 pixels, whole ones along every edge.
@@ -63,18 +65,21 @@ void HeldGround::update(const View& view, const glm::mat4& clip_from_world, cons
                                     error_px * error_share,
                                     static_cast<std::size_t>(budget * budget_share / wish.views),
                                     grain_m_,
-                                    {}};
+                                    {},
+                                    wish.reach};
     };
     passes::Blocks::Wish land = within(2.4F, kLandBudget);
     passes::Blocks::Wish surround = within(1.3F, kSurroundBudget);
-    look_around(*view.scene, view.camera, frustum, adapted(country.land.land, frustum, land));
+    look_around(*view.scene, view.camera, passes::Hold::wider(clip_from_world),
+                adapted(country.land.land, frustum, land));
     land.hidden = hidden_land_;
     surround.hidden = hidden_surround_;
     land_ = choose(country.land.land, frustum, land);
     surround_ = choose(country.land.surround, frustum, surround);
     const std::size_t first = chosen_.size();
     const float stone_px = 1.2F / std::sqrt(wish.alpha);
-    country.stone.pieces.select(frustum, {view.camera.eye_m, wish.pixels_per_radian, stone_px, &horizon_}, chosen_);
+    country.stone.pieces.select(frustum, {view.camera.eye_m, wish.pixels_per_radian, stone_px, &horizon_, wish.reach},
+                                chosen_);
     stone_ = {first, chosen_.size() - first, 0, 0};
     indices_.fill<std::uint32_t>(chosen_);
     sent_bytes_ = chosen_.size() * sizeof(std::uint32_t);

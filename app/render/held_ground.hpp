@@ -20,6 +20,8 @@ class HeldGround {
         float pixels_per_radian = 500;
         float aspect_ratio = 1;  // of the view
         float views = 1;         // of the frame, among which its triangles are shared out
+        passes::Reach reach = {};
+        glm::vec2 strip{-1, 1};  // of the view, clip x
         friend bool operator==(const Wish&, const Wish&) = default;
     };
     void update(const View& view, const glm::mat4& clip_from_world, const Wish& wish);

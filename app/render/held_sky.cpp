@@ -20,14 +20,6 @@ constexpr float kFineness = 0.45F;   // pixels a pixel of the view, a side
 constexpr float kMostShear = 0.03F;  // of the clouds' height: two degrees overhead
 constexpr float kMostDimmed = 0.1F;  // cloud, air and dome do not dim by quite the same factor
 
-// From a direction to clip x, y and w: where it ends does not depend on how long it is.
-glm::mat3 clip_from_direction(const glm::mat4& clip_from_world) {
-    glm::mat3 m;
-    for (int column = 0; column < 3; ++column)
-        m[column] = {clip_from_world[column].x, clip_from_world[column].y, clip_from_world[column].w};
-    return m;
-}
-
 // Whether the lower clouds hide more than the upper ones.
 bool is_led_by_lower(const GpuScene& scene) {
     const auto& layers = scene.air.sky.clouds;

@@ -18,17 +18,14 @@
 #include "render/gl/reduced_target.hpp"
 #include "render/gl/wires.hpp"
 #include "render/gpu_scene.hpp"
-#include "render/held_ground.hpp"
+#include "render/held_distance.hpp"
 #include "render/held_sky.hpp"
-#include "render/passes/cloud_shadow.hpp"
-#include "render/passes/crowd.hpp"
-#include "render/passes/falling.hpp"
 #include "render/passes/signs.hpp"
-#include "render/passes/water.hpp"
 #include "render/rehearsal.hpp"
 #include "render/selection.hpp"
 #include "render/upload.hpp"
 #include "render/view.hpp"
+#include "render/view_painter.hpp"
 
 namespace quadrat::render {
 namespace {
@@ -69,24 +66,16 @@ Rect scaled(const Rect& r, float scale) {
 }  // namespace
 
 struct Renderer::Parts {
-    passes::GroundPass ground;
-    passes::SurroundPass surround;
-    passes::StonePass stone;
-    passes::CoverPass cover;
-    passes::PlantsPass plants;
-    passes::WaterPass water;
-    passes::SkyPass sky;
-    passes::FallingPass falling;
+    ViewPainter painter;
     passes::SignsPass signs;
     gl::StreamBuffer blocks{GL_UNIFORM_BUFFER};
-    std::vector<HeldGround> grounds;  // one a view
-    std::vector<HeldSky> skies;       // one a view, where frames follow each other
+    std::vector<Stock> stocks;   // one a view
+    std::vector<HeldSky> skies;  // likewise, where frames follow each other
+    HeldDistances distances;
     std::optional<int> step;          // of the plants' fineness, in the frame before
     HeldSky::Canvas sky_canvas;
     std::optional<std::size_t> sky_drawn_for;  // of which view the canvas has one that was not taken yet
     std::size_t frames = 0;
-    std::vector<gl::StreamBuffer> instances;  // one a view
-    std::vector<gl::StreamBuffer> covers;     // likewise
     std::shared_ptr<Shelves> shelves = std::make_shared<Shelves>();
     bool is_on_processor = is_software();
     gl::ReducedTarget reduced{is_on_processor ? gl::ReducedTarget::SpreadBy::Processor
@@ -94,15 +83,12 @@ struct Renderer::Parts {
     gl::MultisampledTarget smooth;
     gl::RasteriserThreads threads;  // known from the second frame on
     gl::Fence last_drawn;
-    std::vector<passes::Instance> view_instances;  // kept from view to view for its memory only
 
     void fill(const std::vector<Selection>& selections);
-    void choose(const Frame& frame, std::size_t slot, Selection& selection, Drawn& drawn);
+    void look_at_all(const Frame& frame, std::vector<Selection>& selections, Drawn& drawn);
     gl::Work hold_skies(const Frame& frame, std::vector<Selection>& selections);
     gl::Work draw_sky_in_turn(const Frame& frame);
     void draw_views(const Frame& frame, std::vector<Selection>& selections, float scale, Drawn& drawn);
-    void draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot,
-                   const Rect& place, Drawn& drawn);
     void draw_signs(const Frame& frame);
     GLuint smooth_target(const Frame& frame, glm::ivec2 size);
 };
@@ -114,19 +100,25 @@ void Renderer::Parts::fill(const std::vector<Selection>& selections) {
     blocks.fill<std::byte>(bytes);
 }
 
-// How closely its plants are drawn.
-void Renderer::Parts::choose(const Frame& frame, std::size_t slot, Selection& s, Drawn& drawn) {
-    if (!draws_plants(frame)) return;
-    const GpuScene& scene = *frame.views[slot].scene;
-    view_instances.clear();
-    passes::Crowd crowd =
-        passes::gather(*scene.plants, scene.flora->kinds, std::move(s.plants), *step, s.gathering, view_instances);
-    s.batches = std::move(crowd.batches);
-    std::erase_if(s.batches, [&](const passes::Batch& batch) {
-        return batch.part == passes::Batch::Part::Wood ? !frame.measured.wood : !frame.measured.leaves;
-    });
-    instances[slot].fill<passes::Instance>(view_instances);
-    drawn.sent_bytes += view_instances.size() * sizeof(passes::Instance);
+// What of each view is drawn, and how closely.
+void Renderer::Parts::look_at_all(const Frame& frame, std::vector<Selection>& selections, Drawn& drawn) {
+    HeldTriangles held;
+    for (std::size_t i = 0; i < frame.views.size(); ++i) {
+        Selection& s = selections[i];
+        look(frame, frame.views[i], stocks[i].ground, s);
+        stocks[i].cover.fill<passes::CoverInstance>(s.cover.instances);
+        drawn.sent_bytes += passes::kViewBlockBytes + stocks[i].ground.sent_bytes() +
+                            s.cover.instances.size() * sizeof(passes::CoverInstance);
+        if (!s.held_distance) continue;
+        const HeldDistance::Sight& sight = distances.of(i).sight();
+        held.others += sight.other_triangles;
+        drawn.held_from_m += (sight.split_m - drawn.held_from_m) / static_cast<float>(++drawn.held_views);
+        for (std::size_t strip = 0; strip < sight.plants.size(); ++strip)
+            held.plants.push_back({frame.views[i].scene->flora->kinds, &sight.gatherings[strip], &sight.plants[strip]});
+    }
+    // A part is drawn as closely as in the whole before it.
+    if (draws_plants(frame) && (frame.measured.part == passes::Reach::Part::Whole || !step))
+        step = affordable_step(frame, selections, std::move(held), step);
 }
 
 // Of every view that has one which serves; one that no longer does is drawn and shown at once, as all of a new
@@ -142,7 +134,7 @@ gl::Work Renderer::Parts::hold_skies(const Frame& frame, std::vector<Selection>&
         std::optional<glm::mat3>& from_view = selections[slot].held_sky_from_view;
         from_view = skies[slot].from_view(view, selections[slot].block);
         if (from_view || scale_of(frame) < kSmallViews) continue;
-        work += sky_canvas.draw(view, frame.seconds, sky);
+        work += sky_canvas.draw(view, frame.seconds, painter.sky());
         skies[slot].take(sky_canvas);
         from_view = skies[slot].from_view(view, selections[slot].block);
     }
@@ -155,40 +147,32 @@ gl::Work Renderer::Parts::draw_sky_in_turn(const Frame& frame) {
     const std::size_t slot = frames % HeldSky::kFrames;
     if (slot >= frame.views.size()) return {};
     sky_drawn_for = slot;
-    return sky_canvas.draw(frame.views[slot], frame.seconds, sky);
+    return sky_canvas.draw(frame.views[slot], frame.seconds, painter.sky());
 }
 
 // On the framebuffer that is bound, from its lower left corner. Adds to drawn, and sums it.
 void Renderer::Parts::draw_views(const Frame& frame, std::vector<Selection>& selections, float scale, Drawn& drawn) {
-    // A tiler keeps the whole frame on its chip when colour, depth and stencil are cleared first, in one go.
     glDisable(GL_SCISSOR_TEST);
-    glDepthMask(GL_TRUE);
     const bool is_counted = frame.measured.is_counted;
-    glClearColor(0.05F, 0.055F, 0.06F, is_counted ? 0.0F : 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    begin_drawing({0.05F, 0.055F, 0.06F, is_counted ? 0.0F : 1.0F}, frame.hanging.is_mirrored);
     glEnable(GL_SCISSOR_TEST);
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_CULL_FACE);
-    glFrontFace(frame.hanging.is_mirrored ? GL_CW : GL_CCW);
-    glDepthFunc(GL_LEQUAL);
     if (is_counted) count_fragments();
     const auto draw_one = [&](std::size_t i, Drawn& to) {
         const Rect place = scaled(on_panel(frame.views[i].viewport, frame.size, frame.hanging), scale);
-        draw_view(frame.views[i], frame, selections[i], i, place, to);
+        glScissor(place.x, place.y, place.width, place.height);
+        gl::bind_uniforms(blocks, passes::kViewBinding, i * passes::kViewBlockBytes, passes::kViewBlockBytes);
+        ViewPainter::Held held;
+        if (selections[i].held_sky_from_view) held.sky = &skies[i];
+        if (selections[i].held_distance) held.distance = &distances.of(i).picture();
+        painter.draw(frame, frame.views[i], selections[i], stocks[i], held, place, to);
     };
     if (frame.is_wired) {
         glEnable(GL_POLYGON_OFFSET_FILL);  // so that edges lie before what they are the edges of
         glPolygonOffset(1, 2);
     }
+    look_at_all(frame, selections, drawn);
     for (std::size_t i = 0; i < frame.views.size(); ++i) {
-        look(frame, i, grounds[i], selections[i]);
-        covers[i].fill<passes::CoverInstance>(selections[i].cover.instances);
-        drawn.sent_bytes += passes::kViewBlockBytes + grounds[i].sent_bytes() +
-                            selections[i].cover.instances.size() * sizeof(passes::CoverInstance);
-    }
-    if (draws_plants(frame)) step = affordable_step(frame, selections, step);
-    for (std::size_t i = 0; i < frame.views.size(); ++i) {
-        choose(frame, i, selections[i], drawn);
+        if (step) painter.send_plants(frame, frame.views[i], *step, selections[i], stocks[i], drawn);
         draw_one(i, drawn);
         // Its other threads draw this view while the next one is chosen; the last two, which leave them enough to do,
         // go together. A tiler would write its tiles out for it, and fetch them again.
@@ -199,7 +183,7 @@ void Renderer::Parts::draw_views(const Frame& frame, std::vector<Selection>& sel
         const gl::Wires wires;
         Drawn not_counted;
         for (std::size_t i = 0; i < frame.views.size(); ++i) {
-            grounds[i].sort_by_level(*frame.views[i].scene);
+            stocks[i].ground.sort_by_level(*frame.views[i].scene);
             draw_one(i, not_counted);
         }
     }
@@ -209,55 +193,6 @@ void Renderer::Parts::draw_views(const Frame& frame, std::vector<Selection>& sel
     }
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
-}
-
-void Renderer::Parts::draw_view(const View& view, const Frame& frame, const Selection& selection, std::size_t slot,
-                                const Rect& place, Drawn& drawn) {
-    const GpuScene& scene = *view.scene;
-    const CountryOnGpu& country = *scene.country;
-    const float alpha = alpha_of(frame);
-    const passes::Frustum& frustum = selection.frustum;
-    glViewport(place.x, place.y, place.width, place.height);
-    glScissor(place.x, place.y, place.width, place.height);
-    gl::bind_uniforms(blocks, passes::kViewBinding, slot * passes::kViewBlockBytes, passes::kViewBlockBytes);
-    const Measured& what = frame.measured;
-    const auto of = [&drawn](Kind kind) -> gl::Work& { return drawn.of[static_cast<std::size_t>(kind)]; };
-    if (what.leaves || what.wood) {
-        const passes::PlantsPass::Drawn trees = plants.draw(*scene.flora, selection.batches, instances[slot]);
-        of(Kind::Leaves) += trees.leaves;
-        of(Kind::Wood) += trees.wood;
-    }
-    if (what.ground) {
-        gl::bind_uniforms(scene.sky->shadow, passes::kShadowBinding);
-        const HeldGround& held = grounds[slot];
-        of(Kind::Cover) += cover.draw(scene.cover, selection.cover, covers[slot]);
-        of(Kind::Ground) += stone.draw(country.stone, held.indices(), held.stone());
-        if (gl::Wires::are_on()) {
-            for (const passes::IndexRange& level : held.land_by_level())
-                of(Kind::Ground) +=
-                    ground.draw(country.land, scene.ground, held.level_indices(), level, held.grain_m());
-        } else {
-            of(Kind::Ground) += ground.draw(country.land, scene.ground, held.indices(), held.land(), held.grain_m());
-        }
-        of(Kind::Ground) += surround.draw(country.land, held.indices(), held.surround());
-    }
-    if (what.water) {
-        if (country.land.has_water)
-            of(Kind::Water) += water.draw(*scene.ground.lit, scene.mirror, frustum, view.camera.eye_m);
-        // As many pixels as the lines of a finer or smaller picture ask for.
-        const float nearness = std::sqrt(std::min(frame.detail.alpha, 1.0F)) * scale_of(frame) *
-                               pixels_per_radian(view) / passes::WaterLevels::kPixelsPerRadian;
-        of(Kind::Water) += water.draw_fresh(country.fresh_water, *scene.ground.lit, scene.mirror,
-                                            country.fresh_water.levels.seen(frustum, view.camera.eye_m, nearness));
-    }
-    if (!what.sky || gl::Wires::are_on()) return;
-    if (selection.held_sky_from_view)
-        of(Kind::Sky) +=
-            sky.draw_held(skies[slot].picture(), *selection.held_sky_from_view, skies[slot].kept(selection.block));
-    else
-        of(Kind::Sky) += sky.draw_dome(*scene.sky, frustum, view.camera.eye_m);
-    of(Kind::Sky) += sky.draw_lights(*scene.sky, place.height, alpha);
-    of(Kind::Falling) += falling.draw(scene.air.sky.precipitation, selection.block, pixels_per_radian(view), alpha);
 }
 
 void Renderer::Parts::draw_signs(const Frame& frame) {
@@ -313,9 +248,7 @@ std::shared_ptr<const Texture> Renderer::texture(const mesh::Image& premultiplie
 
 Drawn Renderer::draw(const Frame& frame) {
     Parts& parts = *parts_;
-    parts.grounds.resize(frame.views.size());
-    while (parts.instances.size() < frame.views.size()) parts.instances.emplace_back(GL_ARRAY_BUFFER);
-    while (parts.covers.size() < frame.views.size()) parts.covers.emplace_back(GL_ARRAY_BUFFER);
+    if (parts.stocks.size() != frame.views.size()) parts.stocks.resize(frame.views.size());
     std::vector<Selection> selections;
     for (std::size_t slot = 0; slot < frame.views.size(); ++slot) selections.push_back(outline(frame, slot));
     Drawn drawn;
@@ -325,8 +258,14 @@ Drawn Renderer::draw(const Frame& frame) {
     const bool holds_skies =
         frame.is_one_of_many && frame.measured.sky && !frame.measured.is_counted && !frame.is_wired;
     if (holds_skies) skies += parts.hold_skies(frame, selections);
+    const bool holds_distances = holds_skies && frame.holds_distance && frame.measured == Measured{};
+    if (holds_distances) parts.distances.serve(frame, parts.skies, selections);
     std::optional<gl::RasteriserThreads::Feeding> feeding(std::in_place, parts.threads);
     if (holds_skies) skies += parts.draw_sky_in_turn(frame);
+    if (holds_distances) {
+        parts.distances.draw_in_turn(frame, parts.painter, parts.step, drawn);
+        parts.distances.show_at_once(frame, parts.skies, selections);
+    }
     parts.fill(selections);
 
     const glm::ivec2 size = turned_size(frame.size, frame.hanging);
@@ -365,16 +304,17 @@ Drawn Renderer::rehearse(const Frame& like) {
     frame.views.push_back(std::move(view));
     frame.is_one_of_many = true;
     const Drawn drawn = draw(frame);
+    // So many that what is far has been held and shown.
+    for (std::size_t n = 0; n < 2 * HeldDistances::kFrames; ++n) draw(frame);
     // Drivers compile what is drawn once more for several samples.
     frame.detail.samples = like.detail.samples;
     if (frame.detail.samples > 1) draw(frame);
     frame.detail = {1, 0.5F, 1};
     draw(frame);
-    parts_->grounds.clear();  // another scene may get the address of this one
+    parts_->stocks.clear();    // another scene may get the address of this one
+    parts_->distances.drop();  // likewise
     parts_->skies.clear();    // of this size they are not needed again
     parts_->sky_drawn_for.reset();
-    parts_->instances.clear();
-    parts_->covers.clear();
     frame.views.clear();
     parts_->shelves->grain_textures.trim(0);
     parts_->shelves->cloud_textures.trim(0);

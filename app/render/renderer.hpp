@@ -15,6 +15,7 @@
 #include "render/gl/work.hpp"
 #include "render/ground_by.hpp"
 #include "render/hanging.hpp"
+#include "render/passes/reach.hpp"
 #include "scene/scene.hpp"
 
 // Draws on the context that is current on the calling thread. Everything here belongs to that thread.
@@ -73,10 +74,15 @@ struct Measured {
     bool water = true;
     bool sky = true;          // and what falls from it
     bool is_counted = false;  // plants and ground leave their picture out and add 1 to alpha for every pixel shaded
+    passes::Reach::Part part = passes::Reach::Part::Whole;  // of each view, split about its eye
+    float split_m = 0;
+    friend bool operator==(const Measured&, const Measured&) = default;
 };
 
 // Of the pixels of a frame that is one of many, those of sky that are drawn for frames to come, on average.
 extern const float kSkyDrawnAnew;
+// Of a frame that holds what is far, those of what is far that are drawn for frames to come.
+extern const float kDistanceDrawnAnew;
 
 struct Frame {
     glm::ivec2 size{0};  // of the upright picture, pixels: views and signs are laid out in it
@@ -91,6 +97,7 @@ struct Frame {
     // One of many that follow each other: what hardly changes may come from those before it. A single picture is drawn
     // whole and depends on nothing else.
     bool is_one_of_many = false;
+    bool holds_distance = true;  // such a frame; false: to be compared with
 };
 
 // What a frame asked of the GPU, signs left out.
@@ -104,6 +111,9 @@ struct Drawn {
     std::size_t sent_bytes = 0;  // that are new every frame: instances, indices, views
     std::size_t objects = 0;     // buffers, textures, programs that there are
     int samples = 1;             // a pixel
+    std::size_t held_views = 0;  // that show what is far as it was held
+    std::size_t held_anew = 0;   // of what is far, pictures or strips of one drawn for frames to come
+    float held_from_m = 0;       // the mean of what splits those views
 };
 
 class Renderer {

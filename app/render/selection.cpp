@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/gpu_scene.hpp"
 #include "render/passes/falling.hpp"
@@ -13,6 +14,9 @@ namespace {
 
 // Visible triangles of a whole frame at alpha 1 that a Raspberry Pi 4 draws in time.
 constexpr float kTriangleBudget = 240'000;
+// Of what is held from frame to frame, how much counts among them: all, so that a landscape looks alike however much of
+// it can be held. A frame draws a quarter of it.
+constexpr float kHeldShare = 1;
 constexpr std::size_t kFewestPlantTriangles = 10'000;
 constexpr float kLeastScale = 0.25F;  // of the sides of what is drawn smaller than it is shown
 
@@ -37,21 +41,22 @@ Selection outline(const Frame& frame, std::size_t slot) {
     const glm::mat4 clip_from_world = clip_from_world_of(view);
     Selection s(clip_from_world);
     s.block = block_of(view, turned(clip_from_world, frame.hanging), frame.seconds);
+    s.reach = {frame.measured.part, {view.camera.eye_m.x, view.camera.eye_m.z}, frame.measured.split_m};
     return s;
 }
 
-void look(const Frame& frame, std::size_t slot, HeldGround& held, Selection& s) {
-    const View& view = frame.views[slot];
+void look(const Frame& frame, const View& view, HeldGround& held, Selection& s) {
     const GpuScene& scene = *view.scene;
     const float alpha = alpha_of(frame);
     const float scale = pixels_per_radian(view);
     if (frame.measured.ground)
         held.update(view, clip_from_world_of(view),
-                    {alpha, scale, aspect_ratio(view), static_cast<float>(frame.views.size())});
+                    {alpha, scale, aspect_ratio(view), static_cast<float>(frame.views.size()), s.reach,
+                     s.strip});
     else
         held.drop();
     if (frame.measured.ground) {
-        s.cover_wish = {&s.block, &scene.sky->shadow_map, scale, alpha, view.growth};
+        s.cover_wish = {&s.block, &scene.sky->shadow_map, scale, alpha, view.growth, s.reach};
         s.cover = passes::look_at_cover(scene.cover, s.frustum, s.cover_wish);
     }
     if (!draws_plants(frame)) return;
@@ -63,14 +68,18 @@ void look(const Frame& frame, std::size_t slot, HeldGround& held, Selection& s) 
     s.gathering.growth = view.growth;
     s.gathering.fineness = std::sqrt(alpha);  // the budget takes the rest where there is much to see
     s.gathering.horizon = &held.horizon();
+    s.gathering.reach = s.reach;
     s.plants = passes::look(*scene.plants, scene.flora->kinds, s.frustum, s.gathering);
     s.other_triangles = held.triangles() + s.cover.triangles +
-                        (frame.measured.sky ? passes::FallingPass::triangles(scene.air.sky.precipitation, alpha) : 0);
+                        (frame.measured.sky && s.reach.part != passes::Reach::Part::Far
+                             ? passes::FallingPass::triangles(scene.air.sky.precipitation, alpha) : 0);
 }
 
-int affordable_step(const Frame& frame, const std::vector<Selection>& selections, std::optional<int> before) {
-    std::vector<passes::Crowding> views;
-    std::size_t others = 0;
+int affordable_step(const Frame& frame, const std::vector<Selection>& selections, HeldTriangles held,
+                    std::optional<int> before) {
+    std::vector<passes::Crowding> views = std::move(held.plants);
+    for (passes::Crowding& view : views) view.share = kHeldShare;
+    auto others = static_cast<std::size_t>(kHeldShare * static_cast<float>(held.others));
     for (std::size_t i = 0; i < selections.size(); ++i) {
         const Selection& s = selections[i];
         views.push_back({frame.views[i].scene->flora->kinds, &s.gathering, &s.plants});

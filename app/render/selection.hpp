@@ -9,6 +9,7 @@
 #include "render/held_ground.hpp"
 #include "render/passes/cover.hpp"
 #include "render/passes/crowd.hpp"
+#include "render/passes/distance.hpp"
 #include "render/passes/frustum.hpp"
 #include "render/passes/view_block.hpp"
 #include "render/renderer.hpp"
@@ -25,6 +26,8 @@ struct Selection {
     explicit Selection(const glm::mat4& clip_from_world) : frustum(clip_from_world) {}
 
     passes::Frustum frustum;
+    passes::Reach reach;
+    glm::vec2 strip{-1, 1};  // of the view, clip x
     passes::ViewBlock block;
     passes::Gathering gathering;
     passes::Sight plants;
@@ -32,14 +35,21 @@ struct Selection {
     std::vector<passes::Batch> batches;
     passes::CoverWish cover_wish;
     passes::CoverSeen cover;
-    std::optional<glm::mat3> held_sky_from_view;  // where the sky is a picture of some frames ago
+    std::optional<glm::mat3> held_sky_from_view;         // where the sky is a picture of some frames ago
+    std::optional<passes::DistanceWarp> held_distance;  // where all is that the reach leaves out
 };
 
 Selection outline(const Frame& frame, std::size_t slot);
 // What of its ground is drawn how closely, and which plants are seen.
-void look(const Frame& frame, std::size_t slot, HeldGround& held, Selection& selection);
+void look(const Frame& frame, const View& view, HeldGround& held, Selection& selection);
+// What the views show as it was held.
+struct HeldTriangles {
+    std::vector<passes::Crowding> plants;
+    std::size_t others = 0;
+};
 // All views' plants are drawn with one fineness: a forest has more of the frame's triangles than a desert. before: of
 // the frame before.
-int affordable_step(const Frame& frame, const std::vector<Selection>& selections, std::optional<int> before);
+int affordable_step(const Frame& frame, const std::vector<Selection>& selections, HeldTriangles held,
+                    std::optional<int> before);
 
 }  // namespace quadrat::render

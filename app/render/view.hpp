@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
 #include "render/passes/view_block.hpp"
 #include "render/renderer.hpp"
 
@@ -9,6 +13,12 @@ namespace quadrat::render {
 passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, float seconds);
 
 float aspect_ratio(const View& view);
+
+// From a direction to clip x, y and w: where it ends does not depend on how long it is.
+glm::mat3 clip_from_direction(const glm::mat4& clip_from_world);
+
+// The part of a view between these clip x, as all of one.
+glm::mat4 strip_of(glm::mat4 clip_from_world, glm::vec2 between);
 
 // As if its panel hung upright.
 glm::mat4 clip_from_world_of(const View& view);

@@ -123,6 +123,21 @@ float aspect_ratio(const View& view) {
     return static_cast<float>(view.viewport.width) / static_cast<float>(std::max(view.viewport.height, 1));
 }
 
+glm::mat3 clip_from_direction(const glm::mat4& clip_from_world) {
+    glm::mat3 m;
+    for (int column = 0; column < 3; ++column)
+        m[column] = {clip_from_world[column].x, clip_from_world[column].y, clip_from_world[column].w};
+    return m;
+}
+
+glm::mat4 strip_of(glm::mat4 clip_from_world, glm::vec2 between) {
+    for (int column = 0; column < 4; ++column) {
+        glm::vec4& c = clip_from_world[column];
+        c.x = (2 * c.x - (between.x + between.y) * c.w) / (between.y - between.x);
+    }
+    return clip_from_world;
+}
+
 glm::mat4 clip_from_world_of(const View& view) {
     return scene::clip_from_view(view.camera, aspect_ratio(view)) * scene::view_from_world(view.camera);
 }

@@ -51,7 +51,8 @@ std::array<glm::vec4, 3> Irradiance::linear() const {
     const glm::vec3 south = 0.5F * (on({0, 0, 1}) - on({0, 0, -1}));
     const glm::vec3 middle = 0.25F * (up + down) + 0.5F * level;
     std::array<glm::vec4, 3> rows{};
-    for (int c = 0; c < 3; ++c) rows[static_cast<std::size_t>(c)] = {east[c], 0.5F * (up[c] - down[c]), south[c], middle[c]};
+    for (int c = 0; c < 3; ++c)
+        rows[static_cast<std::size_t>(c)] = {east[c], 0.5F * (up[c] - down[c]), south[c], middle[c]};
     return rows;
 }
 

@@ -20,7 +20,8 @@ class Irradiance {
     glm::vec3 on(const glm::vec3& normal) const;
 
     // The same with the quadratic terms left out but for the vertical one, which goes into the constant and the linear
-    // ones: on(up), on(down) and the mean over level normals stay. xyz times the normal plus w, for red, green and blue.
+    // ones: on(up), on(down) and the mean over level normals stay. xyz times the normal plus w, for red, green and
+    // blue.
     std::array<glm::vec4, 3> linear() const;
 
     friend bool operator==(const Irradiance&, const Irradiance&) = default;

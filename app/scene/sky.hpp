@@ -13,13 +13,13 @@ namespace quadrat::scene {
 
 // Colours are linear and already exposed: 1 is paper white; a sky may be brighter.
 struct CloudLayer {
-    mesh::Image density;  // one channel, tileable: opacity after the cover and sharpness filter
-    mesh::Image lit;      // one channel, tileable, the same size: 0 shaded to 255 sunlit; empty: sunlit
-    float tile_m = 6000;        // across the drift
-    float stretch = 1;          // of the tile along it
-    glm::vec2 along{0, -1};     // unit, east and south: the way it is stretched
-    float height_m = 900;       // above the sea
-    glm::vec2 wind_m_s{6, 2};   // x east, y south
+    mesh::Image density;       // one channel, tileable: opacity after the cover and sharpness filter
+    mesh::Image lit;           // one channel, tileable, the same size: 0 shaded to 255 sunlit; empty: sunlit
+    float tile_m = 6000;       // across the drift
+    float stretch = 1;         // of the tile along it
+    glm::vec2 along{0, -1};    // unit, east and south: the way it is stretched
+    float height_m = 900;      // above the sea
+    glm::vec2 wind_m_s{6, 2};  // x east, y south
     glm::vec3 sunlit{1};
     glm::vec3 shaded{0.6F};
     float opacity = 1;
@@ -86,10 +86,10 @@ struct Star {
 struct Precipitation {
     enum class Kind { None, Rain, Snow };
     Kind kind = Kind::None;
-    float amount = 0;          // 0 to 1, of the drops drawn
-    glm::vec3 speed_m_s{0};    // east, up, south
+    float amount = 0;        // 0 to 1, of the drops drawn
+    glm::vec3 speed_m_s{0};  // east, up, south
     float width_m = 0.01F;
-    float streak_s = 0;        // a drop is drawn as long as it falls in this time
+    float streak_s = 0;  // a drop is drawn as long as it falls in this time
     glm::vec3 colour{0.5F};
     float opacity = 0.3F;
     friend bool operator==(const Precipitation&, const Precipitation&) = default;
@@ -112,7 +112,7 @@ struct Sky {
     glm::vec3 light_below{0.15F};       // radiance of sunlit ground as the sky's light knows it
     Dome dome;
     Disc disc;
-    glm::vec3 glare{0};                 // about the disc
+    glm::vec3 glare{0};  // about the disc
     std::vector<Star> stars;
     std::array<CloudLayer, 2> clouds;  // lower, upper
     Cloudscape cloudscape;             // of the lower; empty: cloudscape_of() them
@@ -124,10 +124,10 @@ struct Sky {
     float haze_height_m = 500;         // density falls with height by exp(-h / haze_height_m)
     Mist mist;
     Precipitation precipitation;
-    float bow = 0;             // strength of a rainbow opposite the sun
-    float shadow_softness = 1; // of shadows' edges, to the usual
-    float bounce = 1;          // of light from the ground, to the usual
-    float occlusion = 1;       // of hollows, to the usual
+    float bow = 0;              // strength of a rainbow opposite the sun
+    float shadow_softness = 1;  // of shadows' edges, to the usual
+    float bounce = 1;           // of light from the ground, to the usual
+    float occlusion = 1;        // of hollows, to the usual
     bool is_night = false;
     friend bool operator==(const Sky&, const Sky&) = default;
 };

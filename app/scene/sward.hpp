@@ -24,8 +24,8 @@ struct Tuft {
     CoverKind kind = CoverKind::Grass;
 };
 
-// The tufts about the camera's flight. The tufts of a cell lie side by side, kind by kind, in shuffled order: any prefix
-// of them is a thinner cover.
+// The tufts about the camera's flight. The tufts of a cell lie side by side, kind by kind, in shuffled order: any
+// prefix of them is a thinner cover.
 struct Sward {
     struct Cell {
         glm::vec3 low_m{0}, high_m{0};  // the box about its tufts
@@ -42,10 +42,10 @@ struct Sward {
 struct Cover {
     float density = 0.8F;  // 0 bare to 1 closed, on ground that bears it
     float height_m = 0.4F;
-    float spread = 0.4F;   // 0 upright to 1 lying
-    float cushions = 0.2F; // of tufts: low, broad leaves
-    float flowers = 0.1F;  // of tufts, where flowers gather
-    float patch_m = 11;    // across a patch of one kind
+    float spread = 0.4F;                // 0 upright to 1 lying
+    float cushions = 0.2F;              // of tufts: low, broad leaves
+    float flowers = 0.1F;               // of tufts, where flowers gather
+    float patch_m = 11;                 // across a patch of one kind
     glm::vec3 grass{0.2F, 0.3F, 0.1F};  // linear: what the ground's colour leans toward
     glm::vec3 blossom{0.8F};
     friend bool operator==(const Cover&, const Cover&) = default;

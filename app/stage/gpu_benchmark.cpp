@@ -25,6 +25,7 @@ GpuBenchmark::GpuBenchmark(int most_samples) : ways_{{1, 1}, {0.1F, 1}, {0.1F, 0
 
 void GpuBenchmark::step(render::Renderer& renderer, render::Frame frame) {
     frame.detail = ways_[costs_.size()];
+    frame.holds_distance = false;  // as landscapes that grow are drawn: whole
     tempo::FrameCost cost{frame.detail.alpha, frame.detail.scale};
     std::vector<double> took;
     const auto began = Clock::now();

@@ -5,8 +5,8 @@
 #include <array>
 #include <stdexcept>
 
-#include "firmware-io/text_file.hpp"
 #include "firmware-io/text.hpp"
+#include "firmware-io/text_file.hpp"
 
 namespace quadrat::firmware_io::hid {
 namespace {

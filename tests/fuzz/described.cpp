@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of described scenes, and maps of them: what is read comes back from its own text, and trains a map whose answers are finite.
+// Files of described scenes, and maps of them: what is read comes back from its own text, and trains a map whose
+// answers are finite.
 #include <cmath>
 #include <cstdlib>
 #include <string_view>

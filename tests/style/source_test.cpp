@@ -62,7 +62,7 @@ TEST(Source, NoFunctionIsLongerThanSixtyLines) {
 // A class that goes on in a second file is two classes. Those that do so still are listed, and may only become fewer.
 TEST(Source, NoClassIsContinuedInASecondFile) {
     const std::set<std::string> still{"mesh::CollapsingMesh", "render::Renderer", "archive::Archive",
-                                      "kiosk::Show",          "stage::Stage",     "mesh::Wavefront"};
+                                      "kiosk::Show",          "mesh::Wavefront",  "stage::Stage"};
     static const std::regex member(R"(^[\w:<>,&*~ \[\]]*?\b([A-Z]\w+)::~?\w+\()");
     std::map<std::string, std::set<std::string>> files;
     for (const auto& file : source_files({"app"}, {".cpp"})) {

@@ -39,8 +39,7 @@ RasteriserThreads RasteriserThreads::of_this_process(std::string_view name_begin
         const std::string id = task.path().filename();
         Thread thread{};
         std::from_chars(id.data(), id.data() + id.size(), thread.id);
-        if (::sched_getaffinity(thread.id, sizeof thread.cores, &thread.cores) == 0)
-            found.threads_.push_back(thread);
+        if (::sched_getaffinity(thread.id, sizeof thread.cores, &thread.cores) == 0) found.threads_.push_back(thread);
     }
     return found;
 }

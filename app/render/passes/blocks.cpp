@@ -245,6 +245,8 @@ Blocks::Selected Blocks::select(const Frustum& frustum, const Wish& wish, std::v
     Selected selected;
     selected.error_px = affordable.error_px;
     for (const auto& [distance_m, i] : seen) {
+        const Block& block = blocks_[static_cast<std::size_t>(i)];
+        if (!wish.reach.may_hold_ground(block.low_m, block.high_m)) continue;
         const int row = i / side_;
         const int column = i % side_;
         const int own = levels[static_cast<std::size_t>(i)];

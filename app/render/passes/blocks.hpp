@@ -9,6 +9,7 @@
 #include "mesh/field.hpp"
 #include "render/passes/frustum.hpp"
 #include "render/passes/horizon.hpp"
+#include "render/passes/reach.hpp"
 
 namespace quadrat::render::passes {
 
@@ -29,6 +30,7 @@ class Blocks {
         std::size_t triangle_budget = 12'000;       // and further where this would not hold it
         float near_m = 0;                           // blocks that begin nearer than this are counted apart
         std::span<const std::uint8_t> hidden = {};  // a block: 1 where it is left out; none: all are there
+        Reach reach = {};                           // of what is chosen for all of it, the part that is appended
     };
     struct Selected {
         std::size_t triangles = 0;

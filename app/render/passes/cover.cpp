@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "base/seed.hpp"
-#include "render/passes/air.hpp"
 #include "render/gl/wires.hpp"
+#include "render/passes/air.hpp"
 #include "render/passes/cloud_shadow.hpp"
 #include "render/passes/encode.hpp"
 #include "render/passes/packing.hpp"
@@ -23,7 +23,7 @@ constexpr float kTurn_rad = 6.2831853F;
 constexpr float kGoldenAngle_rad = 2.3999632F;
 constexpr float kWhole_m = 8.0F;  // to this distance, in a quarter of a screen of 1080 lines, all blades are drawn
 constexpr float kUsual_px = 703;  // pixels per radian there
-constexpr float kGust = 0.22F;  // of a blade's height, at most
+constexpr float kGust = 0.22F;    // of a blade's height, at most
 
 struct CoverVertex {
     glm::vec3 at;
@@ -117,8 +117,7 @@ void add_cushion(CoverMesh& to) {
         tufts.begin(i);
         tufts.vertex({foot.x, 0.35F * dome, foot.y}, -aside, 0.72F * tone);
         tufts.vertex({foot.x, 0.45F * dome, foot.y}, aside, 0.92F * tone);
-        tufts.vertex({foot.x + out.x, dome * random.between(0.75F, 1.1F), foot.y + out.y}, glm::vec3{0},
-                     1.22F * tone);
+        tufts.vertex({foot.x + out.x, dome * random.between(0.75F, 1.1F), foot.y + out.y}, glm::vec3{0}, 1.22F * tone);
         tufts.triangle(0, 1, 2);
     }
 }
@@ -308,7 +307,8 @@ CoverSeen look_at_cover(const CoverOfScene& cover, const Frustum& frustum, const
     for (std::size_t i = 0; i < cover.cells.size(); ++i) {
         const scene::Sward::Cell& cell = cover.cells[i];
         const float distance = nearest_m(cell, wish.eye_m());
-        if (distance < reach && frustum.may_see_box(cell.low_m, cell.high_m))
+        if (distance < reach && wish.reach.may_hold_box(cell.low_m, cell.high_m) &&
+            frustum.may_see_box(cell.low_m, cell.high_m))
             cells.push_back({i, bucket_of(share_at(distance, whole))});
     }
     const float grown = 0.1F + 0.9F * glm::smoothstep(0.0F, 0.7F, wish.growth);
@@ -325,7 +325,8 @@ CoverSeen look_at_cover(const CoverOfScene& cover, const Frustum& frustum, const
                 std::size_t first = cell.first;
                 for (std::size_t k = 0; k < kind; ++k) first += cell.counts[k];
                 for (std::size_t i = first; i < first + cell.counts[kind]; ++i)
-                    shown.instances.push_back(seen(cover.tufts[i], wish, whole, reach, grown));
+                    if (wish.reach.holds_standing({cover.tufts[i].root_m.x, cover.tufts[i].root_m.z}, 0))
+                        shown.instances.push_back(seen(cover.tufts[i], wish, whole, reach, grown));
             }
             batch.count = shown.instances.size() - batch.first;
             if (batch.count == 0) continue;
@@ -351,8 +352,8 @@ gl::Work CoverPass::draw(const CoverOfScene& cover, const CoverSeen& seen, const
         const auto kind = static_cast<std::size_t>(batch.kind);
         const std::size_t triangles = batch.parts * static_cast<std::size_t>(kParts[kind].triangles);
         gl::draw_triangles(GL_UNSIGNED_SHORT, first_indices_[kind], 3 * triangles, batch.count);
-        work += {1, batch.count * triangles,
-                 batch.count * batch.parts * static_cast<std::size_t>(kParts[kind].vertices)};
+        work +=
+            {1, batch.count * triangles, batch.count * batch.parts * static_cast<std::size_t>(kParts[kind].vertices)};
     }
     glEnable(GL_CULL_FACE);
     return work;

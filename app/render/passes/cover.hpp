@@ -15,6 +15,7 @@
 #include "render/gl/vertex_array.hpp"
 #include "render/gl/work.hpp"
 #include "render/passes/frustum.hpp"
+#include "render/passes/reach.hpp"
 #include "render/passes/view_block.hpp"
 #include "scene/scene.hpp"
 
@@ -52,7 +53,7 @@ struct CoverSeen {
     struct Batch {
         scene::CoverKind kind;
         std::size_t parts;  // a prefix of the kind's: rows of blades, leaves, stems, stones
-        std::size_t first;   // instances
+        std::size_t first;  // instances
         std::size_t count;
     };
     std::vector<Batch> batches;
@@ -66,6 +67,7 @@ struct CoverWish {
     float pixels_per_radian = 700;
     float alpha = 1;   // detail
     float growth = 1;  // of the landscape
+    Reach reach = {};
     glm::vec3 eye_m() const { return glm::vec3{view->eye_seconds}; }
 };
 

@@ -27,7 +27,7 @@ constexpr float kMergedTo = 0.15F;
 constexpr float kMergedFrom_px = 44;  // and how high it is then
 constexpr float kMergedTo_px = 24;
 constexpr float kLeavesMerged = 0.55F;   // of the blades are not needed then
-constexpr float kMassA_px2 = 0.15F;  // triangles, of a plant as high as wide
+constexpr float kMassA_px2 = 0.15F;      // triangles, of a plant as high as wide
 constexpr float kMass_px = 13;           // of a tree so small no more is seen
 constexpr float kMassAlone = 0.7F;       // of its leaves, where its mass stands for so many
 constexpr std::size_t kSimpleMass = 16;  // triangles: no more than the blades that would be seen instead
@@ -51,9 +51,9 @@ constexpr float kMostNear = 2.2F;
 constexpr float kHiddenFrom = 0.07F;  // of a plant's clear share: what shows less dwindles
 constexpr float kHiddenTo = 0.02F;    // and is gone
 constexpr float kCanopy_px = 10;      // a lower crown hides too little to be worth reckoning
-constexpr float kLeaving = 1.5F;  // a level begins to become the next with so many times the triangles asked for
-constexpr float kLimb_px = 1.3F;  // as thick are limbs that begin to be missed
-constexpr float kShape_px = 11;   // a shorter blade shows no more than that it is one
+constexpr float kLeaving = 1.5F;      // a level begins to become the next with so many times the triangles asked for
+constexpr float kLimb_px = 1.3F;      // as thick are limbs that begin to be missed
+constexpr float kShape_px = 11;       // a shorter blade shows no more than that it is one
 
 using Seen = Sight::Seen;
 
@@ -274,7 +274,8 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     }
     how.share = share_of(wanted_blades);
     how.stand = std::clamp(wanted_blades / fewest, least_stand(height_px), 1.0F);
-    how.is_plain = kind.triangles_per_plain_blade > 0 && blade_px * std::sqrt(std::sqrt(fineness / how.share)) < kShape_px;
+    how.is_plain =
+        kind.triangles_per_plain_blade > 0 && blade_px * std::sqrt(std::sqrt(fineness / how.share)) < kShape_px;
     return how;
 }
 
@@ -335,6 +336,7 @@ Sight look(std::span<const scene::Plant> plants, std::span<const Kind> kinds, co
     for (std::size_t i = 0; i < plants.size(); ++i) {
         const scene::Plant& plant = plants[i];
         const Kind& kind = kinds[plant.species];
+        if (!g.reach.holds_standing({plant.root_m.x, plant.root_m.z}, kind.radius_m * plant.scale)) continue;
         const float half_m = 0.5F * kind.height_m * plant.scale;
         const glm::vec3 middle_m = plant.root_m + glm::vec3{0, half_m, 0};
         const float distance_m = glm::length(middle_m - glm::vec3{g.view.eye_seconds});
@@ -360,7 +362,9 @@ int affordable_step(std::span<const Crowding> views, std::size_t triangle_budget
     const auto fits = [&](int step) {
         std::size_t left = triangle_budget;
         for (const Crowding& view : views) {
-            const std::size_t takes = triangles_at(step, view, left);
+            const auto enough = static_cast<std::size_t>(static_cast<float>(left) / view.share);
+            const auto takes =
+                static_cast<std::size_t>(view.share * static_cast<float>(triangles_at(step, view, enough)));
             if (takes > left) return false;
             left -= takes;
         }

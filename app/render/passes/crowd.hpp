@@ -11,6 +11,7 @@
 #include "mesh/image.hpp"
 #include "render/passes/frustum.hpp"
 #include "render/passes/horizon.hpp"
+#include "render/passes/reach.hpp"
 #include "render/passes/view_block.hpp"
 #include "scene/flora.hpp"
 
@@ -77,6 +78,7 @@ struct Gathering {
     float growth = 1;
     float fineness = 1;                // asked for: 1 is the standard
     const Horizon* horizon = nullptr;  // of the ground before them; null: none
+    Reach reach = {};
 };
 
 // The plants that are seen, and how large.
@@ -104,6 +106,7 @@ struct Crowding {
     std::span<const Kind> kinds;
     const Gathering* gathering;
     const Sight* sight;
+    float share = 1;  // of its triangles, those that count
 };
 // The most steps with which all of them are within so many triangles; 0 where nothing is. All get the same fineness,
 // so that one more triangle would do as much in each of them. guess: of the frame before; found sooner, the same is

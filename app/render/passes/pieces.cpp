@@ -112,6 +112,7 @@ void Pieces::select(const Frustum& frustum, const Wish& wish, std::vector<std::u
         const float distance_m = std::max(glm::distance(piece.middle_m, wish.eye_m) - piece.radius_m, 0.5F);
         const float px_per_m = wish.pixels_per_radian / distance_m;
         if (piece.radius_m * px_per_m < kLeast_px * wish.error_px) continue;
+        if (!wish.reach.may_hold_sphere(piece.middle_m, piece.radius_m)) continue;
         if (!frustum.may_see_sphere(piece.middle_m, piece.radius_m)) continue;
         if (is_hidden(piece, wish.horizon)) continue;
         const Level* level = &levels_[piece.first_level];

@@ -7,6 +7,7 @@
 
 #include "render/passes/frustum.hpp"
 #include "render/passes/horizon.hpp"
+#include "render/passes/reach.hpp"
 #include "scene/land.hpp"
 
 namespace quadrat::render::passes {
@@ -33,6 +34,7 @@ class Pieces {
         float pixels_per_radian = 500;
         float error_px = 1;
         const Horizon* horizon = nullptr;  // of the ground before them; null: none
+        Reach reach = {};
     };
     // Appends the corners of what may be seen, three a triangle.
     void select(const Frustum& frustum, const Wish& wish, std::vector<std::uint32_t>& indices) const;

@@ -17,16 +17,19 @@ class Sectors {
     Sectors(std::vector<std::vector<glm::vec3>> ways, std::size_t indices_a_sector)
         : ways_(std::move(ways)), indices_a_sector_(indices_a_sector) {}
 
-    // Neighbours in one range.
+    // Neighbours in one range. of_each: of a sector's indices, those that are asked for.
     std::vector<Range> seen(const Frustum& frustum, glm::vec3 apex_m) const {
+        return seen(frustum, apex_m, {0, indices_a_sector_});
+    }
+    std::vector<Range> seen(const Frustum& frustum, glm::vec3 apex_m, const Range& of_each) const {
         std::vector<Range> ranges;
         for (std::size_t sector = 0; sector < ways_.size(); ++sector) {
             if (!frustum.may_see_cone(apex_m, ways_[sector])) continue;
-            const std::size_t first = sector * indices_a_sector_;
+            const std::size_t first = sector * indices_a_sector_ + of_each.first;
             if (!ranges.empty() && ranges.back().first + ranges.back().count == first)
-                ranges.back().count += indices_a_sector_;
+                ranges.back().count += of_each.count;
             else
-                ranges.push_back({first, indices_a_sector_});
+                ranges.push_back({first, of_each.count});
         }
         return ranges;
     }

@@ -275,7 +275,7 @@ gl::Work SkyPass::draw_held(const gl::Texture2D& held, const glm::mat3& held_fro
 gl::Work SkyPass::draw_lights(const SkyOnGpu& sky, int height_px, float alpha) const {
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
+    glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);  // what they are added to stays as clear as it is
     glDisable(GL_CULL_FACE);
     sky.clouds[0]->bind(0);
     sky.clouds[1]->bind(1);

@@ -30,6 +30,19 @@ std::vector<float> ring_radii_m() {
     return radii_m;
 }
 
+// Of a sector, the rings that a part of the landscape may hold.
+Range rings_within(const Reach& reach) {
+    constexpr std::size_t kIndicesARing = 6;
+    const std::vector<float> radii_m = ring_radii_m();
+    Range rings;
+    for (std::size_t ring = 0; ring + 1 < radii_m.size(); ++ring) {
+        if (!reach.may_hold(radii_m[ring], radii_m[ring + 1])) continue;
+        if (rings.count == 0) rings.first = ring * kIndicesARing;
+        rings.count += kIndicesARing;
+    }
+    return rings;
+}
+
 std::vector<glm::vec2> ring_vertices() {
     std::vector<glm::vec2> vertices;
     for (const float radius_m : ring_radii_m()) {
@@ -179,13 +192,14 @@ WaterPass::WaterPass()
 }
 
 gl::Work WaterPass::draw(const gl::Texture2D& ground, const MirrorOnGpu& mirror, const Frustum& frustum,
-                         glm::vec3 eye_m) const {
+                         glm::vec3 eye_m, const Reach& reach) const {
     program_.use();
     vertices_.bind();
     vertices_.feed(0, rings_.name());
     vertices_.feed_indices(indices_.name());
     bind_pictures(ground, mirror);
-    const gl::Work work = draw_ranges(sectors_.seen(frustum, {eye_m.x, 0, eye_m.z}), GL_UNSIGNED_SHORT);
+    const gl::Work work =
+        draw_ranges(sectors_.seen(frustum, {eye_m.x, 0, eye_m.z}, rings_within(reach)), GL_UNSIGNED_SHORT);
     glDisable(GL_BLEND);
     return work;
 }
@@ -210,7 +224,7 @@ void WaterPass::bind_pictures(const gl::Texture2D& ground, const MirrorOnGpu& mi
     mirror.picture->bind(2);
     gl::bind_uniforms(mirror.block, kMirrorBinding);
     glEnable(GL_BLEND);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
 }  // namespace quadrat::render::passes

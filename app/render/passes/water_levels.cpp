@@ -253,9 +253,11 @@ WaterLevels::WaterLevels(const mesh::Mesh& surface_mesh, const mesh::Field& land
     }
 }
 
-std::vector<Range> WaterLevels::seen(const Frustum& frustum, const glm::vec3& eye_m, float nearness) const {
+std::vector<Range> WaterLevels::seen(const Frustum& frustum, const glm::vec3& eye_m, float nearness,
+                                     const Reach& reach) const {
     std::vector<Range> ranges;
     for (const Square& square : squares_) {
+        if (!reach.may_hold_box(square.low_m, square.high_m)) continue;
         if (!frustum.may_see_box(square.low_m, square.high_m)) continue;
         const float away_m = glm::distance(eye_m, glm::clamp(eye_m, square.low_m, square.high_m));
         std::size_t level = 0;

@@ -10,6 +10,7 @@
 #include "mesh/mesh.hpp"
 #include "render/passes/frustum.hpp"
 #include "render/passes/ranges.hpp"
+#include "render/passes/reach.hpp"
 
 namespace quadrat::render::passes {
 
@@ -47,7 +48,8 @@ class WaterLevels {
     }
 
     // What may be seen. nearness: scales the distances; 1, or less where less is asked for.
-    std::vector<Range> seen(const Frustum& frustum, const glm::vec3& eye_m, float nearness) const;
+    std::vector<Range> seen(const Frustum& frustum, const glm::vec3& eye_m, float nearness,
+                            const Reach& reach = {}) const;
 
   private:
     struct Square {

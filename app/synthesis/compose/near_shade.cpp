@@ -11,8 +11,8 @@
 namespace quadrat::synthesis {
 namespace {
 
-constexpr float kWhole_m = 20; // from the flight's way the shade is whole
-constexpr float kNone_m = 66;  // and from here on there is none
+constexpr float kWhole_m = 20;  // from the flight's way the shade is whole
+constexpr float kNone_m = 66;   // and from here on there is none
 
 class NearShade {
   public:

@@ -21,7 +21,7 @@ namespace {
 constexpr float kReach_m = 64;
 constexpr float kWidestAside = 0.95F;  // of the view; a flight turns its eyes a little
 constexpr float kSpacing_m = 0.58F;    // between tufts where cover is closed
-constexpr int kSide = 8;  // places of a cell
+constexpr int kSide = 8;               // places of a cell
 constexpr float kCell_m = kSide * kSpacing_m;
 constexpr float kLean = 0.34F;  // of the ground's colour toward the grass's
 
@@ -97,8 +97,8 @@ class Sower {
         for (int n = 0; n < kPlaces; ++n) {
             const int place = n * kStride % kPlaces;
             const glm::ivec2 at{place % kSide, place / kSide};
-            base::RandomStream random{base::Seed{base::hash_of(
-                seed_, std::lround(corner.x * 8) + at.x, std::lround(corner.y * 8) + static_cast<long>(at.y))}};
+            base::RandomStream random{base::Seed{base::hash_of(seed_, std::lround(corner.x * 8) + at.x,
+                                                               std::lround(corner.y * 8) + static_cast<long>(at.y))}};
             const float right = random.unit_f();
             const float down = random.unit_f();
             const glm::vec2 at_m = corner + kSpacing_m * (glm::vec2{at} + glm::vec2{right, down});
@@ -219,8 +219,8 @@ void light_sward(scene::Sward& sward, const scene::Land& land, const scene::Bake
             const std::uint8_t* p = light.ground.pixel(first.x + x, first.y + y);
             return glm::vec3{p[0], p[1], p[2]} * (2.0F / 255);
         };
-        const glm::vec3 falls = glm::mix(glm::mix(lit(0, 0), lit(1, 0), share.x), glm::mix(lit(0, 1), lit(1, 1), share.x),
-                                         share.y);
+        const glm::vec3 falls =
+            glm::mix(glm::mix(lit(0, 0), lit(1, 0), share.x), glm::mix(lit(0, 1), lit(1, 1), share.x), share.y);
         tuft.sent = albedo_at(land, at_m) * tuft.tint * falls;
         tuft.lit = scene::luminance(falls);
     });

@@ -180,15 +180,8 @@ Manner best_manner(const Flown& flown, const scene::Land& land) {
 
 FlightPlan fitted_to(const scene::Land& land, FlightPlan plan) {
     // Ahead and aside, in metres; the land's edge is behind.
-    constexpr std::array<glm::vec2, 9> kMoves{{{0, 0},
-                                               {70, 0},
-                                               {-40, 0},
-                                               {0, 80},
-                                               {0, -80},
-                                               {70, 80},
-                                               {70, -80},
-                                               {-40, 80},
-                                               {-40, -80}}};
+    constexpr std::array<glm::vec2, 9> kMoves{
+        {{0, 0}, {70, 0}, {-40, 0}, {0, 80}, {0, -80}, {70, 80}, {70, -80}, {-40, 80}, {-40, -80}}};
     const FlightPlan::Station& early = plan.stations[plan.stations.size() / 5];
     const glm::vec2 aside{-early.ahead.y, early.ahead.x};
     glm::vec2 best{0};
@@ -198,7 +191,8 @@ FlightPlan fitted_to(const scene::Land& land, FlightPlan plan) {
         const glm::vec2 at = early.at_m + shift;
         const glm::vec3 eye{at.x, floor_m(land, at) + 3.0F, at.y};
         const Outlook seen = outlook(land, {eye, eye + glm::vec3{early.ahead.x, -0.08F, early.ahead.y}, 42.0F});
-        const float merit = view_merit(seen) - 4.0F * std::max(seen.water - 0.25F, 0.0F) - (move == glm::vec2{0} ? 0.0F : 0.15F);
+        const float merit =
+            view_merit(seen) - 4.0F * std::max(seen.water - 0.25F, 0.0F) - (move == glm::vec2{0} ? 0.0F : 0.15F);
         if (merit <= most) continue;
         most = merit;
         best = shift;

@@ -151,8 +151,7 @@ void add_arch(Stones& stones, const StoneGround& ground, const ArchPlace& place,
     for (int i = 0; i < 7; ++i) {
         const float ahead_m = random.between(-0.5F, 0.5F) * place.height_m;
         const float aside_m = random.between(-0.9F, 0.9F) * place.span_m;
-        const glm::vec2 at =
-            place.at_m + aside_m * place.across + ahead_m * glm::vec2{-place.across.y, place.across.x};
+        const glm::vec2 at = place.at_m + aside_m * place.across + ahead_m * glm::vec2{-place.across.y, place.across.x};
         if (scene::to_road_m(land, at) < 3.0F) continue;
         add_boulder(stones, strata, {at.x, scene::ground_height_m(land, at), at.y},
                     place.height_m * random.between(0.03F, 0.10F), random);

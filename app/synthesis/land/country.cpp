@@ -100,6 +100,7 @@ void carve_surround(mesh::Field& surround_m, const scene::LandParameters& p) {
 }
 
 void set_distant_colours(scene::Land& land, const Palette& palette, const scene::LandParameters& p) {
+    land.snow_line_m = snow_line_m(p);
     land.shallow_colour = palette.shallow;
     land.deep_colour = palette.deep;
     land.far_colour = scene::mix_colours(scene::mix_colours(palette.lush, palette.dry, 0.4F), palette.scree,
@@ -164,7 +165,6 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     land.detail = std::move(detail.grain);
     land.detail_slopes = std::move(detail.slopes);
     land.detail_tile_m = p.ground_detail_m;
-    land.snow_line_m = snow_line_m(p);
     land.ripple = p.water_ripple;
     set_distant_colours(land, palette, p);
     return land;

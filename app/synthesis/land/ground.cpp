@@ -113,7 +113,8 @@ mesh::Field grain_tile(base::Seed seed) {
     for (int x = 0; x < kGrainSide; ++x) us[x] = kTussocks * static_cast<float>(x) / kGrainSide;
     for (int y = 0; y < kGrainSide; ++y) {
         const std::vector<float> vs(kGrainSide, us[y]);
-        noise::fbm_tiled(key, us, vs, std::span(tile.samples).subspan(tile.index(0, y), us.size()), kTussocks, {.count = 2, .gain = 0.7F});
+        noise::fbm_tiled(key, us, vs, std::span(tile.samples).subspan(tile.index(0, y), us.size()), kTussocks,
+                         {.count = 2, .gain = 0.7F});
     }
     for (float& g : tile.samples) g *= 1.6F;
     return tile;

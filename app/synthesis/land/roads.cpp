@@ -328,6 +328,12 @@ scene::Road road_along(std::vector<glm::vec2> line, Ends ends, mesh::Field& h, c
     return road;
 }
 
+std::vector<glm::vec2> places_of(const Nodes& nodes, const std::vector<std::int32_t>& way) {
+    std::vector<glm::vec2> places;
+    for (const std::int32_t node : way) places.push_back(nodes.place_m(node));
+    return places;
+}
+
 void begin_at_rim(std::vector<glm::vec2>& line, const scene::Site& site) {
     const glm::vec2 home{site.middle_m.x, site.middle_m.z};
     line.erase(line.begin(), std::find_if(line.begin(), line.end(),
@@ -387,9 +393,7 @@ std::vector<scene::Road> make_roads(mesh::Field& height_m, const mesh::Field& su
     std::vector<scene::Road> roads;
     for (const auto& way : ways) {
         if (way.size() < 4) continue;
-        std::vector<glm::vec2> corners;
-        for (const std::int32_t node : way) corners.push_back(nodes.place_m(node));
-        std::vector<glm::vec2> line = rounded(std::move(corners));
+        std::vector<glm::vec2> line = rounded(places_of(nodes, way));
         if (site) begin_at_rim(line, *site);
         if (line.size() < 4) continue;
         roads.push_back(

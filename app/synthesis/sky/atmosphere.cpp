@@ -210,8 +210,7 @@ void Atmosphere::scatter_often() {
         }
         again /= static_cast<float>(kDirections);
         for (int x = 0; x < kSuns; ++x)
-            often_.at(x, y) =
-                second[x] / static_cast<float>(kDirections) / (1.0F - glm::min(again, glm::vec3{0.95F}));
+            often_.at(x, y) = second[x] / static_cast<float>(kDirections) / (1.0F - glm::min(again, glm::vec3{0.95F}));
     }
 }
 

@@ -38,11 +38,13 @@ std::span<float> row_of(mesh::Field& field, int y) {
 }
 
 // Rows of fBm that tiles, at equal steps over the tile.
-void tiled_row(const noise::Key& key, int y, std::span<float> row, int rows, int masses, const noise::Octaves& octaves) {
+void tiled_row(const noise::Key& key, int y, std::span<float> row, int rows, int masses,
+               const noise::Octaves& octaves) {
     const float step = static_cast<float>(masses) / static_cast<float>(row.size());
     std::vector<float> us(row.size());
     for (std::size_t x = 0; x < us.size(); ++x) us[x] = step * static_cast<float>(x);
-    const std::vector<float> vs(us.size(), static_cast<float>(masses) * static_cast<float>(y) / static_cast<float>(rows));
+    const std::vector<float> vs(us.size(),
+                                static_cast<float>(masses) * static_cast<float>(y) / static_cast<float>(rows));
     noise::fbm_tiled(key, us, vs, row, masses, octaves);
 }
 
@@ -154,7 +156,8 @@ void add_turned(std::span<float> to, std::span<const float> from, std::size_t fi
 }
 
 // Depth of cloud on the way to the sun, the mean of some steps over the tile.
-void march(const mesh::Field& depth, const std::array<glm::ivec2, kLightSteps>& steps, int y, std::span<float> through) {
+void march(const mesh::Field& depth, const std::array<glm::ivec2, kLightSteps>& steps, int y,
+           std::span<float> through) {
     std::ranges::fill(through, 0.0F);
     const int mask = depth.columns - 1;
     for (const glm::ivec2& step : steps) {
@@ -225,7 +228,8 @@ CloudImages light_clouds(const mesh::Field& depth, const CloudShape& shape, cons
         std::vector<float> through(static_cast<std::size_t>(side));
         march(depth, steps, y, through);
         const auto here = std::span(depth.samples).subspan(depth.index(0, y), through.size());
-        sums[static_cast<std::size_t>(y)] = write_row(here, through, images.density.pixel(0, y), images.lit.pixel(0, y));
+        sums[static_cast<std::size_t>(y)] =
+            write_row(here, through, images.density.pixel(0, y), images.lit.pixel(0, y));
     });
     const Sums all = std::accumulate(sums.begin(), sums.end(), Sums{}, [](const Sums& a, const Sums& b) {
         return Sums{a.density + b.density, a.light + b.light};

@@ -10,13 +10,13 @@
 namespace quadrat::synthesis::sky {
 
 struct CloudShape {
-    int side_px = 512;     // a power of two
-    int masses = 3;        // of the largest clouds across a tile
+    int side_px = 512;  // a power of two
+    int masses = 3;     // of the largest clouds across a tile
     int octaves = 6;
-    float gain = 0.52F;    // amplitude of an octave to the one before
-    float billow = 0.3F;   // 0 wisps to 1 heaps
-    float clumps = 0.3F;   // 0 even to 1: bare here, closed there
-    float cover = 0.45F;   // share of the tile under cloud: 0 clear to 1 overcast
+    float gain = 0.52F;   // amplitude of an octave to the one before
+    float billow = 0.3F;  // 0 wisps to 1 heaps
+    float clumps = 0.3F;  // 0 even to 1: bare here, closed there
+    float cover = 0.45F;  // share of the tile under cloud: 0 clear to 1 overcast
     float sharpness = 0.5F;
     float thickness = 0.6F;  // 0 to 1
 };

@@ -11,12 +11,12 @@ namespace quadrat::synthesis::sky {
 struct Lights {
     explicit Lights(const scene::SkyParameters& parameters);
 
-    glm::vec3 sun;          // toward it, unit; under the horizon by night
+    glm::vec3 sun;  // toward it, unit; under the horizon by night
     float sun_height_deg;
-    glm::vec3 moon;         // toward it, unit
+    glm::vec3 moon;  // toward it, unit
     bool is_night;
-    float darkness;         // 0 while the sun is up to 1 in deep night
-    float lowness;          // 0 high sun to 1 at the horizon and below
+    float darkness;  // 0 while the sun is up to 1 in deep night
+    float lowness;   // 0 high sun to 1 at the horizon and below
     const glm::vec3& brightest() const { return is_night ? moon : sun; }
 };
 
@@ -27,10 +27,10 @@ float overcast(const scene::SkyParameters& parameters);
 // day, and so much darker by night as keeps a night a night and a scene readable.
 struct Daylight {
     scene::Dome dome;
-    glm::vec3 sunlight;     // irradiance / pi facing the light that casts shadows, of a sky without clouds
-    glm::vec3 high_light;   // the same at the height of the clouds, of whatever lights them
-    glm::vec3 sky_light;    // irradiance / pi of the dome on level ground
-    float exposure;         // from the light of a sun of 1 outside the air
+    glm::vec3 sunlight;    // irradiance / pi facing the light that casts shadows, of a sky without clouds
+    glm::vec3 high_light;  // the same at the height of the clouds, of whatever lights them
+    glm::vec3 sky_light;   // irradiance / pi of the dome on level ground
+    float exposure;        // from the light of a sun of 1 outside the air
 };
 
 Daylight make_daylight(const scene::SkyParameters& parameters, const Lights& lights);

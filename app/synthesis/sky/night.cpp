@@ -74,7 +74,8 @@ std::vector<scene::Star> make_stars(const scene::SkyParameters& p, float darknes
     if (darkness <= 0.05F) return stars;
     constexpr float kBrightest = -1.0F;  // magnitudes
     const float faintest = 3.2F + 3.3F * p.star_density * darkness;
-    // About 1.7 stars of a hemisphere are brighter than magnitude 0.5; for every magnitude more there are 3.1 times as many.
+    // About 1.7 stars of a hemisphere are brighter than magnitude 0.5; for every magnitude more there are 3.1 times as
+    // many.
     const float many = 0.9F * std::pow(10.0F, 0.5F * faintest);
     const auto count = static_cast<std::size_t>(many * (1.0F + 0.6F * p.star_band));
     base::RandomStream random{seed.child("stars")};

@@ -11,9 +11,9 @@ class Preetham {
     // turbidity: 1 pure air to 10; sun_direction: unit, not under the horizon.
     Preetham(float turbidity, const glm::vec3& sun_direction);
 
-    glm::vec3 zenith_yxy() const { return zenith_; }            // luminance, kcd/m2, and chromaticity x, y
-    glm::vec3 yxy(const glm::vec3& direction) const;            // the same in a direction (unit, above the horizon)
-    glm::vec3 radiance(const glm::vec3& direction) const;       // linear Rec. 709, of a sun of 1 outside the air; >= 0
+    glm::vec3 zenith_yxy() const { return zenith_; }       // luminance, kcd/m2, and chromaticity x, y
+    glm::vec3 yxy(const glm::vec3& direction) const;       // the same in a direction (unit, above the horizon)
+    glm::vec3 radiance(const glm::vec3& direction) const;  // linear Rec. 709, of a sun of 1 outside the air; >= 0
 
   private:
     struct Perez {  // A to E for Y, x and y

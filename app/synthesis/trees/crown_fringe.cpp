@@ -14,10 +14,10 @@ namespace quadrat::synthesis::trees {
 namespace {
 
 constexpr std::size_t kFewestTriangles = 8;  // of a mass that has a fringe
-constexpr float kCovers = 1.15F;              // of the mass, by area
-constexpr float kLength = 1.5F;               // of a spray, to the square root of its area, and so its width
+constexpr float kCovers = 1.15F;             // of the mass, by area
+constexpr float kLength = 1.5F;              // of a spray, to the square root of its area, and so its width
 constexpr float kWidth = 4.0F / 3;
-constexpr float kReach = 1.08F;               // of the mass, from the root
+constexpr float kReach = 1.08F;  // of the mass, from the root
 constexpr double kGoldenShare = 0.6180339887498949;
 
 // Where a spray stands on the finest mass, and what the leaves about it are.
@@ -90,8 +90,7 @@ std::array<glm::vec3, 3> corners(const Spray& spray, float area_m2, float reach_
     const float length_m = kLength * std::sqrt(area_m2);
     const float half_m = 0.5F * kWidth * std::sqrt(area_m2);
     const glm::vec3 foot = spray.at_m - 0.2F * length_m * spray.along;
-    std::array<glm::vec3, 3> at{foot - half_m * spray.side, foot + half_m * spray.side,
-                                foot + length_m * spray.along};
+    std::array<glm::vec3, 3> at{foot - half_m * spray.side, foot + half_m * spray.side, foot + length_m * spray.along};
     for (glm::vec3& corner : at) corner *= std::min(reach_m / std::max(glm::length(corner), 1e-3F), 1.0F);
     return at;
 }
@@ -125,7 +124,8 @@ void add_fringe(std::vector<scene::CrownMass>& masses) {
     const std::vector<Spray> sprays = sprays_of(masses.front(), counts.front());
     const float covered_m2 = kCovers * areas_up_to(masses.front().mesh).back();
     float reach_m = 0;
-    for (const glm::vec3& at_m : masses.front().mesh.positions_m) reach_m = std::max(reach_m, kReach * glm::length(at_m));
+    for (const glm::vec3& at_m : masses.front().mesh.positions_m)
+        reach_m = std::max(reach_m, kReach * glm::length(at_m));
     const auto at = [&](std::size_t level, std::size_t spray) {
         return corners(sprays[spray], covered_m2 / static_cast<float>(counts[level]), reach_m);
     };

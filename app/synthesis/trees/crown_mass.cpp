@@ -179,7 +179,8 @@ mesh::SparseField field_of(const Density& density, std::size_t& inside) {
 float mottle(const glm::vec3& at_m) {
     constexpr float kLighter = 0.30F;
     const auto cell = [](float m) { return std::lround(m * 1024); };
-    const float chance = base::unit_of(base::hash_of(base::Seed{0x6D}, cell(at_m.x) * 8191 + cell(at_m.y), cell(at_m.z)));
+    const float chance =
+        base::unit_of(base::hash_of(base::Seed{0x6D}, cell(at_m.x) * 8191 + cell(at_m.y), cell(at_m.z)));
     return 1 + kLighter * (2 * chance - 1);
 }
 

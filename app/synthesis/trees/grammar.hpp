@@ -101,8 +101,8 @@ const std::vector<NamedGrammar>& grammar_library();
 // One of them; throws InputError naming those there are.
 Grammar library_grammar(std::string_view name, std::span<const Redefinition> instead = {});
 
-// Productions with a context that no word of this grammar can ever offer them: what they wait for is made by nothing, is
-// ignored, or lies beyond an axis's ends where the grammar names no "outside".
+// Productions with a context that no word of this grammar can ever offer them: what they wait for is made by nothing,
+// is ignored, or lies beyond an axis's ends where the grammar names no "outside".
 std::vector<const Production*> contexts_in_vain(const Grammar& grammar);
 
 struct DeriveOptions {

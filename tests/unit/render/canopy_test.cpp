@@ -57,8 +57,7 @@ TEST(Canopy, NeverShowsMoreForOneCrownMore) {
 TEST(Canopy, ChangesLittleWithASmallStep) {
     base::RandomStream random{base::Seed{6}};
     Canopy canopy;
-    for (int i = 0; i < 60; ++i)
-        canopy.add(about({random.between(-1, 1), random.between(-1, 1)}, {0.1F, 0.15F}), 0.8F);
+    for (int i = 0; i < 60; ++i) canopy.add(about({random.between(-1, 1), random.between(-1, 1)}, {0.1F, 0.15F}), 0.8F);
     for (const float half : {0.002F, 0.02F, 0.2F}) {
         float before = canopy.seen(about({-1, 0.05F}, {half, half}));
         for (float x = -1; x < 1; x += 0.001F) {

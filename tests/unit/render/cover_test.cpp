@@ -23,7 +23,8 @@ CoverOfScene meadow() {
         cell.high_m = {2, 0.5F, -near_m};
         cell.counts = {70, 20, 5, 5};
         for (int tuft = 0; tuft < 100; ++tuft)
-            cover.tufts.push_back({{0, 0, -near_m - 0.04F * static_cast<float>(tuft)}, {0.4F, 0}, 0.3F, {200, 200, 200, 200}});
+            cover.tufts.push_back(
+                {{0, 0, -near_m - 0.04F * static_cast<float>(tuft)}, {0.4F, 0}, 0.3F, {200, 200, 200, 200}});
         cover.cells.push_back(cell);
     }
     return cover;

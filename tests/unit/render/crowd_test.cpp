@@ -140,8 +140,8 @@ TEST(Crowd, DrawsLessOfWhatStandsBehindOtherCrowns) {
     EXPECT_LT(now.triangles, before.triangles / 2);
     // Of the first row none is missing, and none has fewer blades.
     const auto share_of = [](const std::vector<Instance>& instances, const scene::Plant& plant) {
-        const auto at = std::ranges::find_if(
-            instances, [&](const Instance& i) { return glm::vec3{i.root_scale} == plant.root_m; });
+        const auto at =
+            std::ranges::find_if(instances, [&](const Instance& i) { return glm::vec3{i.root_scale} == plant.root_m; });
         return at == instances.end() ? 0.0F : at->turn_grown_share.w;
     };
     for (const scene::Plant& plant : plants) {
@@ -167,7 +167,8 @@ TEST(Crowd, BatchesOfHalfHiddenPlantsHoldTheirOwn) {
         for (std::size_t i = batch.first; i < batch.first + batch.count; ++i) {
             ++parts[i];
             const bool are_leaves = batch.part == Batch::Part::Leaves;
-            EXPECT_TRUE(!are_leaves || static_cast<float>(batch.blades) + 0.5F >= instances[i].turn_grown_share.w * 2100.0F);
+            EXPECT_TRUE(!are_leaves ||
+                        static_cast<float>(batch.blades) + 0.5F >= instances[i].turn_grown_share.w * 2100.0F);
         }
     }
     EXPECT_TRUE(std::ranges::all_of(parts, [](int n) { return n >= 1 && n <= 3; }));

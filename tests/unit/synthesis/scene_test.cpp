@@ -64,8 +64,8 @@ bool are_same(const scene::Land& a, const scene::Land& b) {
 }
 
 bool are_same(const scene::Flora& a, const scene::Flora& b) {
-    bool same = a.species.size() == b.species.size() && a.spacing_m == b.spacing_m && a.stand == b.stand &&
-                a.cover == b.cover;
+    bool same =
+        a.species.size() == b.species.size() && a.spacing_m == b.spacing_m && a.stand == b.stand && a.cover == b.cover;
     for (std::size_t i = 0; same && i < a.species.size(); ++i) same = are_same(a.species[i], b.species[i]);
     return same;
 }
@@ -235,8 +235,8 @@ TEST(Sky, HasAUnitSunAboveTheHorizonAndFinitePositiveLight) {
         const scene::Sky sky = grow_sky(scene::realise(recipe.values).sky, recipe.seeds[genome::Aspect::Sky]);
         EXPECT_NEAR(glm::length(sky.sun_direction), 1, 1e-5);
         EXPECT_GT(sky.sun_direction.y, 0);
-        for (const glm::vec3& c : {sky.sunlight, sky.ambient.on({0, 1, 0}), sky.ambient.on({0, -1, 0}), sky.light_below, sky.haze_colour,
-                                   sky.haze_sunward, sky.clouds[0].sunlit, sky.clouds[1].shaded}) {
+        for (const glm::vec3& c : {sky.sunlight, sky.ambient.on({0, 1, 0}), sky.ambient.on({0, -1, 0}), sky.light_below,
+                                   sky.haze_colour, sky.haze_sunward, sky.clouds[0].sunlit, sky.clouds[1].shaded}) {
             for (int i = 0; i < 3; ++i)
                 ASSERT_TRUE(std::isfinite(c[i]) && c[i] > 0 && c[i] < 3) << seed << ": " << c[i] << " of " << i;
         }

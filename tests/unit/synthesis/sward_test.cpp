@@ -63,8 +63,8 @@ TEST(Sward, LeavesStonesWhereTheGroundBearsNothing) {
     for (std::size_t i = 1; i < stony.kinds.bytes.size(); i += 2) stony.kinds.bytes[i] = 255;
     const scene::Sward sward = laid(stony);
     ASSERT_GT(sward.tufts.size(), 100U);
-    EXPECT_TRUE(std::ranges::all_of(
-        sward.tufts, [](const scene::Tuft& tuft) { return tuft.kind == scene::CoverKind::Stone; }));
+    EXPECT_TRUE(
+        std::ranges::all_of(sward.tufts, [](const scene::Tuft& tuft) { return tuft.kind == scene::CoverKind::Stone; }));
 }
 
 TEST(Sward, KeepsTheTuftsOfACellTogetherKindByKind) {
