@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "base/error.hpp"
 #include "archive/archive_schema.hpp"
 #include "archive/state_file.hpp"
+#include "base/error.hpp"
 
 // What tools that run beside the exhibit read of a state file, without a change to it.
 namespace quadrat::archive {

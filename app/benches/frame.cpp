@@ -160,8 +160,10 @@ void held(Results& results, FourViews& views) {
         ratios.push_back(held_ms.back() / anew_ms.back());
     }
     views.picture.holds_distance = true;
-    results.push_back({"frame.held_cpu_ms", machine::percentile(held_ms, 0.5), "ms of all cores, what is far held", cores()});
-    results.push_back({"frame.anew_cpu_ms", machine::percentile(anew_ms, 0.5), "ms of all cores, all drawn anew", cores()});
+    results.push_back(
+        {"frame.held_cpu_ms", machine::percentile(held_ms, 0.5), "ms of all cores, what is far held", cores()});
+    results.push_back(
+        {"frame.anew_cpu_ms", machine::percentile(anew_ms, 0.5), "ms of all cores, all drawn anew", cores()});
     results.push_back({"frame.held_ratio", machine::percentile(ratios, 0.5), "of it", cores()});
     results.push_back({"frame.held_triangles", held_triangles, "triangles in the mean", cores()});
     results.push_back({"frame.anew_triangles", anew_triangles, "triangles in the mean", cores()});

@@ -200,8 +200,8 @@ Load load_of(FourViews& views, bool holds, const Chip& chip, float& split_m) {
     ShadedPixels far = shaded_pixels(views.easel, views.picture, Part::Far, split_m);
     // What is held is shown where nothing near is and over near ground that lies beyond the split, which is drawn for
     // what stands on it.
-    const ShadedPixels before = shaded_pixels(views.easel, views.picture, Part::Near,
-                                              split_m - render::passes::Reach::kUnderCrowns_m);
+    const ShadedPixels before =
+        shaded_pixels(views.easel, views.picture, Part::Near, split_m - render::passes::Reach::kUnderCrowns_m);
     load.shade(before[at(render::Kind::Sky)], chip.distance->fragment);
     near[at(render::Kind::Sky)] = far[at(render::Kind::Sky)] = 0;
     shade(load, near, 1, chip);

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/error.hpp"
-#include "breeding/session.hpp"
 #include "archive/state_file.hpp"
 #include "archive/word_answers.hpp"
+#include "base/error.hpp"
+#include "breeding/session.hpp"
 #include "kiosk/school.hpp"
 
 namespace quadrat::kiosk {

@@ -18,14 +18,14 @@
 namespace quadrat::render {
 namespace {
 
-constexpr float kWider = 1.03F;         // than the view, in what of the picture plane it sees
-constexpr float kNearest_m = 30;        // of a split
-constexpr float kFarthest_m = 400;      // beyond it is little that could be held
-constexpr float kMostDimmed = 0.1F;     // what is near does not dim by quite the same factor
-constexpr float kMostSeconds = 1.5F;    // between two frames time has jumped
-constexpr float kMostStep_m = 3;        // between two frames the view was cut
-constexpr float kLonger = 1.15F;        // a way is than it would be at the speed of now
-constexpr float kStill_m = 0.01F;       // as much is moved at least
+constexpr float kWider = 1.03F;       // than the view, in what of the picture plane it sees
+constexpr float kNearest_m = 30;      // of a split
+constexpr float kFarthest_m = 400;    // beyond it is little that could be held
+constexpr float kMostDimmed = 0.1F;   // what is near does not dim by quite the same factor
+constexpr float kMostSeconds = 1.5F;  // between two frames time has jumped
+constexpr float kMostStep_m = 3;      // between two frames the view was cut
+constexpr float kLonger = 1.15F;      // a way is than it would be at the speed of now
+constexpr float kStill_m = 0.01F;     // as much is moved at least
 
 View widened(View view) {
     view.viewport = {0, 0, static_cast<int>(std::lround(kWider * static_cast<float>(view.viewport.width))),
@@ -102,9 +102,7 @@ std::optional<passes::DistanceWarp> HeldDistance::from_view(const View& view, co
     return there;
 }
 
-passes::Reach HeldDistance::near() const {
-    return {passes::Reach::Part::Near, on_map(sight_.eye_m), sight_.split_m};
-}
+passes::Reach HeldDistance::near() const { return {passes::Reach::Part::Near, on_map(sight_.eye_m), sight_.split_m}; }
 
 std::optional<HeldDistances::Turn> HeldDistances::turn_of(std::size_t frame, std::size_t views) {
     const std::size_t strips = std::max(kFrames / std::max<std::size_t>(views, 1), std::size_t{1});
@@ -241,8 +239,8 @@ void HeldDistances::draw_in_turn(const Frame& frame, ViewPainter& painter, std::
     sight_.other_triangles += s.other_triangles;
     stock.cover.fill<passes::CoverInstance>(s.cover.instances);
     painter.send_plants(frame, view_, *step, s, stock, drawn);
-    drawn.sent_bytes += passes::kViewBlockBytes + stock.ground.sent_bytes() +
-                        s.cover.instances.size() * sizeof(passes::CoverInstance);
+    drawn.sent_bytes +=
+        passes::kViewBlockBytes + stock.ground.sent_bytes() + s.cover.instances.size() * sizeof(passes::CoverInstance);
 
     glBindFramebuffer(GL_FRAMEBUFFER, smooth != 0 ? smooth : framebuffer);
     const auto pixel = [&](std::size_t strip) {

@@ -69,7 +69,8 @@ class HeldDistance {
     bool is_serving_ = false;
 };
 
-// Those of all views. They have turns, so that each frame draws its share: one of four views whole, of one view a strip.
+// Those of all views. They have turns, so that each frame draws its share: one of four views whole, of one view a
+// strip.
 class HeldDistances {
   public:
     static constexpr std::size_t kFrames = 4;  // from one turn of a view to its next

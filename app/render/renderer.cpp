@@ -72,7 +72,7 @@ struct Renderer::Parts {
     std::vector<Stock> stocks;   // one a view
     std::vector<HeldSky> skies;  // likewise, where frames follow each other
     HeldDistances distances;
-    std::optional<int> step;          // of the plants' fineness, in the frame before
+    std::optional<int> step;  // of the plants' fineness, in the frame before
     HeldSky::Canvas sky_canvas;
     std::optional<std::size_t> sky_drawn_for;  // of which view the canvas has one that was not taken yet
     std::size_t frames = 0;
@@ -313,7 +313,7 @@ Drawn Renderer::rehearse(const Frame& like) {
     draw(frame);
     parts_->stocks.clear();    // another scene may get the address of this one
     parts_->distances.drop();  // likewise
-    parts_->skies.clear();    // of this size they are not needed again
+    parts_->skies.clear();     // of this size they are not needed again
     parts_->sky_drawn_for.reset();
     frame.views.clear();
     parts_->shelves->grain_textures.trim(0);

@@ -51,8 +51,7 @@ void look(const Frame& frame, const View& view, HeldGround& held, Selection& s) 
     const float scale = pixels_per_radian(view);
     if (frame.measured.ground)
         held.update(view, clip_from_world_of(view),
-                    {alpha, scale, aspect_ratio(view), static_cast<float>(frame.views.size()), s.reach,
-                     s.strip});
+                    {alpha, scale, aspect_ratio(view), static_cast<float>(frame.views.size()), s.reach, s.strip});
     else
         held.drop();
     if (frame.measured.ground) {
@@ -72,7 +71,8 @@ void look(const Frame& frame, const View& view, HeldGround& held, Selection& s) 
     s.plants = passes::look(*scene.plants, scene.flora->kinds, s.frustum, s.gathering);
     s.other_triangles = held.triangles() + s.cover.triangles +
                         (frame.measured.sky && s.reach.part != passes::Reach::Part::Far
-                             ? passes::FallingPass::triangles(scene.air.sky.precipitation, alpha) : 0);
+                             ? passes::FallingPass::triangles(scene.air.sky.precipitation, alpha)
+                             : 0);
 }
 
 int affordable_step(const Frame& frame, const std::vector<Selection>& selections, HeldTriangles held,

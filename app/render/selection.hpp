@@ -35,7 +35,7 @@ struct Selection {
     std::vector<passes::Batch> batches;
     passes::CoverWish cover_wish;
     passes::CoverSeen cover;
-    std::optional<glm::mat3> held_sky_from_view;         // where the sky is a picture of some frames ago
+    std::optional<glm::mat3> held_sky_from_view;        // where the sky is a picture of some frames ago
     std::optional<passes::DistanceWarp> held_distance;  // where all is that the reach leaves out
 };
 

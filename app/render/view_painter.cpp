@@ -60,8 +60,8 @@ void ViewPainter::draw(const Frame& frame, const View& view, const Selection& se
     if (what.sky && !gl::Wires::are_on()) draw_sky(frame, view, selection, held, place, drawn);
     marks.reset();
     if (what.sky && !gl::Wires::are_on() && selection.reach.part != passes::Reach::Part::Far)
-        of(drawn, Kind::Falling) += falling_.draw(view.scene->air.sky.precipitation, selection.block,
-                                                  pixels_per_radian(view), alpha_of(frame));
+        of(drawn, Kind::Falling) +=
+            falling_.draw(view.scene->air.sky.precipitation, selection.block, pixels_per_radian(view), alpha_of(frame));
 }
 
 void ViewPainter::draw_plants(const View& view, const Selection& selection, const Stock& stock, Drawn& drawn) const {
@@ -97,9 +97,8 @@ void ViewPainter::draw_water(const Frame& frame, const View& view, const Selecti
     // As many pixels as the lines of a finer or smaller picture ask for.
     const float nearness = std::sqrt(std::min(frame.detail.alpha, 1.0F)) * scale_of(frame) * pixels_per_radian(view) /
                            passes::WaterLevels::kPixelsPerRadian;
-    work += water_.draw_fresh(
-        country.fresh_water, *scene.ground.lit, scene.mirror,
-        country.fresh_water.levels.seen(selection.frustum, eye_m, nearness, selection.reach));
+    work += water_.draw_fresh(country.fresh_water, *scene.ground.lit, scene.mirror,
+                              country.fresh_water.levels.seen(selection.frustum, eye_m, nearness, selection.reach));
 }
 
 // Of what is far the lights alone, where they are seen past it.

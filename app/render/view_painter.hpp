@@ -50,8 +50,8 @@ class ViewPainter {
     void draw_plants(const View& view, const Selection& selection, const Stock& stock, Drawn& drawn) const;
     void draw_ground(const View& view, const Selection& selection, const Stock& stock, Drawn& drawn) const;
     void draw_water(const Frame& frame, const View& view, const Selection& selection, Drawn& drawn) const;
-    void draw_sky(const Frame& frame, const View& view, const Selection& selection, const Held& held,
-                  const Rect& place, Drawn& drawn) const;
+    void draw_sky(const Frame& frame, const View& view, const Selection& selection, const Held& held, const Rect& place,
+                  Drawn& drawn) const;
 
     passes::GroundPass ground_;
     passes::SurroundPass surround_;

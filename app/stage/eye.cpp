@@ -64,7 +64,8 @@ void Eye::grow_missing(std::span<const genome::Recipe> landscapes) {
     tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
         const genome::Aspect aspect = std::get<0>(jobs[i].first);
         const genome::Recipe& recipe = *jobs[i].second;
-        made[i] = nursery::grow_aspect(aspect, recipe.values, recipe.seeds[aspect], pictures::fineness_of(kLandSamples));
+        made[i] =
+            nursery::grow_aspect(aspect, recipe.values, recipe.seeds[aspect], pictures::fineness_of(kLandSamples));
     });
     for (std::size_t i = 0; i < jobs.size(); ++i) grown_.emplace(std::move(jobs[i].first), std::move(made[i]));
 }
@@ -72,8 +73,9 @@ void Eye::grow_missing(std::span<const genome::Recipe> landscapes) {
 std::shared_ptr<const scene::Scene> Eye::composed(const genome::Recipe& landscape) const {
     const genome::Candidate candidate = genome::candidate_of(landscape);
     const auto part = [&](genome::Aspect aspect) { return grown_.at(nursery::key_of(aspect, candidate)); };
-    nursery::Plot plot{nursery::planting_of(landscape.seeds), landscape.flight, std::get<0>(part(genome::Aspect::Trees)),
-              std::get<1>(part(genome::Aspect::Land)), std::get<2>(part(genome::Aspect::Sky))};
+    nursery::Plot plot{nursery::planting_of(landscape.seeds), landscape.flight,
+                       std::get<0>(part(genome::Aspect::Trees)), std::get<1>(part(genome::Aspect::Land)),
+                       std::get<2>(part(genome::Aspect::Sky))};
     nursery::lay_out(plot);
     return nursery::illuminated(plot, nursery::first_light(pictures::fineness_of(kLandSamples)));
 }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "genome/recipe.hpp"
-#include "stage/easel.hpp"
 #include "nursery/plot.hpp"
+#include "stage/easel.hpp"
 
 namespace quadrat::stage {
 

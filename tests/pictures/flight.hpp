@@ -27,8 +27,8 @@ inline Off off(const mesh::Image& a, const mesh::Image& b) {
     double sum = 0;
     for (int y = 0; y < a.height; ++y) {
         for (int x = 0; x < a.width; ++x) {
-            const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) +
-                                        static_cast<std::size_t>(x));
+            const std::size_t at =
+                4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x));
             double square = 0;
             for (std::size_t c = 0; c < 3; ++c) square += std::pow(int{a.bytes[at + c]} - int{b.bytes[at + c]}, 2);
             sum += square;

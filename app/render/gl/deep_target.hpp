@@ -6,8 +6,8 @@
 
 namespace quadrat::render::gl {
 
-// A picture with a depth buffer to draw it with: RGBA8, depth 24, stencil 8, as displays have them, so that what drivers
-// compile for one serves both. Made when it is first needed.
+// A picture with a depth buffer to draw it with: RGBA8, depth 24, stencil 8, as displays have them, so that what
+// drivers compile for one serves both. Made when it is first needed.
 class DeepTarget {
   public:
     // The framebuffer to draw a picture of this size to; 0 where this GPU cannot. What was drawn stays while the size

@@ -29,8 +29,8 @@ class WaterPass {
   public:
     WaterPass();
     // ground's alpha: how deep the water over it looks.
-    gl::Work draw(const gl::Texture2D& ground, const MirrorOnGpu& mirror, const Frustum& frustum,
-                  glm::vec3 eye_m, const Reach& reach = {}) const;
+    gl::Work draw(const gl::Texture2D& ground, const MirrorOnGpu& mirror, const Frustum& frustum, glm::vec3 eye_m,
+                  const Reach& reach = {}) const;
     gl::Work draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground, const MirrorOnGpu& mirror,
                         std::span<const Range> seen) const;
 

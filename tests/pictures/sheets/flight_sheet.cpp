@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A flight with what is far held, beside the same flight drawn anew each frame:
 //     flight_sheet SEED SECONDS FILE.png [WIDTHxHEIGHT [HZ [FRAMES [SCALE]]]]
-// Flies FRAMES (24) of them at HZ (60) up to SECONDS, four views of seeds SEED to SEED + 3. Writes the last frame: held,
-// drawn anew, and their difference eight times as strong, one above the other; prints for each frame the root mean
-// square of the difference, that of its worst tile of 16 by 16, triangles of both, and what both took.
+// Flies FRAMES (24) of them at HZ (60) up to SECONDS, four views of seeds SEED to SEED + 3. Writes the last frame:
+// held, drawn anew, and their difference eight times as strong, one above the other; prints for each frame the root
+// mean square of the difference, that of its worst tile of 16 by 16, triangles of both, and what both took.
 #include <fmt/core.h>
 
 #include <chrono>

@@ -50,7 +50,8 @@ TEST(Reach, LeavesEachPlantWholeOnOneSideAndNoneThatIsFarOverNearGround) {
 
 TEST(Reach, HasWhatIsCutOnEitherSideWhereItMayCross) {
     const auto box = [](float from_m, float to_m) {
-        return std::array{glm::vec3{kAbout_m.x - 1, 0, kAbout_m.y - to_m}, glm::vec3{kAbout_m.x + 1, 5, kAbout_m.y - from_m}};
+        return std::array{glm::vec3{kAbout_m.x - 1, 0, kAbout_m.y - to_m},
+                          glm::vec3{kAbout_m.x + 1, 5, kAbout_m.y - from_m}};
     };
     const auto holds = [&](const Reach& reach, float from_m, float to_m) {
         const auto [low_m, high_m] = box(from_m, to_m);

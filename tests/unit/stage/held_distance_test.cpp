@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is far of frames that follow each other is a picture of some frames ago: it looks as if it were drawn anew, where
-// it serves, and does not serve where it would not.
+// What is far of frames that follow each other is a picture of some frames ago: it looks as if it were drawn anew,
+// where it serves, and does not serve where it would not.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -191,7 +191,8 @@ TEST(HeldDistance, DoesNotServeAfterACutNorWhileALandscapeGrowsNorWhereTimeJumps
     expect_held(3, "moved far");
     warm_up(flight);
     flight.frame.views[1].camera.target_m =
-        flight.frame.views[1].camera.eye_m - (flight.frame.views[1].camera.target_m - flight.frame.views[1].camera.eye_m);
+        flight.frame.views[1].camera.eye_m -
+        (flight.frame.views[1].camera.target_m - flight.frame.views[1].camera.eye_m);
     expect_held(3, "turned about");
     warm_up(flight);
     flight.frame.views[2].growth = 0.5F;
@@ -239,8 +240,8 @@ TEST(HeldDistance, BeginsFartherTheFasterTheFlight) {
         EXPECT_EQ(n < 8 ? 0 : flight.draw(static_cast<float>(10 * n)).drawn.held_views, 0U) << "ten seconds a frame";
 }
 
-// Points beyond the split, seen from an eye that has moved as far as is allowed: they lie no farther from where the held
-// picture shows them than is said, times the secant squared that a picture plane stretches its rim by.
+// Points beyond the split, seen from an eye that has moved as far as is allowed: they lie no farther from where the
+// held picture shows them than is said, times the secant squared that a picture plane stretches its rim by.
 TEST(HeldDistance, ShowsWhatLiesBeyondTheSplitWithinItsBound) {
     base::RandomStream random{base::Seed{7}};
     render::View view;
@@ -256,8 +257,8 @@ TEST(HeldDistance, ShowsWhatLiesBeyondTheSplitWithinItsBound) {
         sight.picture_from_way = half * render::clip_from_direction(render::clip_from_world_of(view));
         const float moved_m = 2 * sight.split_m * render::HeldDistance::kMost_px / px;
         render::View later = view;
-        const glm::vec3 way = glm::normalize(
-            glm::vec3{random.between(-1, 1), random.between(-0.3F, 0.3F), random.between(-1, 1)});
+        const glm::vec3 way =
+            glm::normalize(glm::vec3{random.between(-1, 1), random.between(-0.3F, 0.3F), random.between(-1, 1)});
         later.camera.eye_m += moved_m * way;
         later.camera.target_m += moved_m * way + glm::vec3{random.between(-0.1F, 0.1F), 0, 0};
         const glm::mat4 clip_from_world = render::clip_from_world_of(later);
@@ -265,8 +266,9 @@ TEST(HeldDistance, ShowsWhatLiesBeyondTheSplitWithinItsBound) {
         for (int i = 0; i < 200; ++i) {
             const float away_m = sight.split_m / random.between(0.001F, 1);
             const float bearing = random.between(-0.55F, 0.55F);
-            const glm::vec3 at_m = sight.eye_m + glm::vec3{away_m * std::sin(bearing), away_m * random.between(-0.2F, 0.3F),
-                                                           -away_m * std::cos(bearing)};
+            const glm::vec3 at_m =
+                sight.eye_m + glm::vec3{away_m * std::sin(bearing), away_m * random.between(-0.2F, 0.3F),
+                                        -away_m * std::cos(bearing)};
             const glm::vec4 clip = clip_from_world * glm::vec4{at_m, 1};
             const glm::vec2 seen = glm::vec2{clip} / clip.w;
             if (std::max(std::abs(seen.x), std::abs(seen.y)) > 1) continue;
