@@ -314,6 +314,37 @@ void add_own(CLI::App& command, const std::shared_ptr<Options>& options, Action&
     own->callback([options, &chosen] { chosen = [options] { return tell_own(*options); }; });
 }
 
+// What only looks.
+void add_looking(CLI::App& words, const std::shared_ptr<Options>& options, Action& chosen) {
+    CLI::App* shown = words.add_subcommand("show", "Every word with its two ends, and how well the map knows them");
+    shown->add_flag("--scenes", options->is_all, "Every described scene too: its reach, and what is left over of it");
+    shown->callback([options, &chosen] { chosen = [options] { return show(*options); }; });
+    CLI::App* reach = words.add_subcommand(
+        "reach", "How far picks move each parameter, and how often each kind is offered, where anybody picks anything");
+    reach->add_option("--visits", options->visits, "To look through")
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
+    reach->add_option("--offers", options->offers, "In each")->check(CLI::Range(1, 100))->capture_default_str();
+    reach->add_flag("--all", options->is_all, "A line for every parameter and kind, not only for what falls short");
+    reach->callback([options, &chosen] { chosen = [options] { return tell_reach(*options); }; });
+    CLI::App* sheet = words.add_subcommand("sheet", "A picture with a row a word, from one end to the other");
+    sheet->add_option("-o,--output", options->output, "NAME.png or NAME.exr")->required();
+    sheet->add_option("--size", options->size, "Of each picture, in pixels")->capture_default_str();
+    sheet->add_option("--steps", options->steps, "Pictures a row")->check(CLI::Range(2, 21))->capture_default_str();
+    sheet->add_option("--seed", options->seed, "Names the places")->capture_default_str();
+    sheet->callback([options, &chosen] { chosen = [options] { return draw_sheet(*options); }; });
+    CLI::App* asked = words.add_subcommand(
+        "ask", "Landscapes spread evenly over the words (Halton), to be described: NAME.json for train, and NAME.png");
+    asked->add_option("-o,--output", options->output, "NAME.json")->required();
+    asked->add_option("--aspect", options->aspect, "trees, land or sky")
+        ->check(CLI::IsMember({"trees", "land", "sky"}))
+        ->capture_default_str();
+    asked->add_option("--count", options->count, "Landscapes")->check(CLI::Range(1, 400))->capture_default_str();
+    asked->add_option("--first", options->first, "Go on after so many that were asked before")->capture_default_str();
+    asked->add_option("--size", options->size, "Of each picture, in pixels")->capture_default_str();
+    asked->callback([options, &chosen] { chosen = [options] { return ask(*options); }; });
+}
+
 }  // namespace
 
 void add_words(CLI::App& app, Action& chosen) {
@@ -333,33 +364,7 @@ void add_words(CLI::App& app, Action& chosen) {
         ->capture_default_str();
     command->add_option("--state", options->state, "The exhibit's state folder, for the map that its site has trained")
         ->default_str("show, sheet, own: the map that comes along; others: the service's, else the user's");
-    CLI::App* shown = command->add_subcommand("show", "Every word with its two ends, and how well the map knows them");
-    shown->add_flag("--scenes", options->is_all, "Every described scene too: its reach, and what is left over of it");
-    shown->callback([options, &chosen] { chosen = [options] { return show(*options); }; });
-    CLI::App* reach = command->add_subcommand(
-        "reach", "How far picks move each parameter, and how often each kind is offered, where anybody picks anything");
-    reach->add_option("--visits", options->visits, "To look through")
-        ->check(CLI::Range(1, 10000))
-        ->capture_default_str();
-    reach->add_option("--offers", options->offers, "In each")->check(CLI::Range(1, 100))->capture_default_str();
-    reach->add_flag("--all", options->is_all, "A line for every parameter and kind, not only for what falls short");
-    reach->callback([options, &chosen] { chosen = [options] { return tell_reach(*options); }; });
-    CLI::App* sheet = command->add_subcommand("sheet", "A picture with a row a word, from one end to the other");
-    sheet->add_option("-o,--output", options->output, "NAME.png or NAME.exr")->required();
-    sheet->add_option("--size", options->size, "Of each picture, in pixels")->capture_default_str();
-    sheet->add_option("--steps", options->steps, "Pictures a row")->check(CLI::Range(2, 21))->capture_default_str();
-    sheet->add_option("--seed", options->seed, "Names the places")->capture_default_str();
-    sheet->callback([options, &chosen] { chosen = [options] { return draw_sheet(*options); }; });
-    CLI::App* asked = command->add_subcommand(
-        "ask", "Landscapes spread evenly over the words (Halton), to be described: NAME.json for train, and NAME.png");
-    asked->add_option("-o,--output", options->output, "NAME.json")->required();
-    asked->add_option("--aspect", options->aspect, "trees, land or sky")
-        ->check(CLI::IsMember({"trees", "land", "sky"}))
-        ->capture_default_str();
-    asked->add_option("--count", options->count, "Landscapes")->check(CLI::Range(1, 400))->capture_default_str();
-    asked->add_option("--first", options->first, "Go on after so many that were asked before")->capture_default_str();
-    asked->add_option("--size", options->size, "Of each picture, in pixels")->capture_default_str();
-    asked->callback([options, &chosen] { chosen = [options] { return ask(*options); }; });
+    add_looking(*command, options, chosen);
     CLI::App* trained =
         command->add_subcommand("train", "Learn from what visitors said, and from files, with the exhibit stopped");
     trained->add_option("FILE", options->files, "Scenes described by a curator, instead of those taught before")

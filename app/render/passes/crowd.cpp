@@ -47,7 +47,7 @@ constexpr float kShardsTo_px = 11;
 constexpr float kLeastClear = 0.05F;
 constexpr float kUsual_px = 90;  // high, of a tree that has its share of triangles
 constexpr float kLeastNear = 0.6F;
-constexpr float kMostNear = 2.2F;
+constexpr float kMostNear = 5;
 constexpr float kHiddenFrom = 0.07F;  // of a plant's clear share: what shows less dwindles
 constexpr float kHiddenTo = 0.02F;    // and is gone
 constexpr float kCanopy_px = 10;      // a lower crown hides too little to be worth reckoning
@@ -301,7 +301,7 @@ Canopy::Box crown_box(const scene::Plant& plant, const Kind& kind, const Gatheri
 }
 
 // What is large is looked at: it has more than its share of the picture's triangles.
-float near_share(float height_px) { return std::clamp(std::sqrt(height_px / kUsual_px), kLeastNear, kMostNear); }
+float near_share(float height_px) { return std::clamp(height_px / kUsual_px, kLeastNear, kMostNear); }
 
 // From near to far. What is half hidden needs fewer triangles; not half as many, for what shows of it shows whole.
 void find_hidden(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Gathering& g, Sight& sight) {

@@ -15,6 +15,13 @@ namespace {
 
 constexpr int kBarkSide = 128;
 
+// Sprays that stand for more of them are larger, but never boards.
+float larger_for(float wanted) {
+    constexpr float kAll = 1.8F;
+    constexpr float kBeyond = 0.3F;  // of what is wanted beyond that
+    return wanted < kAll ? wanted : kAll + kBeyond * (wanted - kAll);
+}
+
 FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
     const Kind& k = kind(f.habit);
     const LeafShape& shape = spray_shape(f.leaf);
@@ -50,7 +57,7 @@ FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
         o.blades = static_cast<std::size_t>(std::clamp(wanted, 160.0F, static_cast<float>(most)));
         // What the budget denies in number is given in size.
         const float missing = wanted / static_cast<float>(o.blades);
-        if (missing > 1) o.length_m *= std::min(std::sqrt(missing), 1.8F);
+        if (missing > 1) o.length_m *= larger_for(std::sqrt(missing));
     }
     o.blades = std::min(o.blades, most);
     // What still hangs on a bare tree are single leaves, not sprays of them.

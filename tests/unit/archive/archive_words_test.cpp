@@ -65,7 +65,7 @@ TEST_F(ArchiveOnDisk, WritesALandscapeOnceHoweverManyWordsAreSaidOfIt) {
             << "with a landscape goes what was said of it";
         EXPECT_EQ(archive.word_answers().unreadable, 0);
     }
-    EXPECT_LT(Connection(file()).integer("SELECT max(length(scene)) FROM word_answer"), 3000) << "numbers alone";
+    EXPECT_LT(Connection(file()).integer("SELECT max(length(scene)) FROM word_answer"), 3300) << "numbers alone";
     move_state(directory_, 3);
     EXPECT_EQ(Connection(file()).integer("SELECT count(*) FROM word_answer WHERE scene<>''"), 3);
     EXPECT_THAT(open().archive.word_answers().readable, testing::ElementsAre(said[3], said[4], said[5]));

@@ -2,6 +2,9 @@
 // --speed N: the program's clock runs ahead of the display's, and frames are still judged by the display's alone.
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <utility>
+
 #include "firmware-io/merged_buttons.hpp"
 #include "kiosk/run_loop.hpp"
 #include "support/process.hpp"
@@ -17,7 +20,9 @@ constexpr std::chrono::nanoseconds kPeriod{16'666'667};
 // Without a GPU; everything before present() takes 2 ms, and each frame is shown at the next refresh.
 class PromptScreen final : public display::Display {
   public:
-    PromptScreen(int frames, std::atomic<bool>& stop) : Display("prompt"), left_(frames), stop_(stop) {}
+    // Counts frames from when nothing grows any more: how long that takes is the machine's affair.
+    PromptScreen(int frames, std::atomic<bool>& stop, std::function<bool()> is_growing)
+        : Display("prompt"), left_(frames), stop_(stop), is_growing_(std::move(is_growing)) {}
     std::string_view kind() const override { return "prompt"; }
     std::string description() const override { return "prompt"; }
     std::string renderer() const override { return "prompt"; }
@@ -30,7 +35,7 @@ class PromptScreen final : public display::Display {
         flights_.handed_over(++frame_, how, now());
         now_ = (now_ / kPeriod + 1) * kPeriod;
         flights_.shown(now(), kPeriod);
-        stop_ = --left_ == 0;
+        if (!is_growing_()) stop_ = --left_ <= 0;
         return {display::Outcome::Shown, frame_, now(), kPeriod, "", flights_.take_finished(), {}};
     }
     base::DisplayTime now() const override { return base::DisplayTime{now_}; }
@@ -42,6 +47,7 @@ class PromptScreen final : public display::Display {
     std::uint64_t frame_ = 0;
     int left_;
     std::atomic<bool>& stop_;
+    std::function<bool()> is_growing_;
 };
 
 class FastClock final : public base::Clock {
@@ -63,7 +69,7 @@ TEST(HastyClock, FramesThatLeaveRoomAreSeenToLeaveIt) {
     firmware_io::MergedButtons buttons{{}};
     staff::Panel panel(buttons);
     std::atomic<bool> stop{false};
-    PromptScreen screen(4000, stop);
+    PromptScreen screen(4000, stop, [&] { return show.is_growing(); });
     FastClock clock(screen);
     tempo::GovernorOptions options;
     options.start = 0.2F;

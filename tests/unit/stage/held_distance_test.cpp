@@ -29,7 +29,7 @@ std::vector<SceneOf> four(std::uint64_t seed) {
 }
 
 // What is allowed of a frame, in steps of 255: leaves are smaller than a pixel, and each drawing of them differs.
-constexpr double kUnseen = 8;
+constexpr double kUnseen = 9;
 
 // A flight at its fastest, that has been seen for so many frames.
 constexpr float kFastest_s = 20;

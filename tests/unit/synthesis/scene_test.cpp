@@ -60,7 +60,7 @@ bool are_same(const scene::Land& a, const scene::Land& b) {
            a.water_m == b.water_m && a.fresh_water == b.fresh_water && a.shallow_colour == b.shallow_colour &&
            a.deep_colour == b.deep_colour && a.detail_tile_m == b.detail_tile_m && a.detail_slopes == b.detail_slopes &&
            a.kinds == b.kinds && a.surround_albedo == b.surround_albedo && a.stone.mesh == b.stone.mesh &&
-           a.kept_clear == b.kept_clear;
+           a.kept_clear == b.kept_clear && a.ripple == b.ripple;
 }
 
 bool are_same(const scene::Flora& a, const scene::Flora& b) {

@@ -98,7 +98,7 @@ TEST(Seam, OverTwoHundredLandsIsNoStrongerAnEdgeThanTheGroundBesideIt) {
     for (std::uint64_t seed = 0; seed < tests::of(200U); ++seed) {
         const scene::SceneParameters p = scene::realise(genome::random_recipe(base::Seed{seed}).values);
         const Seam seam = seam_of(synthesis::land::make_land(p.land, base::Seed{seed}, {65, 64, 128}));
-        EXPECT_LT(seam.worst, 0.18) << seed;  // of the whole scale, at one place
+        EXPECT_LT(seam.worst, 0.24) << seed;  // of the whole scale, at one place
         over += seam.mean;
         beside += seam.inside;
     }
