@@ -17,8 +17,8 @@ constexpr float kTriangleBudget = 240'000;
 // Of what is held from frame to frame, how much counts among them: all, so that a landscape looks alike however much of
 // it can be held. A frame draws a quarter of it.
 constexpr float kHeldShare = 1;
-constexpr std::size_t kFewestPlantTriangles = 10'000;
-constexpr float kLeastScale = 0.25F;  // of the sides of what is drawn smaller than it is shown
+constexpr float kFewestPlantTriangles = 140'000;  // at alpha 1, whatever ground and cover take: crowns are whole
+constexpr float kLeastScale = 0.25F;              // of the sides of what is drawn smaller than it is shown
 
 glm::mat4 turned(const glm::mat4& clip_from_world, const Hanging& hanging) {
     glm::mat4 turn{1};
@@ -87,8 +87,10 @@ int affordable_step(const Frame& frame, const std::vector<Selection>& selections
     }
     // Where little is drawn, leaves need more than their part of it to be leaves.
     const float alpha = alpha_of(frame);
-    const auto budget = static_cast<std::size_t>(kTriangleBudget * (alpha < 1 ? std::pow(alpha, 0.8F) : alpha));
-    return passes::affordable_step(views, std::max(budget, others + kFewestPlantTriangles) - others, before);
+    const float share = alpha < 1 ? std::pow(alpha, 0.8F) : alpha;
+    const auto budget = static_cast<std::size_t>(kTriangleBudget * share);
+    const auto fewest = static_cast<std::size_t>(kFewestPlantTriangles * share);
+    return passes::affordable_step(views, std::max(budget, others + fewest) - others, before);
 }
 
 }  // namespace quadrat::render

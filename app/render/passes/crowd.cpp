@@ -33,7 +33,7 @@ constexpr float kMassAlone = 0.7F;       // of its leaves, where its mass stands
 constexpr std::size_t kSimpleMass = 16;  // triangles: no more than the blades that would be seen instead
 // With less fineness than this larger crowns merge too: four blades that stand for thousands are shards.
 constexpr float kLeafyFrom = 0.125F;
-constexpr float kMassFineness = 0.4F;      // a mass is never coarser than with this
+constexpr float kMassFineness = 0.15F;     // a mass is never coarser than with this
 constexpr float kBladesFineness = 0.012F;  // nor what is never a mass: a handful of its blades are flags
 constexpr float kFewestOverMass = 12;      // blades; fewer are left out
 // Blades that would have to be enlarged by so much, and are so long on the screen, are shards in a thin crown, which is
