@@ -168,7 +168,7 @@ TEST(Trees, OfEveryTypeOfTheClassicGenomeAreDifferentPlants) {
 }
 
 // What the table promises: every combination of its parameters is a plant within its budget.
-constexpr std::size_t kMostBytes = 5'500'000;
+constexpr std::size_t kMostBytes = 4'000'000;
 
 TEST(Trees, OfTenThousandRandomGenomesHoldTheirBudgets) {
     constexpr int kTrees = tests::of(10'000);
