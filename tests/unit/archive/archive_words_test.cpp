@@ -5,6 +5,7 @@
 #include "archive/word_answers.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "genome/parameter_table.hpp"
 #include "unit/archive/archive_fixture.hpp"
 
 namespace quadrat::archive {
@@ -65,7 +66,9 @@ TEST_F(ArchiveOnDisk, WritesALandscapeOnceHoweverManyWordsAreSaidOfIt) {
             << "with a landscape goes what was said of it";
         EXPECT_EQ(archive.word_answers().unreadable, 0);
     }
-    EXPECT_LT(Connection(file()).integer("SELECT max(length(scene)) FROM word_answer"), 3300) << "numbers alone";
+    const auto parameters = static_cast<std::int64_t>(genome::parameter_table().size());
+    EXPECT_LT(Connection(file()).integer("SELECT max(length(scene)) FROM word_answer"), 11 * parameters)
+        << "numbers alone";
     move_state(directory_, 3);
     EXPECT_EQ(Connection(file()).integer("SELECT count(*) FROM word_answer WHERE scene<>''"), 3);
     EXPECT_THAT(open().archive.word_answers().readable, testing::ElementsAre(said[3], said[4], said[5]));
