@@ -35,6 +35,9 @@ std::shared_ptr<const scene::Scene> rugged_scene() {
     land->albedo = scene::GroundColours(patches);
     land->fresh_water = {};  // lies in the cells of the ground that was there
     scene->land = land;
+    // Dry: what is under water shows as water.
+    mesh::Image& lit = scene->light.ground;
+    for (std::size_t i = 3; i < lit.bytes.size(); i += 4) lit.bytes[i] = 0;
     return scene;
 }
 
@@ -106,7 +109,7 @@ TEST_F(RoamGround, LooksAsByBlocksWhereBothAreFine) {
     for (const float turn : {0.0F, 1.3F, 2.9F, 4.4F}) {
         const mesh::Image fine = drawn(by_blocks, turn, 100);
         EXPECT_LT(difference(drawn(by_roam, turn, 100), fine), 1) << turn;
-        EXPECT_GT(difference(drawn(by_roam, turn + 0.4F, 100), fine), 1.5) << "of another view, " << turn;
+        EXPECT_GT(difference(drawn(by_roam, turn + 0.05F, 100), fine), 3) << "of another view, " << turn;
         EXPECT_NE(drawn(by_roam, turn, 0.3F), drawn(by_blocks, turn, 0.3F)) << "other triangles, " << turn;
     }
 }
