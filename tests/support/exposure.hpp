@@ -32,7 +32,7 @@ inline Exposure exposure_of(const mesh::Image& picture) {
 // Empty: may be shown. A night may be darker.
 inline std::string fault_of(const Exposure& e, bool is_night) {
     if (e.mean < (is_night ? 0.05 : 0.12) || e.mean > 0.75) return fmt::format("mean luminance {:.3f}", e.mean);
-    if (e.white > 0.05) return fmt::format("{:.1f} % pure white", 100 * e.white);
+    if (e.white > 0.02) return fmt::format("{:.1f} % pure white", 100 * e.white);
     if (e.black > 0.25) return fmt::format("{:.1f} % pure black", 100 * e.black);
     return {};
 }

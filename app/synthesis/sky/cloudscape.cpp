@@ -313,7 +313,9 @@ mesh::Field beams_of(const CloudscapeShape& shape, const scene::Cloudscape& clou
             const float near = (glm::dot(d, shape.disc) - kWide) / (1.0F - kWide);
             if (near <= 0) continue;
             const float open = open_between(clouds, shape.disc, d);
-            beams.at(x, y) = shape.beams * near * near * open * (1.0F - open) * 2.2F;
+            // Close to the disc its own glare is all that the eye can take.
+            const float beside = near * near * (1.0F - 0.85F * near * near);
+            beams.at(x, y) = shape.beams * beside * open * (1.0F - open) * 2.2F;
         }
     });
     return beams;
