@@ -119,6 +119,13 @@ void write_file(const fs::path& path, std::string_view bytes) {
     }
 }
 
+void print_or_write_file(const fs::path& path, std::string_view bytes) {
+    if (path == "-")
+        std::fwrite(bytes.data(), 1, bytes.size(), stdout);
+    else
+        write_file(path, bytes);
+}
+
 void flush_file(const fs::path& path) { flush(path, O_RDONLY); }
 
 void flush_folder(const fs::path& folder) { flush(folder, O_RDONLY | O_DIRECTORY); }

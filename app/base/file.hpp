@@ -15,8 +15,10 @@ std::string read_file(const std::filesystem::path& path, std::size_t limit_bytes
 // Replaces path by bytes, whole or not at all: written beside it, flushed to the disk, then renamed.
 // Throws InputError naming the file, also where what is there is no file.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
+// The same, or on standard output where the path is "-".
+void print_or_write_file(const std::filesystem::path& path, std::string_view bytes);
 
-// The same for a writer that needs a path of its own (a picture library, say). The temporary path keeps the extension;
+// The same as write_file() for a writer that needs a path of its own (a picture library, say). The temporary path keeps the extension;
 // when write throws, nothing is left behind.
 void write_file_by(const std::filesystem::path& path,
                    const std::function<void(const std::filesystem::path& temporary)>& write);

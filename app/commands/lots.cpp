@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <glm/common.hpp>
 
 #include "base/error.hpp"
@@ -92,11 +91,7 @@ int plan(const Options& options) {
     }
     const std::string bytes =
         !is_printed && base::ending_of(options.output) == ".svg" ? town_svg(town, region.outer) : town_json(town);
-    if (is_printed) {
-        std::fwrite(bytes.data(), 1, bytes.size(), stdout);
-    } else {
-        base::write_file(options.output, bytes);
-    }
+    base::print_or_write_file(options.output, bytes);
     return 0;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "base/error.hpp"
@@ -144,10 +143,7 @@ int derive_and_draw(const Options& options) {
                         how.most_symbols, derived.stopped_by));
     if (options.output.empty() || ending == ".txt") {
         const std::string text = text_of(derived.word) + "\n";
-        if (options.output.empty())
-            std::fwrite(text.data(), 1, text.size(), stdout);
-        else
-            base::write_file(options.output, text);
+        base::print_or_write_file(options.output.empty() ? "-" : options.output, text);
         return 0;
     }
     const TreeSkeleton skeleton = skeleton_of(grammar, derived.word, how.seed.child("turtle"));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text_file.hpp"
@@ -39,11 +37,7 @@ int roof_over(const Options& options) {
         if (!roof.tops.empty()) model.parts.push_back({"top", mesh::top_mesh(roof), {0.6F, 0.55F, 0.45F}});
         bytes = ending == ".obj" ? mesh::to_obj(model) : mesh::to_glb(model);
     }
-    if (is_printed) {
-        std::fwrite(bytes.data(), 1, bytes.size(), stdout);
-    } else {
-        base::write_file(options.output, bytes);
-    }
+    base::print_or_write_file(options.output, bytes);
     return 0;
 }
 
