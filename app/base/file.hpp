@@ -18,8 +18,8 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 // The same, or on standard output where the path is "-".
 void print_or_write_file(const std::filesystem::path& path, std::string_view bytes);
 
-// The same as write_file() for a writer that needs a path of its own (a picture library, say). The temporary path keeps the extension;
-// when write throws, nothing is left behind.
+// The same as write_file() for a writer that needs a path of its own (a picture library, say). The temporary path keeps
+// the extension; when write throws, nothing is left behind.
 void write_file_by(const std::filesystem::path& path,
                    const std::function<void(const std::filesystem::path& temporary)>& write);
 
