@@ -12,18 +12,18 @@ namespace {
 
 constexpr double kPersonal = 0.15;  // deviation of a wish from a blend, a parameter
 constexpr double kUniformDeviation = 0.28867513459481287;
-constexpr double kAnywherePrior = 0.05;   // how likely it is before any pick that named scenes tell nothing
+constexpr double kAnywherePrior = 0.1;    // how likely it is before any pick that named scenes tell nothing
 constexpr double kEyeNoise = 0.1;         // of a comparison, in the same units as the scaled difference
 constexpr double kUnknownWeights = 0.5;   // nobody cares for all parameters alike
 constexpr double kContrast = 6;           // scales a difference to where picks saturate
 constexpr double kMeaningless = 0.10;     // share of picks that children make with their eyes elsewhere
-constexpr double kIndifference = 0.06;    // of a difference that is named one time in e
+constexpr double kIndifference = 0.12;    // of a difference named one time in e; twice an eye's: weights are not known
 constexpr double kRandomDistance = 0.27;  // of random scenes; what looks_apart calls 1
 constexpr double kSaturation = 0.4;       // differences beyond it look alike
 constexpr double kStride = 2;             // heavier tails than a Gaussian's: few parameters matter much
-constexpr double kOutward = 1.3;          // blends are shown a little farther apart than they are
-constexpr double kBold = 0.6;             // how far candidates go along the axes, in deviations
-constexpr double kCalm = 0.4;             // the one nearest to what is expected, of that
+constexpr double kOutward = 1.7;          // blends are shown farther apart than they are: near ones tell little
+constexpr double kBold = 0.4;             // how far candidates go along the axes, in deviations
+constexpr double kCalm = 0.1;             // the one nearest to what is expected, of that
 constexpr double kLeastApart = 0.13;      // any two of the four, root mean square over the parameters
 constexpr double kBolder = 1.2;           // who is nearer goes so much farther, in so many passes at most
 constexpr int kPasses = 8;
