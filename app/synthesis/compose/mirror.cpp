@@ -94,10 +94,11 @@ class Painting {
     }
 
     // Where the water ends over each bearing, on its far side; from the nearest bearing that has water where one has
-    // none.
-    void find_shores() {
+    // none. False where none of them has: the flight sees water that its middle does not look over.
+    [[nodiscard]] bool find_shores() {
         oneapi::tbb::parallel_for(0, kWidth, [&](int x) { shore_m_[static_cast<std::size_t>(x)] = shore_over(x); });
-        std::vector<float> known = shore_m_;
+        if (std::ranges::all_of(shore_m_, [](float m) { return m <= 0; })) return false;
+        const std::vector<float> known = shore_m_;
         for (int x = 0; x < kWidth; ++x) {
             if (known[static_cast<std::size_t>(x)] > 0) continue;
             for (int away = 1; away < kWidth; ++away) {
@@ -107,6 +108,7 @@ class Painting {
                 if (shore_m_[static_cast<std::size_t>(x)] > 0) break;
             }
         }
+        return true;
     }
 
     void paint_column(int x) {
@@ -318,7 +320,7 @@ scene::Mirror hold_up_mirror(const scene::Scene& scene) {
     const auto water = water_seen(*scene.land, scene.track);
     if (!water || scene.light.ground.bytes.empty() || scene.land->albedo.is_empty()) return {};
     Painting painting(scene, *water);
-    painting.find_shores();
+    if (!painting.find_shores()) return {};
     oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, kWidth, 16), [&](const auto& columns) {
         for (int x = columns.begin(); x != columns.end(); ++x) painting.paint_column(x);
     });
