@@ -8,8 +8,8 @@ namespace quadrat::breeding {
 // green ground, warm light with warm ground. Higher is better; about 0 for those put together by chance.
 double accord(const genome::Description& words);
 
-// Puts lands and skies that are offered to other trees than before, so that the sum of the four accords is the greatest;
-// what is offered of each aspect stays the same. Nothing happens to an offer without words.
+// Puts lands and skies that are offered to other trees than before, so that the sum of the four accords is the
+// greatest; what is offered of each aspect stays the same. Nothing happens to an offer without words.
 void put_together(genome::Offer& offer);
 
 }  // namespace quadrat::breeding
