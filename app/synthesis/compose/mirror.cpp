@@ -45,9 +45,10 @@ std::optional<float> water_level_m(const scene::Land& land, glm::vec2 at) {
 
 // The level that most of the flight's rays meet, and where they meet it first.
 std::optional<Water> water_seen(const scene::Land& land, const scene::Track& track) {
-    const scene::Camera camera = scene::camera_at(track, 0.5F * track.period_s);
+    // The way out takes half of the period.
+    const scene::Camera camera = scene::camera_at(track, 0.25F * track.period_s);
     std::vector<float> levels_m;
-    for (const float share : {0.0F, 0.5F, 1.0F}) {
+    for (const float share : {0.0F, 0.25F, 0.5F}) {
         const scene::Camera from = scene::camera_at(track, share * track.period_s);
         for (const glm::vec3& ray : view_rays(from)) {
             const Hit hit = first_hit(land, from.eye_m, ray);
