@@ -309,8 +309,8 @@ LayeredBelief learnt(const Atlas& atlas, LayeredBelief belief, const FourShown& 
 namespace {
 
 FourSketches first_four(const Atlas& atlas, base::Seed seed) {
-    const auto first = base::RandomStream(seed).below(static_cast<std::uint32_t>(atlas.named.size()));
-    const auto order = farthest_first(atlas.named_words, first, genome::kCandidates);
+    base::RandomStream chance(seed);
+    const auto order = drawn_apart(atlas.named_words, genome::kCandidates, chance);
     FourSketches four;
     for (std::size_t k = 0; k < four.size(); ++k) four[k] = {atlas.named[order[k]], atlas.named_words[order[k]]};
     return four;
@@ -392,7 +392,7 @@ bool is_too_near(const FourSketches& four, std::size_t k) {
 }  // namespace
 
 FourSketches proposed(const Atlas& atlas, const LayeredBelief& belief, base::Seed seed) {
-    if (!belief.winner && atlas.named.size() >= genome::kCandidates) return first_four(atlas, seed);
+    if (!belief.winner && atlas.named.size() >= 2 * genome::kCandidates) return first_four(atlas, seed);
     base::RandomStream chance(seed);
     const Middle middle = middle_of(atlas, belief);
     FourRecipes blends = four_blends(atlas, middle, chance);
