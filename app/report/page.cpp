@@ -49,7 +49,10 @@ std::string cards_of(const Counts& counts) {
     html += card(
         fmt::format("{:.0f}", open_days == 0 ? 0.0 : static_cast<double>(all.visits) / static_cast<double>(open_days)),
         fmt::format("a day, on {} days with visits", number(open_days)));
-    html += card(percent(share_of(all.finished, all.visits)), "went on to the end, with an interval of 95 %");
+    const Share finished = share_of(all.finished, all.visits);
+    html += card(fmt::format("{:.0f} %", 100 * finished.value),
+                 fmt::format("went on to the end (interval of 95 %: {:.0f} to {:.0f})", 100 * finished.low,
+                             100 * finished.high));
     html += card(counts.median_length_s ? duration_text(*counts.median_length_s) : "–", "is the median visit's length");
     html += card(number(all.picks), "answers were given");
     html += card(number(all.rounds), "rounds of three answers");
