@@ -10,6 +10,7 @@
 #include "mesh/image.hpp"
 #include "mesh/mesh.hpp"
 #include "scene/ground_colours.hpp"
+#include "scene/settlement.hpp"
 
 namespace quadrat::scene {
 
@@ -61,6 +62,7 @@ struct Land {
     mesh::Grid<std::uint8_t> kept_clear;  // a byte a sample: how far the edge of the nearest road or site is, see
                                           // kept_clear_of(); empty: none
     Stone stone;
+    Settlement settlement;
 
     float side_m() const { return cell_m * static_cast<float>(height_m.columns - 1); }
 };

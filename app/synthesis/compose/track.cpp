@@ -56,10 +56,26 @@ float merit(const Path& path) {
     return 3.0F * faces_heart + 0.6F * passes - (from_edge_m < 130.0F ? 1.0F : 0.0F);
 }
 
+// The least height over the houses at a place; far below everything where there are none.
+float over_houses_m(const scene::Settlement& settlement, glm::vec2 at) {
+    constexpr float kRoom_m = 5;
+    constexpr float kOverRidge_m = 2.5F;
+    float most = -1.0e6F;
+    for (const scene::House& house : settlement.houses) {
+        const scene::Building& building = settlement.buildings[house.building];
+        const glm::vec2 d = at - glm::vec2{house.foot_m.x, house.foot_m.z};
+        if (std::max(std::abs(d.x), std::abs(d.y)) > 30) continue;
+        if (scene::to_house_m(building, house, at) < kRoom_m)
+            most = std::max(most, house.foot_m.y + building.height_m + kOverRidge_m);
+    }
+    return most;
+}
+
 float floor_m(const scene::Land& land, glm::vec2 at) {
     const float ground_m = scene::ground_height_m(land, at);
     const float water_m = ground_m + scene::water_depth_m(land, at);
-    return std::max({ground_m + kLeastOverGround_m, kLeastOverWater_m, water_m + kLeastOverGround_m});
+    return std::max({ground_m + kLeastOverGround_m, kLeastOverWater_m, water_m + kLeastOverGround_m,
+                     over_houses_m(land.settlement, at)});
 }
 
 // The highest that must be flown over near a station: the camera does not brush what lies beside its way.

@@ -109,7 +109,8 @@ void set_distant_colours(scene::Land& land, const Palette& palette, const scene:
 
 }  // namespace
 
-scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const scene::Fineness& fineness) {
+scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const scene::Fineness& fineness,
+                      Settlers* settlers) {
     scene::Land land;
     const Terrain terrain(p, seed);
     const Palette palette = choose_palette(p, seed);
@@ -145,8 +146,14 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     if (p.road_share > 0 || land.site)
         land.roads = make_roads(land.height_m, water.surface_m, land.cell_m, land.site,
                                 {.width_m = p.road_width_m, .grade = p.road_grade, .goes_on = p.road_share > 0}, seed);
-    land.kept_clear =
-        scene::kept_clear_of(distance_to_roads_m(fineness.land_samples, land.cell_m, land.roads, land.site));
+    land.water_m = std::move(water.surface_m);
+    if (settlers) settlers->build(land);
+    const bool is_settled = !land.settlement.is_empty();
+    mesh::Field to_edge_m =
+        distance_to_roads_m(fineness.land_samples, land.cell_m, land.roads, is_settled ? std::nullopt : land.site);
+    if (is_settled) settlers->keep_clear(land, to_edge_m);
+    land.kept_clear = scene::kept_clear_of(to_edge_m);
+    water.surface_m = std::move(land.water_m);
     const mesh::Field over_water_m = height_over_water_m(land.height_m, water);
     land.water_m = std::move(water.surface_m);
     land.fresh_water = std::move(water.mesh);
@@ -158,6 +165,7 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     land.kinds = std::move(ground.kinds);
     Stones stones = make_stones({land, over_water_m, palette}, p, seed.child("stones"));
     shade_under(ground.albedo, kSide_m, stones.footprints);
+    if (is_settled) settlers->paint(land, ground.albedo);
     ease_into_land(land.surround_albedo, kSurroundCell_m, ground.albedo, kSide_m);
     land.albedo = scene::GroundColours(ground.albedo);
     land.stone = std::move(stones.stone);

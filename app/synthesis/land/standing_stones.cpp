@@ -49,7 +49,7 @@ void add_block(Stones& stones, const Strata& strata, const Block& block, base::R
 }  // namespace
 
 void add_standing_stones(Stones& stones, const scene::Land& land, const Strata& strata, base::Seed seed) {
-    if (!land.site) return;
+    if (!land.site || !land.settlement.is_empty()) return;
     base::RandomStream random{seed};
     const glm::vec2 middle{land.site->middle_m.x, land.site->middle_m.z};
     const float reach_m = 0.55F * land.site->radius_m;

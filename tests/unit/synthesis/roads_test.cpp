@@ -22,6 +22,7 @@ scene::Land settled(std::uint64_t seed, float road_share, float site_share) {
     scene::SceneParameters p = scene::realise(recipe.values);
     p.land.road_share = road_share;
     p.land.site_share = site_share;
+    p.land.settle_age = -1;
     return grow_land(p.land, recipe.seeds[genome::Aspect::Land],
                      {.land_samples = 257, .light_px = 64, .albedo_px = 64});
 }
