@@ -19,7 +19,7 @@ const float kLife_s = 11.0;
 
 void main() {
     float age = fract(view.eye_seconds.w / kLife_s + corner_age.z);
-    float rise_m = 6.5 * (1.0 - exp2(-2.6 * age)) / (1.0 + 0.25 * dot(wind_scale.xy, wind_scale.xy));
+    float rise_m = 10.0 * (1.0 - exp2(-2.2 * age)) / (1.0 + 0.25 * dot(wind_scale.xy, wind_scale.xy));
     vec2 drift_m = wind_scale.xy * kLife_s * age * (0.25 + 0.75 * age);
     vec3 at_m = chimney_m + vec3(drift_m.x, rise_m, drift_m.y);
     float turn = corner_age.w * 6.2831853 + 2.0 * age;
@@ -27,7 +27,7 @@ void main() {
     vec3 ray = at_m - view.eye_seconds.xyz;
     vec3 right = normalize(cross(ray, vec3(0.0, 1.0, 0.0)));
     vec3 up = normalize(cross(right, ray));
-    float wide_m = 0.28 + 2.1 * age * (0.7 + 0.6 * corner_age.w);
+    float wide_m = 0.22 + 1.7 * age * (0.7 + 0.6 * corner_age.w);
     gl_Position = view.clip_from_world * vec4(at_m + wide_m * (corner_age.x * right + corner_age.y * up), 1.0);
     bool is_near = distance(chimney_m.xz, reach.xy) < reach.z;
     if (reach.w != 0.0 && is_near != (reach.w > 0.0)) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);

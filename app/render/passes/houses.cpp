@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "render/gl/buffer_upload.hpp"
 #include "render/passes/packing.hpp"
@@ -55,12 +56,38 @@ void append(Corners& to, const scene::Masses& masses, const scene::House& house)
     }
 }
 
+// Which houses have their finest level: as many as a viewer in the south could come near.
+std::vector<bool> with_finest(const scene::Settlement& settlement) {
+    constexpr glm::vec2 kViewer_m{0, 270};
+    constexpr std::size_t kMost = 90;
+    std::vector<std::size_t> order(settlement.houses.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto away_m = [&](std::size_t i) {
+        const glm::vec3& foot = settlement.houses[i].foot_m;
+        return glm::distance(glm::vec2{foot.x, foot.z}, kViewer_m);
+    };
+    std::ranges::stable_sort(order, {}, away_m);
+    std::vector<bool> has(order.size(), false);
+    for (std::size_t i = 0; i < std::min(kMost, order.size()); ++i) has[order[i]] = true;
+    return has;
+}
+
+// visit(house, level, masses) of all that is sent, in order.
+template <typename Visit>
+void for_levels(const scene::Settlement& settlement, const Visit& visit) {
+    const std::vector<bool> has_finest = with_finest(settlement);
+    for (std::size_t i = 0; i < settlement.houses.size(); ++i) {
+        const scene::House& house = settlement.houses[i];
+        const auto& levels = settlement.buildings[house.building].levels;
+        for (std::size_t level = has_finest[i] ? 0 : 1; level < levels.size(); ++level) visit(i, level, levels[level]);
+    }
+}
+
 std::size_t corners_of(const scene::Settlement& settlement) {
     std::size_t sum = 0;
     for (const scene::Masses& piece : settlement.bounds) sum += piece.mesh.positions_m.size();
-    for (const scene::House& house : settlement.houses)
-        for (const scene::Masses& level : settlement.buildings[house.building].levels)
-            sum += level.mesh.positions_m.size();
+    for_levels(settlement,
+               [&](std::size_t, std::size_t, const scene::Masses& masses) { sum += masses.mesh.positions_m.size(); });
     return sum;
 }
 
@@ -75,15 +102,16 @@ HouseLevels::HouseLevels(const scene::Settlement& settlement) {
     std::uint32_t corner = 0;
     for (const scene::House& house : settlement.houses) {
         const scene::Building& building = settlement.buildings[house.building];
-        Standing standing{house.foot_m + glm::vec3{0, 0.5F * building.height_m, 0},
-                          glm::length(glm::vec3{building.half_m, 0.5F * building.height_m}) + 1,
-                          {}};
-        for (std::size_t level = 0; level < building.levels.size(); ++level) {
-            standing.levels.push_back({corner, first_list[house.building] + level});
-            corner += static_cast<std::uint32_t>(building.levels[level].mesh.positions_m.size());
-        }
-        standing_.push_back(std::move(standing));
+        standing_.push_back({house.foot_m + glm::vec3{0, 0.5F * building.height_m, 0},
+                             glm::length(glm::vec3{building.half_m, 0.5F * building.height_m}) + 1,
+                             {}});
     }
+    for_levels(settlement, [&](std::size_t i, std::size_t level, const scene::Masses& masses) {
+        Standing& standing = standing_[i];
+        standing.finest = std::min(standing.finest, level);
+        standing.levels.push_back({corner, first_list[settlement.houses[i].building] + level});
+        corner += static_cast<std::uint32_t>(masses.mesh.positions_m.size());
+    });
     for (const scene::Masses& piece : settlement.bounds) {
         const std::vector<glm::vec3>& places = piece.mesh.positions_m;
         glm::vec3 low = places.front();
@@ -92,7 +120,7 @@ HouseLevels::HouseLevels(const scene::Settlement& settlement) {
             low = glm::min(low, p);
             high = glm::max(high, p);
         }
-        standing_.push_back({0.5F * (low + high), 0.5F * glm::distance(low, high), {{corner, indices_.size()}}});
+        standing_.push_back({0.5F * (low + high), 0.5F * glm::distance(low, high), {{corner, indices_.size()}}, 0});
         indices_.push_back(piece.mesh.indices);
         corner += static_cast<std::uint32_t>(places.size());
     }
@@ -110,7 +138,8 @@ void HouseLevels::select(const Frustum& frustum, const Wish& wish, std::vector<s
             continue;
         const float fine = px_per_m * wish.fineness;
         const std::size_t wished = fine > kNear_px_per_m ? 0 : fine > kMiddle_px_per_m ? 1 : 2;
-        const Level& level = house.levels[std::min(wished, house.levels.size() - 1)];
+        const std::size_t wanted = std::max(wished, house.finest) - house.finest;
+        const Level& level = house.levels[std::min(wanted, house.levels.size() - 1)];
         for (const std::uint32_t index : indices_[level.list]) indices.push_back(level.first + index);
     }
 }
@@ -124,9 +153,9 @@ void add_houses(gl::Slices& slices, HousesOnGpu& houses, const std::shared_ptr<c
         houses.levels = HouseLevels(settlement);
         corners->places.reserve(count);
         corners->looks.reserve(count);
-        for (const scene::House& house : settlement.houses)
-            for (const scene::Masses& level : settlement.buildings[house.building].levels)
-                append(*corners, level, house);
+        for_levels(settlement, [&](std::size_t i, std::size_t, const scene::Masses& masses) {
+            append(*corners, masses, settlement.houses[i]);
+        });
         for (const scene::Masses& piece : settlement.bounds) append(*corners, piece, {});
     });
     gl::add_elements<glm::vec3>(slices, houses.corners, GL_ARRAY_BUFFER, count,

@@ -42,6 +42,7 @@ class HouseLevels {
         glm::vec3 middle_m{0};
         float radius_m = 0;
         std::vector<Level> levels;  // finest first
+        std::size_t finest = 2;     // of them, in the building's numbering
     };
     std::vector<std::vector<std::uint32_t>> indices_;
     std::vector<Standing> standing_;

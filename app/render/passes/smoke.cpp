@@ -16,9 +16,10 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr std::size_t kPuffs = 22;         // of a chimney
-constexpr std::size_t kMostChimneys = 48;  // that smoke: the first ones built
-constexpr float kStrongest_m_s = 2.6F;     // of the wind among houses
-constexpr float kOpacity = 0.34F;
+constexpr std::size_t kMostChimneys = 24;  // that smoke: the first ones built
+constexpr float kStrongest_m_s = 1.1F;     // of the wind among houses
+constexpr float kAmongHouses = 0.13F;      // of the wind that drives the clouds
+constexpr float kOpacity = 0.22F;
 constexpr std::array<glm::vec2, 4> kCorners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
 
 struct PuffCorner {
@@ -67,8 +68,8 @@ SmokePass::SmokePass()
 gl::Work SmokePass::draw(const SmokeOnGpu& smoke, glm::vec2 wind_m_s, const Reach& reach) const {
     if (smoke.puffs == 0) return {};
     program_.use();
-    const float strong = 0.3F * glm::length(wind_m_s);
-    const glm::vec2 wind = 0.3F * wind_m_s * std::min(1.0F, kStrongest_m_s / std::max(strong, 0.01F));
+    const float strong = kAmongHouses * glm::length(wind_m_s);
+    const glm::vec2 wind = kAmongHouses * wind_m_s * std::min(1.0F, kStrongest_m_s / std::max(strong, 0.01F));
     glUniform4f(0, wind.x, wind.y, kOpacity, 0);
     const float part = reach.part == Reach::Part::Whole ? 0.0F : reach.part == Reach::Part::Near ? 1.0F : -1.0F;
     glUniform4f(1, reach.about_m.x, reach.about_m.y, reach.split_m, part);

@@ -12,7 +12,7 @@ namespace quadrat::synthesis {
 namespace {
 
 constexpr float kLaneGrade = 0.25F;
-constexpr float kAboutWalls_m = 2.0F;  // kept clear of plants
+constexpr float kAboutWalls_m = 3.0F;  // kept clear of plants
 
 }  // namespace
 

@@ -40,7 +40,7 @@ class Bounds {
         bound.kind = kKinds[static_cast<std::size_t>(region_)][random.unit_f() < 0.7F ? 0 : 1];
         const float light = random.between(0.85F, 1.15F);
         if (bound.kind == Kind::Hedge) {
-            bound.height_m = random.between(0.9F, 1.5F);
+            bound.height_m = random.between(0.8F, 1.25F);
             bound.colour = light * scene::linear_from_srgb_hex(region_ == 3 ? 0x6E6A45 : 0x4A6234);
         } else if (bound.kind == Kind::Wall) {
             bound.height_m = random.between(0.7F, 1.0F);
@@ -61,12 +61,24 @@ class Bounds {
             const glm::vec2 a = from + (end - from) * (static_cast<float>(i) / n);
             const glm::vec2 b = from + (end - from) * (static_cast<float>(i + 1) / n);
             if (!is_free(a, own) || !is_free(b, own) || !is_free(0.5F * (a + b), own)) continue;
+            if (is_bounded(0.5F * (a + b))) continue;
+            own_.push_back(0.5F * (a + b));
             add_piece(to, a, b, bound);
             ++pieces_;
         }
     }
 
+    // A plot is whole: the next one keeps away from its bounds.
+    void end_plot() {
+        others_.insert(others_.end(), own_.begin(), own_.end());
+        own_.clear();
+    }
+
   private:
+    bool is_bounded(glm::vec2 at) const {
+        return std::ranges::any_of(others_, [at](glm::vec2 p) { return glm::distance(p, at) < 3.4F; });
+    }
+
     bool is_free(glm::vec2 at, const scene::House* own) const {
         if (!is_buildable(land_, at)) return false;
         for (const scene::Road& road : land_.roads)
@@ -139,6 +151,7 @@ class Bounds {
     const Settled& settled_;
     int region_;
     std::size_t pieces_ = 0;
+    std::vector<glm::vec2> own_, others_;  // the middles of pieces
 };
 
 }  // namespace
@@ -166,6 +179,7 @@ std::vector<scene::Masses> add_bounds(const scene::Land& land, const Settled& se
         bounds.add_line(piece, at(-wide_m, front_m), at(-wide_m, -back_m), bound, &house);
         bounds.add_line(piece, at(-wide_m, -back_m), at(wide_m, -back_m), bound, &house);
         bounds.add_line(piece, at(wide_m, -back_m), at(wide_m, front_m), bound, &house);
+        bounds.end_plot();
         if (!piece.mesh.indices.empty()) all.push_back(std::move(piece));
     }
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -177,6 +191,7 @@ std::vector<scene::Masses> add_bounds(const scene::Land& land, const Settled& se
         for (std::size_t k = 0; k < outline.size(); ++k)
             if (random.unit_f() < 0.75F)
                 bounds.add_line(piece, outline[k], outline[(k + 1) % outline.size()], bound, nullptr);
+        bounds.end_plot();
         if (!piece.mesh.indices.empty()) all.push_back(std::move(piece));
     }
     return all;

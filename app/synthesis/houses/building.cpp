@@ -64,17 +64,18 @@ void add_chimneys(scene::Building& to, const Design& design, double ridge_m, bas
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
+    const float inward = design.form == RoofForm::Gabled ? 1.0F : 0.35F;  // a hip's ridge is short
     for (int i = 0; i < design.chimneys; ++i) {
         const float side = (i % 2 == 0) == (random.unit() < 0.5) ? -1.0F : 1.0F;
         const bool is_broad = design.is_gable.size() > 1 && design.is_gable[1];
         const auto half = 0.5F * static_cast<float>(is_broad ? high.x - low.x : 8.0);
         const auto depth = static_cast<float>(is_broad ? 8.0 : high.y - low.y);
-        const float along = side * half * random.between(0.45F, 0.7F);
+        const float along = side * inward * half * random.between(0.45F, 0.7F);
         const float aside = random.between(0.35F, 0.8F);
         const glm::vec3 at = is_broad ? glm::vec3{along, 0, -aside}
-                                      : glm::vec3{aside, 0, side * 0.25F * depth * random.between(0.5F, 1)};
+                                      : glm::vec3{aside, 0, side * inward * 0.25F * depth * random.between(0.5F, 1)};
         const auto top = static_cast<float>(ridge_m) + random.between(0.55F, 0.95F);
-        const float from = static_cast<float>(ridge_m) - 1.9F;
+        const float from = static_cast<float>(ridge_m) - 2.6F;
         const glm::vec3 brick = scene::shifted_colour(design.plinth.colour, 0.95F);
         add_everywhere(to, {{at.x, from, at.z}, {1, 0, 0}, {0.36F, top - from, 0.28F}},
                        {brick, scene::Cladding::Rubble, 0});

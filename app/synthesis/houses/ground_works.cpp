@@ -13,6 +13,15 @@ constexpr float kPadRoom_m = 0.9F;  // level ground around the walls
 constexpr float kPadEase_m = 5.0F;  // over which it meets the land
 constexpr float kLaneEase_m = 3.0F;
 
+constexpr glm::vec3 kSnow{0.80F, 0.83F, 0.88F};  // linear
+
+glm::vec3 roof_colour(const scene::Building& building) {
+    const scene::Masses& masses = building.levels.back();
+    for (std::size_t i = 0; i < masses.claddings.size(); ++i)
+        if (masses.claddings[i] >= scene::Cladding::Tiles) return masses.colours[i];
+    return kSnow;
+}
+
 float smooth(float t) {
     t = std::clamp(t, 0.0F, 1.0F);
     return t * t * (3 - 2 * t);
@@ -93,6 +102,7 @@ void level_ground(scene::Land& land, Settled& settled) {
             high = std::max(high, h);
         }
         house.foot_m.y = sum + 0.3F * (high - sum);
+        if (house.foot_m.y > land.snow_line_m) house.roof_tint *= kSnow / roof_colour(building);
     }
     level_pads(land, settlement);
 }

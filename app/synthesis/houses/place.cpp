@@ -12,7 +12,7 @@ namespace quadrat::synthesis::houses {
 namespace {
 
 constexpr glm::vec2 kViewer_m{0, 290};
-constexpr float kSteepest = 0.17F;  // of the ground about the middle
+constexpr float kSteepest = 0.26F;  // of the ground about the middle
 
 std::array<glm::vec2, 8> around(float radius_m) {
     std::array<glm::vec2, 8> ring;

@@ -20,7 +20,8 @@ using scene::Cladding;
 struct Region {
     std::string_view dwelling, townhouse;  // façades
     Cladding wall, lower;
-    float wall_m;  // of one storey and a half
+    float wall_m;    // of the usual house
+    float storey_m;  // one more, or one less where it is higher than two
     float pitch_deg, eave_m, verge_m, hipped;
     Cladding roof;
     std::array<std::uint32_t, 3> roofs;  // plainer, usual, warmer
@@ -33,7 +34,8 @@ constexpr std::array<Region, kRegions> kTable{{
      "alpine",
      Cladding::Boards,
      Cladding::Plaster,
-     4.9F,
+     5.1F,
+     2.5F,
      25,
      1.15F,
      1.25F,
@@ -50,13 +52,14 @@ constexpr std::array<Region, kRegions> kTable{{
      "nordic",
      Cladding::Planks,
      Cladding::Plaster,
-     3.6F,
+     3.5F,
+     2.7F,
      39,
      0.4F,
      0.35F,
      0.1F,
      Cladding::Tiles,
-     {0x44474B, 0x5B4A45, 0x8A4A38},
+     {0x44474B, 0x584A46, 0x7C4A3C},
      0x7D7C79,
      0xE9E6DD,
      6.8F,
@@ -67,13 +70,14 @@ constexpr std::array<Region, kRegions> kTable{{
      "mediterranean",
      Cladding::Plaster,
      Cladding::Plaster,
-     4.4F,
+     6.0F,
+     3.0F,
      21,
      0.45F,
      0.25F,
      0.45F,
      Cladding::Tiles,
-     {0xB08A62, 0xB9694A, 0xC4583A},
+     {0xA08468, 0xA67560, 0xA86A54},
      0xB3A285,
      0x7A5A40,
      7.6F,
@@ -85,6 +89,7 @@ constexpr std::array<Region, kRegions> kTable{{
      Cladding::Plaster,
      Cladding::Plaster,
      2.5F,
+     2.4F,
      43,
      0.75F,
      0.5F,
@@ -101,13 +106,14 @@ constexpr std::array<Region, kRegions> kTable{{
      "timbered",
      Cladding::Plaster,
      Cladding::Rubble,
-     5.2F,
+     5.4F,
+     2.7F,
      50,
      0.4F,
      0.3F,
      0.3F,
      Cladding::Tiles,
-     {0x6E5046, 0x93503A, 0xA9543A},
+     {0x6B5147, 0x82513F, 0x935543},
      0x8F877B,
      0x4A3324,
      7.2F,
@@ -118,7 +124,8 @@ constexpr std::array<Region, kRegions> kTable{{
      "cottage",
      Cladding::Plaster,
      Cladding::Rubble,
-     2.9F,
+     2.75F,
+     2.5F,
      44,
      0.3F,
      0.12F,
@@ -136,7 +143,8 @@ constexpr Region kThatched = {"cottage",
                               "cottage",
                               Cladding::Plaster,
                               Cladding::Rubble,
-                              2.8F,
+                              2.7F,
+                              2.5F,
                               48,
                               0.55F,
                               0.3F,
@@ -261,7 +269,8 @@ class Maker {
             d.plan = plan_of(width, depth);
             d.is_gable = {false, true, false, true};
         }
-        d.wall_m += storeys_more(random) * 2.6;
+        d.wall_m += storeys_more(random) * region_.storey_m;
+        if (region_.wall_m > 1.8F * region_.storey_m && random.unit() < 0.4) d.wall_m -= region_.storey_m;
     }
 
     double storeys_more(base::RandomStream& random) const {
@@ -275,7 +284,7 @@ class Maker {
         const bool is_gable_front = random.unit() < 0.5;
         d.is_gable = {is_gable_front, !is_gable_front, is_gable_front, !is_gable_front};
         d.verge_m = std::min(d.verge_m, 0.25);
-        d.wall_m += 2.6 * (storeys_more(random) + (region_.dwelling == "savanna" ? 0 : 1));
+        d.wall_m += region_.storey_m * (storeys_more(random) + (region_.dwelling == "savanna" ? 0 : 1));
     }
 
     void shape_barn(Design& d, base::RandomStream& random) const {
@@ -296,11 +305,11 @@ class Maker {
         d.wall = Cladding::Plaster;
         d.form = RoofForm::Gabled;
         d.pitch_deg = std::max(d.pitch_deg, 42.0);
-        d.wall_m = 5.2;
-        d.plan = plan_of(7.4, 14.5);
+        d.wall_m = 6;
+        d.plan = plan_of(8.2, 16);
         d.is_gable = {true, false, true, false};
         d.chimneys = 0;
-        d.tower_m = 11.5;
+        d.tower_m = 14.5;
         d.wall_warmth = 0;
         d.plinth_m = 0.5;
         d.eave_m = 0.4;

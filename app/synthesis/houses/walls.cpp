@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <string_view>
 
 #include "scene/colour.hpp"
@@ -16,11 +17,15 @@
 namespace quadrat::synthesis::houses {
 namespace {
 
-constexpr double kLarge_m2 = 0.3;                                 // of a panel that is seen from some way off
-constexpr double kWall_m2 = 3.0;                                  // of one that is shaded from its foot to the eaves
-constexpr double kMullion_m = 0.2;                                // between panes of one window, at most
-constexpr float kStep_m = 1.0e-3F;                                // between panels of one depth
-constexpr std::array<float, kLevels> kBefore_m{0, 0.04F, 0.10F};  // the wall, of what has no reveals
+constexpr double kLarge_m2 = 0.3;   // of a panel that is seen from some way off
+constexpr double kWall_m2 = 3.0;    // of one that is shaded from its foot to the eaves
+constexpr double kMullion_m = 0.2;  // between panes of one window, at most
+constexpr float kStep_m = 4.0e-3F;
+constexpr float kLeast_m = 8.0e-3F;  // of a panel before what it lies on
+constexpr float kSide_m = 0.035F;    // a panel that stands out less shows no sides
+constexpr double kSides_m2 = 0.25;   // nor does a smaller one
+constexpr double kBalcony_m = 0.3;
+constexpr std::array<float, kLevels> kBefore_m{0, 0.05F, 0.10F};  // the wall, of windows that have no frames
 
 using Outline = std::vector<glm::dvec2>;
 
@@ -34,6 +39,7 @@ struct Window {
     glm::dvec2 low, high;
     glm::vec3 colour;
     float lamp;
+    float front = 0;
 };
 
 class Wall {
@@ -44,6 +50,7 @@ class Wall {
         const double half = 0.5 * side.width_m;
         if (!side.is_front) shape.covered.push_back({{half - 1.0, -1}, {half + 1.0, 0.55}});
         panels_ = derive_facade(*design.facade, shape, seed);
+        find_fronts();
         find_windows(seed.child("lamps").child(
             static_cast<std::uint64_t>(std::lround(100 * (side.corner_m.x + 9 * side.corner_m.z + 999)))));
     }
@@ -53,14 +60,13 @@ class Wall {
             const FacadePanel& panel = panels_[i];
             const glm::dvec2 size = panel.high_m - panel.low_m;
             const bool is_large = size.x * size.y > kLarge_m2 && !is_glass(panel.symbol);
-            add_front(i, 0, static_cast<float>(panel.depth_m) + kStep_m * static_cast<float>(i % 12));
-            add_reveals(panel);
+            add_front(i, 0, fronts_[i]);
+            add_reveals(i, 0);
             if (i == 0) add_front(i, 2, 0);
             if (!is_large) continue;
-            const auto out = std::max(static_cast<float>(panel.depth_m), 0.0F);
-            add_front(i, 1, i == 0 ? 0.0F : out + 0.003F * static_cast<float>(i % 12 + 1));
-            if (panel.depth_m > 0.3) add_reveals(panel, 1);
-            if (i > 0 && size.x * size.y > kWall_m2) add_front(i, 2, out + 0.03F);
+            add_front(i, 1, i == 0 ? 0.0F : fronts_[i] + kStep_m);
+            if (panel.depth_m > kBalcony_m) add_reveals(i, 1);
+            if (i > 0 && size.x * size.y > kWall_m2) add_front(i, 2, fronts_[i] + kBefore_m[1]);
         }
         for (const Window& window : windows_) {
             add_window(window, 1);
@@ -107,12 +113,21 @@ class Wall {
         return look;
     }
 
-    void add_outline(scene::Masses& masses, const Outline& outline, const Look& look, float out_m) const {
+    // top: of the light at its upper edge, where a lintel shades it.
+    void add_outline(scene::Masses& masses, const Outline& outline, const Look& look, float out_m,
+                     float top = 1) const {
         std::vector<glm::vec3> corners;
         std::vector<float> shades;
+        double low = 1.0e9;
+        double high = -1.0e9;
+        for (const glm::dvec2 p : outline) {
+            low = std::min(low, p.y);
+            high = std::max(high, p.y);
+        }
         for (const glm::dvec2 p : outline) {
             corners.push_back(at(p, out_m));
-            shades.push_back(shade_at(p.y));
+            const auto up = static_cast<float>((p.y - low) / std::max(high - low, 1.0e-6));
+            shades.push_back(shade_at(p.y) * (1 + up * (top - 1)));
         }
         add_face(masses, corners, look, shades);
     }
@@ -130,26 +145,46 @@ class Wall {
                 left = left_of(left, {0, y}, {1, y});
             }
         }
-        add_outline(masses, left, look, out_m);
+        add_outline(masses, left, look, out_m, is_cut(panel) ? 0.62F : 1.0F);
     }
 
-    void add_reveals(const FacadePanel& panel, std::size_t level = 0) {
-        const auto front = static_cast<float>(panel.depth_m);
-        const auto back = static_cast<float>(panel.depth_from_m);
-        if (std::abs(front - back) < 0.012F) return;
+    static bool is_cut(const FacadePanel& panel) { return panel.depth_m < panel.depth_from_m - 0.02; }
+
+    // What is cut into a wall is drawn on it, in its own shade: a wall has no holes.
+    void find_fronts() {
+        for (std::size_t i = 0; i < panels_.size(); ++i) {
+            const FacadePanel& panel = panels_[i];
+            float parent = 0;
+            for (std::size_t k = i; k-- > 0;) {
+                const FacadePanel& other = panels_[k];
+                const bool holds = other.depth_m == panel.depth_from_m &&
+                                   glm::all(glm::lessThanEqual(other.low_m, panel.low_m + 1.0e-6)) &&
+                                   glm::all(glm::greaterThanEqual(other.high_m, panel.high_m - 1.0e-6));
+                if (!holds) continue;
+                parent = fronts_[k];
+                break;
+            }
+            const auto out = static_cast<float>(panel.depth_m - panel.depth_from_m);
+            fronts_.push_back(i == 0 ? 0.0F : parent + std::max(out, kLeast_m));
+        }
+    }
+
+    // The sides of what stands out.
+    void add_reveals(std::size_t i, std::size_t level) {
+        const FacadePanel& panel = panels_[i];
+        const float front = fronts_[i];
+        const auto back = front - static_cast<float>(panel.depth_m - panel.depth_from_m);
+        const glm::dvec2 size = panel.high_m - panel.low_m;
+        if (front - back < kSide_m || (size.x * size.y < kSides_m2 && front - back < 0.1F)) return;
         const Outline outline = clipped(panel.low_m, panel.high_m);
-        if (outline.size() != 4 && panel.depth_m < 0.3) return;
         Look look = look_of(panel);
-        // A recess has the sides of what it is cut into, which are in its shade.
-        if (front < back) look.colour = linear_of(panels_.front().colour) * 0.8F;
         look.cladding = scene::Cladding::Plain;
+        constexpr std::array<float, 4> kShades{0.7F, 0.7F, 0.8F, 0.8F};
         for (std::size_t k = 0; k < outline.size(); ++k) {
             const glm::dvec2 p = outline[k];
             const glm::dvec2 q = outline[(k + 1) % outline.size()];
-            const std::array corners{at(p, back), at(q, back), at(q, front), at(p, front)};
-            const bool is_top = q.x < p.x;
-            const std::array<float, 4> shades{is_top && front < back ? 0.45F : 0.75F, 0.75F, 0.8F, 0.8F};
-            add_face(to_.levels[level], corners, look, shades);
+            add_face(to_.levels[level], std::array{at(p, back), at(q, back), at(q, front), at(p, front)}, look,
+                     kShades);
         }
     }
 
@@ -173,7 +208,7 @@ class Wall {
             }
             of[i] = static_cast<int>(windows_.size());
             const float lamp = base::unit_of(base::hash_of(seed, of[i], 0));
-            windows_.push_back({panel.low_m, panel.high_m, linear_of(panel.colour), 0.02F + 0.98F * lamp});
+            windows_.push_back({panel.low_m, panel.high_m, linear_of(panel.colour), 0.02F + 0.98F * lamp, fronts_[i]});
         }
         for (std::size_t i = 0; i < panels_.size(); ++i)
             if (of[i] >= 0) lamps_[i] = windows_[static_cast<std::size_t>(of[i])].lamp;
@@ -181,7 +216,9 @@ class Wall {
 
     void add_window(const Window& window, std::size_t level) {
         const Outline outline = clipped(window.low, window.high);
-        add_outline(to_.levels[level], outline, {window.colour, scene::Cladding::Plain, window.lamp}, kBefore_m[level]);
+        const float front = level == 1 ? window.front + kBefore_m[0] : 0.0F;
+        add_outline(to_.levels[level], outline, {window.colour, scene::Cladding::Plain, window.lamp},
+                    std::max(front + 2 * kStep_m, kBefore_m[level]), 0.8F);
     }
 
     scene::Building& to_;
@@ -190,6 +227,7 @@ class Wall {
     std::vector<FacadePanel> panels_;
     std::vector<Window> windows_;
     std::vector<float> lamps_;
+    std::vector<float> fronts_;  // of each panel, before the wall
 };
 
 }  // namespace

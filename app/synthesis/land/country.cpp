@@ -147,6 +147,7 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
         land.roads = make_roads(land.height_m, water.surface_m, land.cell_m, land.site,
                                 {.width_m = p.road_width_m, .grade = p.road_grade, .goes_on = p.road_share > 0}, seed);
     land.water_m = std::move(water.surface_m);
+    set_distant_colours(land, palette, p);
     if (settlers) settlers->build(land);
     const bool is_settled = !land.settlement.is_empty();
     mesh::Field to_edge_m =
@@ -174,7 +175,6 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     land.detail_slopes = std::move(detail.slopes);
     land.detail_tile_m = p.ground_detail_m;
     land.ripple = p.water_ripple;
-    set_distant_colours(land, palette, p);
     return land;
 }
 
