@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kRoadReach_m = 210;  // of the land's roads, as far as people build along them
 constexpr float kBesideRoad_m = 48;
-constexpr std::size_t kMostLanes = 44;
+constexpr std::size_t kMostLanes = 72;
 constexpr float kBetween_m = 30;  // branches of one side
 
 // Points a step apart along a line.
@@ -115,7 +115,7 @@ class Network {
                 }
             }
         }
-        if (best.from < 0 || best.price > 260) return false;
+        if (best.from < 0 || best.price > 320) return false;
         tried_.push_back({best.from, best.at, best.side});
         const std::vector<glm::vec2>& line = branches_[static_cast<std::size_t>(best.from)].lane.line_m;
         const glm::vec2 along = glm::normalize(line[best.at + 1] - line[best.at - 1]);

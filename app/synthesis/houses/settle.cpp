@@ -53,6 +53,11 @@ class Growth {
     Growth(const scene::Land& land, const scene::LandParameters& p, base::Seed seed, glm::vec2 middle)
         : land_(land), p_(p), seed_(seed), middle_(middle), stock_(make_stock(p, seed.child("stock"))) {
         branches_ = grow_network(land, middle, p, seed.child("lanes"));
+        for (const scene::Road& road : land.roads) {
+            Lane lane{{}, road.width_m, true};
+            for (const glm::vec3& at : road.line_m) lane.line_m.emplace_back(at.x, at.z);
+            roads_.push_back(std::move(lane));
+        }
         for (std::size_t b = 0; b < branches_.size(); ++b) {
             const Branch& branch = branches_[b];
             const float end_m = kLaneStep_m * static_cast<float>(branch.lane.line_m.size() - 1);
@@ -201,6 +206,9 @@ class Growth {
             }
         }
         if (high - low > kMostFall_m) return false;
+        // Its ground is made level: water must not come onto it.
+        for (const glm::vec2 p : outline_m(building, house, 3))
+            if (!is_buildable(land_, p)) return false;
         const glm::vec2 at{house.foot_m.x, house.foot_m.z};
         const float radius = glm::length(building.half_m) + 1;
         if (is_in_flight(at, radius)) return false;
@@ -223,15 +231,18 @@ class Growth {
         const glm::vec2 at{house.foot_m.x, house.foot_m.z};
         const float near_m = glm::length(building.half_m) + 12;
         const auto is_off = [&](const std::vector<glm::vec2>& line, float half_m) {
-            for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+            for (std::size_t i = 0; i < line.size(); ++i) {
                 if (glm::distance(line[i], at) > near_m) continue;
+                const glm::vec2 next = line[std::min(i + 1, line.size() - 1)];
                 for (int k = 0; k < 4; ++k) {
-                    const glm::vec2 p = line[i] + 0.25F * static_cast<float>(k) * (line[i + 1] - line[i]);
+                    const glm::vec2 p = line[i] + 0.25F * static_cast<float>(k) * (next - line[i]);
                     if (to_house_m(building, house, p) < half_m + 0.45F) return false;
                 }
             }
             return true;
         };
+        for (const Lane& road : roads_)
+            if (!is_off(road.line_m, 0.5F * road.width_m)) return false;
         for (const Branch& branch : branches_)
             if (!is_off(branch.lane.line_m, 0.5F * branch.lane.width_m)) return false;
         return std::ranges::all_of(paths_, [&](const Lane& path) { return is_off(path.line_m, 0.5F * path.width_m); });
@@ -335,6 +346,7 @@ class Growth {
     glm::vec2 middle_;
     Stock stock_;
     std::array<std::vector<std::uint32_t>, 6> of_use_;
+    std::vector<Lane> roads_;  // of the land
     std::vector<Branch> branches_;
     std::vector<Frontage> frontages_;
     std::vector<float> used_m_;  // of each branch
