@@ -7,6 +7,7 @@
 
 #include "synthesis/houses/bounds.hpp"
 #include "synthesis/houses/grounds.hpp"
+#include "synthesis/houses/waterside.hpp"
 
 namespace quadrat::synthesis {
 namespace {
@@ -28,6 +29,8 @@ void HouseBuilders::build(scene::Land& land) {
     land.settlement = settled_.settlement;
     fields_ = houses::lay_fields(land, settled_, parameters_, seed_.child("fields"));
     land.settlement.bounds = houses::add_bounds(land, settled_, fields_, parameters_, seed_.child("bounds"));
+    for (scene::Masses& jetty : houses::add_jetties(land, settled_, parameters_, seed_.child("jetties")))
+        land.settlement.bounds.push_back(std::move(jetty));
 }
 
 void HouseBuilders::keep_clear(const scene::Land& land, mesh::Field& to_edge_m) {

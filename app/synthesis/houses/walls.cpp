@@ -215,7 +215,9 @@ class Wall {
     }
 
     void add_window(const Window& window, std::size_t level) {
-        const Outline outline = clipped(window.low, window.high);
+        // From afar a lit window shines beyond its frame.
+        const glm::dvec2 more = (level == 2 ? 0.12 : 0.0) * (window.high - window.low);
+        const Outline outline = clipped(window.low - more, window.high + more);
         const float front = level == 1 ? window.front + kBefore_m[0] : 0.0F;
         add_outline(to_.levels[level], outline, {window.colour, scene::Cladding::Plain, window.lamp},
                     std::max(front + 2 * kStep_m, kBefore_m[level]), 0.8F);
