@@ -88,8 +88,7 @@ void sheet(const std::vector<Bred>& bred, const std::filesystem::path& file) {
     stage::Easel easel(kWidth * 2, kWidth * 9 / 8);
     std::vector<pictures::SheetEntry> entries;
     for (const Bred& b : bred)
-        entries.push_back(
-            {pictures::scaled_to(easel.draw(picture_of(b, kWidth * 2, kWidth * 9 / 8)), kWidth), b.name});
+        entries.push_back({pictures::scaled_to(easel.draw(picture_of(b, kWidth * 2, kWidth * 9 / 8)), kWidth), b.name});
     pictures::write_image(file, pictures::contact_sheet(entries, 3, kWidth));
 }
 
