@@ -13,6 +13,7 @@ out vec2 on_drop;
 out vec4 drop;
 
 const vec3 kBox_m = vec3(26.0, 16.0, 26.0);
+const float kSharp = 2.0;  // times the least width that is drawn
 
 void main() {
     vec3 eye = view.eye_seconds.xyz;
@@ -33,6 +34,8 @@ void main() {
     // Neither before one's nose, where a drop would be a stroke over the picture, nor at the box's end.
     float edge = max(max(abs(place.x), abs(place.y)), abs(place.z));
     float seen = clamp(distance_m * 0.25 - 0.9, 0.0, 1.0) * clamp(5.0 - 10.0 * edge, 0.0, 1.0);
-    drop = vec4(shown_opacity.rgb, shown_opacity.a * seen * width_m / drawn_m);
+    // A flake near the eye is out of focus: the larger it is drawn, the fainter.
+    float sharp = streak_wander.x > 0.0 ? 1.0 : min(kSharp * distance_m * streak_wander.z / drawn_m, 1.0);
+    drop = vec4(shown_opacity.rgb, shown_opacity.a * seen * sharp * width_m / drawn_m);
     on_drop = streak_wander.x > 0.0 ? vec2(corner.x, 0.6 * corner.y) : corner;
 }

@@ -6,10 +6,31 @@
 #include "common/encode.glsl"
 #include "common/ambient.glsl"
 #include "common/cloud_shadow.glsl"
-#include "common/lit_ground.glsl"
 #include "common/grid.glsl"
 
 layout(location = 2) in vec4 land_normal;
 layout(location = 4) in vec3 root_colour;
 
-void main() { show_ground(grid_place(), land_normal.xyz, root_colour); }
+out vec3 bare;  // shown, what air leaves of it
+out vec3 veil;  // shown, of the air before it
+out vec4 over_grain;
+out vec2 grains;
+
+const vec4 kTiles = vec4(vec2(1.0 / 210.0), vec2(1.0 / 690.0));  // 1/m
+const float kSoft = 0.5;
+const float kStone = 0.7;
+
+void main() {
+    vec3 at_m = grid_place();
+    gl_Position = view.clip_from_world * vec4(at_m, 1.0);
+    vec3 light =
+        view.sunlight.rgb * max(dot(land_normal.xyz, view.to_sun.xyz), 0.0) + ambient_on(land_normal.xyz);
+    vec4 haze = haze_at(at_m);
+    bare = encode(root_colour * root_colour * light) * (cloud_light(at_m) * (1.0 - haze.a));
+    veil = haze.rgb * haze.a;
+    // Turned, so that the two sizes do not line up.
+    over_grain = kTiles * vec4(at_m.xz, 0.8 * at_m.x - 0.6 * at_m.z, 0.6 * at_m.x + 0.8 * at_m.z);
+    // The normals are of hills that are modelled steeper than they are.
+    float steep = clamp(4.5 - 5.0 * land_normal.y, 0.0, 1.0);
+    grains = vec2(kSoft * (1.0 - steep), kStone * steep);
+}

@@ -127,11 +127,11 @@ void ground(Results& results) {
     results.push_back({"detail.roam_ratio", roam_us / blocks_us, "times blocks", 1});
 }
 
-// What a Raspberry Pi would draw: full HD, as many triangles as its estimate has room for at 60 Hz, unless something
-// else is asked for.
+// What a Raspberry Pi would draw: full HD, as many triangles as its estimate has room for at 60 Hz with what is far
+// held, unless something else is asked for.
 void as_on(Results& results, Options options) {
     if (options.size == Options{}.size) options.size = "1920x1080";
-    if (options.triangles == 0) options.triangles = options.profile == "pi4" ? 240'000 : 400'000;
+    if (options.triangles == 0) options.triangles = options.profile == "pi4" ? 360'000 : 400'000;
     FourViews views(options);
     estimate(results, options.profile, views);
 }

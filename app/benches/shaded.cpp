@@ -81,14 +81,14 @@ const ChipCosts kPi4Costs{{{"leaves.frag", 17, 172, 101},
                            {"near_ground.frag", 28, 191, 81},
                            {"water.frag", 54, 346, 45},
                            {"held_sky.frag", 14, 158, 146},
-                           {"falling.frag", 15, 170, 155}}};
+                           {"falling.frag", 15, 179, 155}}};
 const ChipCosts kPi5Costs{{{"leaves.frag", 18, 150, 93},
                            {"wood.frag", 29, 161, 64},
                            {"cover.vert", 8, 83, 60},
                            {"near_ground.frag", 28, 174, 73},
                            {"water.frag", 53, 336, 40},
                            {"held_sky.frag", 14, 133, 123},
-                           {"falling.frag", 12, 132, 141}}};
+                           {"falling.frag", 12, 136, 141}}};
 const ShaderCosts kPi4Dome{"sky.frag", 48, 158, 57};
 const ShaderCosts kPi5Dome{"sky.frag", 44, 149, 50};
 const ShaderCosts kPi4Distance{"held_distance.frag", 24, 206, 162};

@@ -18,7 +18,7 @@ using breeding::Atlas;
 using breeding::WordMap;
 using genome::Aspect;
 
-constexpr std::size_t kLandscapes = 3;  // that parameters are moved in
+constexpr std::size_t kLandscapes = 8;  // that parameters are moved in
 constexpr std::size_t kAxes = 10;
 constexpr float kStep = 0.3F;  // of a range
 constexpr float kChoice = 1;   // a kind that is another one is all of it

@@ -84,7 +84,7 @@ void ViewPainter::draw_ground(const View& view, const Selection& selection, cons
     } else {
         work += ground_.draw(country.land, scene.ground, held.indices(), held.land(), held.grain_m());
     }
-    work += surround_.draw(country.land, held.indices(), held.surround());
+    work += surround_.draw(country.land, scene.ground, held.indices(), held.surround());
 }
 
 void ViewPainter::draw_water(const Frame& frame, const View& view, const Selection& selection, Drawn& drawn) const {

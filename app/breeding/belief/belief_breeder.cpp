@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "breeding/belief/companions.hpp"
 #include "breeding/belief/coordinates.hpp"
 #include "breeding/growth_seeds.hpp"
 #include "genome/parameter_rules.hpp"
@@ -154,6 +155,8 @@ genome::Offer propose(const BeliefState& state, base::Seed seed) {
         else
             propose_layered(state, aspect, draw, offer);
     }
+    // Later an aspect is what its own picks make of it, whatever was picked of others.
+    if (state.round == 1) put_together(offer);
     return offer;
 }
 

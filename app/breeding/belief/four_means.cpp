@@ -39,6 +39,22 @@ std::vector<std::size_t> farthest_first(std::span<const Place> places, std::size
     return order;
 }
 
+std::vector<std::size_t> drawn_apart(std::span<const Place> places, std::size_t count, base::RandomStream& chance) {
+    assert(places.size() >= 2 * count);
+    std::vector<std::size_t> drawn{chance.below(static_cast<std::uint32_t>(places.size()))};
+    std::vector<double> distance(places.size(), std::numeric_limits<double>::infinity());
+    while (drawn.size() < count) {
+        std::vector<std::size_t> others;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            distance[i] = std::min(distance[i], squared_distance(places[i], places[drawn.back()]));
+            if (std::ranges::find(drawn, i) == drawn.end()) others.push_back(i);
+        }
+        std::ranges::stable_sort(others, std::ranges::greater{}, [&](std::size_t i) { return distance[i]; });
+        drawn.push_back(others[chance.below(static_cast<std::uint32_t>(others.size() / 2))]);
+    }
+    return drawn;
+}
+
 FourPlaces four_means(std::span<const Place> samples) {
     assert(samples.size() >= genome::kCandidates);
     FourPlaces centres;

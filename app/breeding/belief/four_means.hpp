@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "base/seed.hpp"
 #include "breeding/belief/wish.hpp"
 #include "genome/offer.hpp"
 
@@ -16,6 +17,11 @@ FourPlaces four_means(std::span<const Place> samples);
 
 // Indices of the places in an order in which each is farthest from those before it, begun by `first`.
 std::vector<std::size_t> farthest_first(std::span<const Place> places, std::size_t first, std::size_t count);
+
+// Indices of `count` places well apart, of which each has nearly the same chance: the first is drawn from all, each
+// next from that half of the others that is farther from those drawn. The farthest of all would be the same few
+// extremes again and again. At least twice as many places as asked for.
+std::vector<std::size_t> drawn_apart(std::span<const Place> places, std::size_t count, base::RandomStream& chance);
 
 double squared_distance(const Place& a, const Place& b);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPersonal = 0.15;  // deviation of a wish from a blend, a parameter
 constexpr double kUniformDeviation = 0.28867513459481287;
-constexpr double kAnywherePrior = 0.05;   // how likely it is before any pick that named scenes tell nothing
+constexpr double kAnywherePrior = 0.1;    // how likely it is before any pick that named scenes tell nothing
 constexpr double kEyeNoise = 0.1;         // of a comparison, in the same units as the scaled difference
 constexpr double kUnknownWeights = 0.5;   // nobody cares for all parameters alike
 constexpr double kContrast = 6;           // scales a difference to where picks saturate
@@ -21,12 +21,12 @@ constexpr double kIndifference = 0.06;    // of a difference that is named one t
 constexpr double kRandomDistance = 0.27;  // of random scenes; what looks_apart calls 1
 constexpr double kSaturation = 0.4;       // differences beyond it look alike
 constexpr double kStride = 2;             // heavier tails than a Gaussian's: few parameters matter much
-constexpr double kOutward = 1.3;          // blends are shown a little farther apart than they are
-constexpr double kBold = 0.6;             // how far candidates go along the axes, in deviations
-constexpr double kCalm = 0.4;             // the one nearest to what is expected, of that
+constexpr double kOutward = 1.15;         // blends are shown a little farther apart than they are
+constexpr double kBold = 0.4;             // how far candidates go along the axes, in deviations
+constexpr double kCalm = 0.25;            // the one nearest to what is expected, of that
 constexpr double kLeastApart = 0.13;      // any two of the four, root mean square over the parameters
 constexpr double kBolder = 1.2;           // who is nearer goes so much farther, in so many passes at most
-constexpr int kPasses = 8;
+constexpr int kPasses = 16;
 constexpr std::size_t kSamples = 192;
 constexpr double kLeastVariance = 1e-5;
 
@@ -309,8 +309,8 @@ LayeredBelief learnt(const Atlas& atlas, LayeredBelief belief, const FourShown& 
 namespace {
 
 FourSketches first_four(const Atlas& atlas, base::Seed seed) {
-    const auto first = base::RandomStream(seed).below(static_cast<std::uint32_t>(atlas.named.size()));
-    const auto order = farthest_first(atlas.named_words, first, genome::kCandidates);
+    base::RandomStream chance(seed);
+    const auto order = drawn_apart(atlas.named_words, genome::kCandidates, chance);
     FourSketches four;
     for (std::size_t k = 0; k < four.size(); ++k) four[k] = {atlas.named[order[k]], atlas.named_words[order[k]]};
     return four;
@@ -392,7 +392,7 @@ bool is_too_near(const FourSketches& four, std::size_t k) {
 }  // namespace
 
 FourSketches proposed(const Atlas& atlas, const LayeredBelief& belief, base::Seed seed) {
-    if (!belief.winner && atlas.named.size() >= genome::kCandidates) return first_four(atlas, seed);
+    if (!belief.winner && atlas.named.size() >= 2 * genome::kCandidates) return first_four(atlas, seed);
     base::RandomStream chance(seed);
     const Middle middle = middle_of(atlas, belief);
     FourRecipes blends = four_blends(atlas, middle, chance);

@@ -93,7 +93,7 @@ gl::Work GroundPass::draw(const LandOnGpu& land, const GroundPictureOnGpu& pictu
 }
 
 SurroundPass::SurroundPass()
-    : program_("surround.vert", "lit.frag"),
+    : program_("surround.vert", "surround.frag"),
       vertices_{{0, sizeof(GridPlace), gl::Advance::PerVertex, kPlaceAttributes},
                 {1,
                  sizeof(Facing),
@@ -101,8 +101,10 @@ SurroundPass::SurroundPass()
                  {{2, 4, GL_BYTE, gl::Numbers::Normalised, 0},
                   {4, 3, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Facing, root_colour)}}}} {}
 
-gl::Work SurroundPass::draw(const LandOnGpu& land, const gl::StreamBuffer& indices, const IndexRange& range) const {
+gl::Work SurroundPass::draw(const LandOnGpu& land, const GroundPictureOnGpu& picture, const gl::StreamBuffer& indices,
+                            const IndexRange& range) const {
     if (range.count == 0) return {};
+    picture.grain->lit->bind(1);
     program_.use();
     set_grid(land.surround, range);
     vertices_.bind();

@@ -48,11 +48,12 @@ class GroundPass {
     gl::VertexArray vertices_;
 };
 
-// The country around it, to the horizon.
+// The country around it, to the horizon. Of the land's picture it takes the grain.
 class SurroundPass {
   public:
     SurroundPass();
-    gl::Work draw(const LandOnGpu& land, const gl::StreamBuffer& indices, const IndexRange& range) const;
+    gl::Work draw(const LandOnGpu& land, const GroundPictureOnGpu& picture, const gl::StreamBuffer& indices,
+                  const IndexRange& range) const;
 
   private:
     gl::Program program_;

@@ -87,6 +87,7 @@ GroundBrush::GroundBrush(const Sheet& sheet, glm::ivec2 size)
     while (sheet.colours.width() >> halvings_ > size.x) ++halvings_;
     for (auto& channel : lit_) channel.resize(index(size.x));
     for (auto& channel : kind_) channel.resize(index(size.x));
+    for (auto* values : {&slopes_.height_m, &slopes_.east, &slopes_.south}) values->resize(index(size.x));
 }
 
 // Turned, so that its tiles are not seen to lie in rows.
@@ -121,14 +122,67 @@ void GroundBrush::relieve(float over_land) {
         const std::uint8_t* of_lower = texels + 2 * lower * columns;
         const float to_right = fraction(column);
         const float to_lower = fraction(row);
-        float sum = 0;
+        std::array<float, 2> rises;
         for (std::size_t c = 0; c < 2; ++c) {
             const float high = mix(of_upper[2 * left + c], of_upper[2 * right + c], to_right);
             const float low = mix(of_lower[2 * left + c], of_lower[2 * right + c], to_right);
-            sum += (mix(high, low, to_lower) - 127.5F) * kind_[c][x];
+            rises[c] = mix(high, low, to_lower) - 127.5F;
         }
-        relieved_[x] = 1 + kOfByte * sum;
+        if (sheet_.height_m != nullptr && kind_[1][x] > 0) rises[1] = stone_on_slope(x, over_land, rises[1]);
+        relieved_[x] = 1 + kOfByte * (rises[0] * kind_[0][x] + rises[1] * kind_[1][x]);
     }
+}
+
+void GroundBrush::look_at_slopes(float over_land) {
+    const mesh::Field& field = *sheet_.height_m;
+    const Between rows = between(over_land * static_cast<float>(field.rows - 1), field.rows);
+    const auto height = [&](int column) {
+        return mix(field.at(column, rows.before), field.at(column, rows.after), rows.share);
+    };
+    const float columns_per_px = static_cast<float>(field.columns - 1) / static_cast<float>(size_.x);
+    for (std::size_t x = 0; x < index(size_.x); ++x) {
+        const Between at = between((static_cast<float>(x) + 0.5F) * columns_per_px, field.columns);
+        const float left_m = height(at.before);
+        const float right_m = height(at.after);
+        slopes_.height_m[x] = mix(left_m, right_m, at.share);
+        slopes_.east[x] = (right_m - left_m) / sheet_.cell_m;
+        slopes_.south[x] = (field.at(at.before, rows.after) - field.at(at.before, rows.before)) / sheet_.cell_m;
+    }
+}
+
+float GroundBrush::stone_at(float across_tiles, float down_tiles) const {
+    const mesh::Image& relief = sheet_.relief;
+    const auto wrapped = [](float tiles, int size) {
+        const float place = (tiles - std::floor(tiles)) * static_cast<float>(size);
+        const int before = std::min(static_cast<int>(place), size - 1);
+        return Between{before, before + 1 == size ? 0 : before + 1, place - static_cast<float>(before)};
+    };
+    const Between x = wrapped(across_tiles, relief.width);
+    const Between y = wrapped(down_tiles, relief.height);
+    const auto texel = [&](int column, int row) { return static_cast<float>(relief.pixel(column, row)[1]); };
+    return mix(mix(texel(x.before, y.before), texel(x.after, y.before), x.share),
+               mix(texel(x.before, y.after), texel(x.after, y.after), x.share), y.share) -
+           127.5F;
+}
+
+// From the side that the slope faces most, as far as it is steep.
+float GroundBrush::stone_on_slope(std::size_t x, float over_land, float level) const {
+    const float east = slopes_.east[x];
+    const float south = slopes_.south[x];
+    const float steep2 = east * east + south * south;
+    constexpr float kFrom2 = 0.25F;  // squares of rise over run
+    constexpr float kWhole2 = 0.9F;
+    if (steep2 <= kFrom2) return level;
+    const float tiles_per_m = sheet_.relief_tiles / (sheet_.cell_m * static_cast<float>(sheet_.height_m->columns - 1));
+    const float up = slopes_.height_m[x] * tiles_per_m;
+    const float along_x = (static_cast<float>(x) + 0.5F) / static_cast<float>(size_.x) * sheet_.relief_tiles;
+    const float along_z = over_land * sheet_.relief_tiles;
+    const float faces_east = east * east / steep2;
+    float side = 0;
+    const float share = std::clamp(3 * (faces_east - 0.5F) + 0.5F, 0.0F, 1.0F);
+    if (share > 0) side += share * stone_at(along_z, up);
+    if (share < 1) side += (1 - share) * stone_at(along_x, up + 0.37F);
+    return mix(level, side, std::min((steep2 - kFrom2) / (kWhole2 - kFrom2), 1.0F));
 }
 
 // What lies under water is seen through it.
@@ -150,6 +204,7 @@ void GroundBrush::paint(mesh::Image& picture, int row) {
     sheet_.colours.mean_row(halvings_, row, colours_);
     light_.spread(over_land * static_cast<float>(sheet_.light.height) - 0.5F, lit_);
     kinds_.spread(over_land * static_cast<float>(sheet_.kinds.height - 1), kind_);
+    if (sheet_.height_m != nullptr) look_at_slopes(over_land);
     relieve(over_land);
     const auto& root_of = gl::roots_of_srgb();
     const auto& depths = depths_shown();

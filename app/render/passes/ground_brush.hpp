@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/field.hpp"
 #include "mesh/image.hpp"
 #include "scene/ground_colours.hpp"
 
@@ -27,6 +28,10 @@ class GroundBrush {
         float relief_tiles;         // of it, to a side of the land
         glm::vec3 water{0};         // shown, of water as deep as one wades in
         float murk = 0;             // how far it hides a bed that it looks deep over, 0 to 1
+        // The land's, from corner to corner, at least 2 by 2: on steep ground stone's relief lies on the slope and is
+        // not stretched down it. Nothing: all of it lies level.
+        const mesh::Field* height_m = nullptr;
+        float cell_m = 1;
     };
     // For a picture of this size: the colours', or that halved some times. The sheet's parts stay until it is painted.
     GroundBrush(const Sheet& sheet, glm::ivec2 size);
@@ -50,7 +55,15 @@ class GroundBrush {
         std::vector<float> share_;         // of the one after
         std::vector<float> mixed_;
     };
+    // Of a row: how high each pixel is and how steep it is toward the east and the south, rise over run.
+    struct Slopes {
+        std::vector<float> height_m, east, south;
+    };
     void relieve(float over_land);
+    void look_at_slopes(float over_land);
+    // Replaces the part of stone in level relief by what lies on slopes; 0 is level.
+    float stone_on_slope(std::size_t x, float over_land, float level) const;
+    float stone_at(float across_tiles, float down_tiles) const;
     void drown(std::uint8_t* pixels) const;
 
     Sheet sheet_;
@@ -62,6 +75,7 @@ class GroundBrush {
     std::vector<std::uint8_t> colours_;
     std::array<std::vector<float>, 4> lit_;
     std::array<std::vector<float>, 2> kind_;
+    Slopes slopes_;
     std::vector<float> relieved_;  // what its light is multiplied with
 };
 

@@ -92,7 +92,9 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const s
                                        *picture.grain->coarser,
                                        tiles,
                                        shallow_shown(*scene),
-                                       0.85F};
+                                       0.85F,
+                                       &scene->land->height_m,
+                                       scene->land->cell_m};
         brush->emplace(sheet, glm::ivec2{shape.width, shape.height});
     });
     gl::add_painting(slices, picture.lit, pool, shape,

@@ -45,9 +45,10 @@ std::optional<float> water_level_m(const scene::Land& land, glm::vec2 at) {
 
 // The level that most of the flight's rays meet, and where they meet it first.
 std::optional<Water> water_seen(const scene::Land& land, const scene::Track& track) {
-    const scene::Camera camera = scene::camera_at(track, 0.5F * track.period_s);
+    // The way out takes half of the period.
+    const scene::Camera camera = scene::camera_at(track, 0.25F * track.period_s);
     std::vector<float> levels_m;
-    for (const float share : {0.0F, 0.5F, 1.0F}) {
+    for (const float share : {0.0F, 0.25F, 0.5F}) {
         const scene::Camera from = scene::camera_at(track, share * track.period_s);
         for (const glm::vec3& ray : view_rays(from)) {
             const Hit hit = first_hit(land, from.eye_m, ray);
@@ -94,10 +95,11 @@ class Painting {
     }
 
     // Where the water ends over each bearing, on its far side; from the nearest bearing that has water where one has
-    // none.
-    void find_shores() {
+    // none. False where none of them has: the flight sees water that its middle does not look over.
+    [[nodiscard]] bool find_shores() {
         oneapi::tbb::parallel_for(0, kWidth, [&](int x) { shore_m_[static_cast<std::size_t>(x)] = shore_over(x); });
-        std::vector<float> known = shore_m_;
+        if (std::ranges::all_of(shore_m_, [](float m) { return m <= 0; })) return false;
+        const std::vector<float> known = shore_m_;
         for (int x = 0; x < kWidth; ++x) {
             if (known[static_cast<std::size_t>(x)] > 0) continue;
             for (int away = 1; away < kWidth; ++away) {
@@ -107,6 +109,7 @@ class Painting {
                 if (shore_m_[static_cast<std::size_t>(x)] > 0) break;
             }
         }
+        return true;
     }
 
     void paint_column(int x) {
@@ -318,7 +321,7 @@ scene::Mirror hold_up_mirror(const scene::Scene& scene) {
     const auto water = water_seen(*scene.land, scene.track);
     if (!water || scene.light.ground.bytes.empty() || scene.land->albedo.is_empty()) return {};
     Painting painting(scene, *water);
-    painting.find_shores();
+    if (!painting.find_shores()) return {};
     oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, kWidth, 16), [&](const auto& columns) {
         for (int x = columns.begin(); x != columns.end(); ++x) painting.paint_column(x);
     });

@@ -9,6 +9,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -259,33 +260,55 @@ class Planter {
     }
 
     // One grown tree on a third of the picture as the flight begins, with room about it: what the eye comes to rest on.
+    // Where its kind would not do well it is smaller, and where the ground is wet it stands on what is dry of it.
     void set_hero(std::vector<Candidate>& trees) const {
         const FlightPlan& flight = sight_.flight();
         const FlightPlan::Station& early = flight.stations[flight.stations.size() / 5];
-        const glm::vec2 right{-early.ahead.y, early.ahead.x};
         base::RandomStream random{seed_.child("hero")};
         const float side = random.unit_f() < 0.5F ? -1.0F : 1.0F;
-        for (int attempt = 0; attempt < 30; ++attempt) {
-            Candidate c;
-            const float turn = attempt < 15 ? side : -side;
-            const float along_m = random.between(26.0F, 46.0F);
-            c.at_m = early.at_m + along_m * early.ahead + turn * along_m * random.between(0.17F, 0.29F) * right;
-            c.scale = random.between(1.25F, 1.5F);
-            c.species = species_at(c.at_m);
-            c.mark = 0;
-            if (!ground_.is_on_land(c.at_m) || !ground_.is_free(c.at_m, 1.5F)) continue;
-            if (vistas_.are_closed_by(c.at_m, 0.8F * crown_m(c))) continue;
-            if (welfare(flora_.species[c.species], ground_.soil(c.at_m)) <= 0.2F) continue;
-            const bool is_flown_into = std::ranges::any_of(flight.stations, [&](const FlightPlan::Station& station) {
-                return glm::length(station.at_m - c.at_m) < crown_m(c) + 6.0F;
-            });
-            if (is_flown_into) continue;
-            std::erase_if(trees, [&](const Candidate& t) {
-                return glm::length(t.at_m - c.at_m) < 1.15F * crown_m(c) + 0.6F * crown_m(t);
-            });
-            trees.push_back(c);
-            return;
+        constexpr std::array<HeroGround, 3> kGrounds{
+            {{kShore_m, 0.2F, 1.25F}, {kShore_m, 0.02F, 1.0F}, {0.1F, 0, 0.9F}}};
+        for (const HeroGround& asked : kGrounds) {
+            for (int attempt = 0; attempt < 30; ++attempt) {
+                const float turn = attempt < 15 ? side : -side;
+                const Candidate c = hero(early, turn, asked.least_scale, random);
+                if (!is_hero_ground(c, asked)) continue;
+                std::erase_if(trees, [&](const Candidate& t) {
+                    return glm::length(t.at_m - c.at_m) < 1.15F * crown_m(c) + 0.6F * crown_m(t);
+                });
+                trees.push_back(c);
+                return;
+            }
         }
+    }
+
+    struct HeroGround {
+        float least_height_m, least_welfare, least_scale;
+    };
+
+    Candidate hero(const FlightPlan::Station& from, float turn, float least_scale, base::RandomStream& random) const {
+        constexpr float kPictureOverDistance = 0.7677F;  // a picture's height, 42 degrees
+        const glm::vec2 right{-from.ahead.y, from.ahead.x};
+        Candidate c;
+        c.scale = least_scale * random.between(1.0F, 1.2F);
+        c.species = kinds_.trees.front();
+        c.mark = 0;
+        const float share = random.between(0.40F, 0.62F);  // of the picture's height
+        const float high_m = flora_.species[c.species].height_m * c.scale;
+        const float along_m = std::clamp(high_m / (kPictureOverDistance * share), 14.0F, 72.0F);
+        c.at_m = from.at_m + along_m * from.ahead + turn * along_m * random.between(0.17F, 0.29F) * right;
+        c.species = species_at(c.at_m);
+        return c;
+    }
+
+    bool is_hero_ground(const Candidate& c, const HeroGround& asked) const {
+        if (!ground_.is_on_land(c.at_m) || !ground_.is_free(c.at_m, 1.5F, asked.least_height_m)) return false;
+        if (asked.least_welfare > 0 && vistas_.are_closed_by(c.at_m, 0.8F * crown_m(c))) return false;
+        const bool does_well =
+            asked.least_welfare <= 0 || welfare(flora_.species[c.species], ground_.soil(c.at_m)) > asked.least_welfare;
+        return does_well && std::ranges::none_of(sight_.flight().stations, [&](const FlightPlan::Station& station) {
+                   return glm::length(station.at_m - c.at_m) < crown_m(c) + 6.0F;
+               });
     }
 
     void window(float reach_m, glm::vec2& low, glm::vec2& high) const {

@@ -181,8 +181,8 @@ class Ground {
         return std::max(std::abs(at.x), std::abs(at.y)) < 0.5F * land_.side_m() - kEdge_m;
     }
     // Neither in the water nor on a road or a settlement's ground, nor nearer to one than room_m.
-    bool is_free(glm::vec2 at, float room_m) const {
-        return scene::ground_height_m(land_, at) >= kShore_m && scene::water_depth_m(land_, at) <= 0 &&
+    bool is_free(glm::vec2 at, float room_m, float lowest_m = kShore_m) const {
+        return scene::ground_height_m(land_, at) >= lowest_m && scene::water_depth_m(land_, at) <= 0 &&
                scene::to_road_m(land_, at) > room_m;
     }
 

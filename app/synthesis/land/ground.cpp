@@ -107,6 +107,8 @@ struct Relief {
     }
 };
 
+constexpr float kGrainLost = 6;  // of the grain, where the ground rises as far as it runs: all but a seventh
+
 mesh::Field grain_tile(base::Seed seed) {
     mesh::Field tile(kGrainSide, kGrainSide);
     const noise::Key key(seed.child("grain"));
@@ -307,7 +309,9 @@ Ground lay_ground(const GroundFacts& facts, const Palette& palette, const scene:
             for (float& p : r.patch) p *= 1.6F;
             bands.lay(y, r);
             const float* grains = &grain.at(0, y % kGrainSide);
-            for (std::size_t i = 0; i < width; ++i) r.grain[i] = grains[i % kGrainSide];
+            // It is painted as seen from above: the steeper the ground, the longer its tufts would be drawn down it.
+            for (std::size_t i = 0; i < width; ++i)
+                r.grain[i] = grains[i % kGrainSide] / (1 + kGrainLost * r.slope[i] * r.slope[i]);
             kernels.paint(r.row(), look);
             write_row(r, ground.albedo.pixel(0, y));
             write_kinds(r, places.per_px(), y, side_px, ground.kinds);

@@ -243,7 +243,7 @@ void add_falling(scene::Sky& sky, const Parameters& p) {
     } else {
         f.kind = scene::Precipitation::Kind::Snow;
         f.speed_m_s = {0.32F * wind.x, -1.25F, 0.32F * wind.y};
-        f.width_m = 0.028F * p.snowfall_flake;
+        f.width_m = 0.021F * p.snowfall_flake;
         f.opacity = 0.85F;
         f.colour = held(1.5F * light + glm::vec3{0.05F}, 1.1F);
     }

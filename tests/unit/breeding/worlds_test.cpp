@@ -132,6 +132,18 @@ TEST(DetailAxes, PointWherePicturesChangeMostAndSayHowMuchIsSeen) {
     EXPECT_THROW(detail_axes_from("{}", "axes", Aspect::Sky), base::InputError);
 }
 
+// `quadrat words axes` was run, and what it wrote is what breeding searches.
+TEST(DetailAxes, ComeAlongMeasuredForEveryAspect) {
+    for (const Aspect aspect : kAspects) {
+        const DetailAxes& measured = measured_axes(aspect);
+        const Atlas& atlas = default_word_map().atlas(aspect);
+        EXPECT_EQ(measured.seen.size(), atlas.ids.size());
+        EXPECT_GE(measured.axes.size(), 5U);
+        EXPECT_EQ(atlas.detail_axes, measured.axes.size());
+        EXPECT_GT(*std::ranges::max_element(atlas.seen), 2 * *std::ranges::min_element(atlas.seen));
+    }
+}
+
 TEST(Atlas, HasOrthonormalAxesThatSpanAllAmounts) {
     for (const Aspect aspect : kAspects) {
         const Atlas& atlas = default_word_map().atlas(aspect);

@@ -92,6 +92,29 @@ TEST(GroundBrush, ReliefIsBrighterWhereItFacesTheSun) {
     EXPECT_NEAR(painted(albedo, light, 68).pixel(9, 9)[0], static_cast<float>(level) * (1 - share), 1.5F);
 }
 
+// Bands of a tile's rows lie level on a slope: one follows another over 4 m of ground that rises 2 m for each.
+TEST(GroundBrush, StonesReliefLiesOnTheSlope) {
+    mesh::Image bands(8, 8, 2);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) bands.pixel(x, y)[1] = y < 4 ? 40 : 216;
+    mesh::Field height_m(kSide + 1, kSide + 1);
+    for (int row = 0; row <= kSide; ++row)
+        for (int column = 0; column <= kSide; ++column) height_m.at(column, row) = 2.0F * static_cast<float>(column);
+    const mesh::Image albedo = filled(kSide, {100, 100, 100, 255});
+    const scene::GroundColours colours(albedo);
+    const mesh::Image light = filled(4, {127, 127, 127, 0});
+    const mesh::Image stone = filled(1, {0, 255});
+    GroundBrush::Sheet sheet{colours, light, stone, bands, kSide / 16.0F};
+    sheet.height_m = &height_m;
+    const mesh::Image picture = painted(sheet, {kSide, kSide});
+    for (const int y : {3, 17, 28})
+        for (int x = 1; x + 8 < kSide; x += 4) {  // where a band is widest
+            EXPECT_NEAR(picture.pixel(x, y)[0], picture.pixel(x + 8, y)[0], 2) << x;
+            EXPECT_GT(std::abs(picture.pixel(x, y)[0] - picture.pixel(x + 4, y)[0]), 12) << x;
+            EXPECT_NEAR(picture.pixel(x, y)[0], picture.pixel(x, 10)[0], 2) << "as high, as bright";
+        }
+}
+
 // Pixel by pixel, in double precision, as a GPU would fetch it.
 double bilinear(const mesh::Image& image, double x, double y, int channel, bool is_tiled) {
     const auto at = [&](double column, double row) {

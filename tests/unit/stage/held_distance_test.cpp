@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <deque>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/seed.hpp"
@@ -28,14 +29,20 @@ std::vector<SceneOf> four(std::uint64_t seed) {
     return scenes;
 }
 
-// What is allowed of a frame, in steps of 255: leaves are smaller than a pixel, and each drawing of them differs.
-constexpr double kUnseen = 9;
+// Leaves are smaller than a pixel, and each drawing of them differs. What is held may differ from what is drawn anew by
+// as much as the flight itself changes the picture in so many frames.
+constexpr int kUnseenFrames = 3;
 
 // A flight at its fastest, that has been seen for so many frames.
 constexpr float kFastest_s = 20;
 float seconds_of(int frame) { return kFastest_s + static_cast<float>(frame) / kHz; }
 void warm_up(Flight& flight, int frames = 3 * kFrames) {
     for (int n = -frames; n < 0; ++n) flight.draw(seconds_of(n));
+}
+
+double changed_by(Flight& anew) {
+    const mesh::Image later = anew.draw(seconds_of(kUnseenFrames)).pixels;
+    return tests::off(anew.draw(seconds_of(0)).pixels, later).rms;
 }
 
 TEST(HeldDistance, LooksAsIfItWereDrawnAnewAllAlongAFlight) {
@@ -50,8 +57,9 @@ TEST(HeldDistance, LooksAsIfItWereDrawnAnewAllAlongAFlight) {
     double worst = 0;
     double held_triangles = 0;
     double all_triangles = 0;
+    double allowed = 0;
     mesh::Image held_before;
-    mesh::Image anew_before;
+    std::deque<mesh::Image> anew_before;
     for (int n = 0; n < kOf; ++n) {
         const Flight::Shown a = held.draw(seconds_of(n));
         const Flight::Shown b = anew.draw(seconds_of(n));
@@ -60,10 +68,14 @@ TEST(HeldDistance, LooksAsIfItWereDrawnAnewAllAlongAFlight) {
         EXPECT_EQ(b.drawn.held_views, 0U) << n;
         // A redraw would be seen as a frame that differs from the one before it by more than the flight makes it.
         if (n > 0) {
-            EXPECT_LT(tests::off(a.pixels, held_before).rms, 1.05 * tests::off(b.pixels, anew_before).rms) << n;
+            EXPECT_LT(tests::off(a.pixels, held_before).rms, 1.05 * tests::off(b.pixels, anew_before.back()).rms) << n;
         }
         held_before = a.pixels;
-        anew_before = b.pixels;
+        anew_before.push_back(b.pixels);
+        if (anew_before.size() > kUnseenFrames) {
+            allowed = std::max(allowed, tests::off(anew_before.front(), b.pixels).rms);
+            anew_before.pop_front();
+        }
         sum += off.rms * off.rms;
         worst = std::max(worst, off.worst);
         held_triangles += static_cast<double>(a.drawn.triangles);
@@ -72,9 +84,9 @@ TEST(HeldDistance, LooksAsIfItWereDrawnAnewAllAlongAFlight) {
     const double rms = std::sqrt(sum / kOf);
     RecordProperty("rms", std::to_string(rms));
     RecordProperty("worst_tile", std::to_string(worst));
-    std::printf("rms %.2f, worst tile %.2f, triangles %.0f of %.0f\n", rms, worst, held_triangles / kOf,
-                all_triangles / kOf);
-    EXPECT_LT(rms, kUnseen);
+    std::printf("rms %.2f of %.2f, worst tile %.2f, triangles %.0f of %.0f\n", rms, allowed, worst,
+                held_triangles / kOf, all_triangles / kOf);
+    EXPECT_LT(rms, allowed);
     EXPECT_LT(worst, 50);
     EXPECT_LT(held_triangles, 0.8 * all_triangles);
 }
@@ -97,12 +109,13 @@ TEST(HeldDistance, IsShownAtOnceWhereNothingServes) {
     const std::vector<SceneOf> scenes = four(3);
     Flight held(easel, scenes, kSize, true);
     Flight anew(easel, scenes, kSize, false);
+    const double allowed = changed_by(anew);
     std::size_t before = 0;
     for (int n = 0; n < 12; ++n) {
         const Flight::Shown a = held.draw(seconds_of(n));
         const Flight::Shown b = anew.draw(seconds_of(n));
         EXPECT_LT(static_cast<double>(a.drawn.triangles), 1.12 * static_cast<double>(b.drawn.triangles)) << n;
-        EXPECT_LT(tests::off(a.pixels, b.pixels).rms, kUnseen) << n;
+        EXPECT_LT(tests::off(a.pixels, b.pixels).rms, allowed) << n;
         EXPECT_GE(a.drawn.held_views, before) << n;
         before = a.drawn.held_views;
     }
@@ -116,12 +129,13 @@ TEST(HeldDistance, OfOneViewIsDrawnAStripInAFrame) {
     Flight anew(easel, one, kSize, false);
     warm_up(flight);
     warm_up(anew);
+    const double allowed = changed_by(anew);
     for (int n = 0; n < 20; ++n) {
         const Flight::Shown a = flight.draw(seconds_of(n));
         const Flight::Shown b = anew.draw(seconds_of(n));
         EXPECT_EQ(a.drawn.held_anew, 1U) << n;
         EXPECT_EQ(a.drawn.held_views, 1U) << n;
-        EXPECT_LT(tests::off(a.pixels, b.pixels).rms, kUnseen) << n;
+        EXPECT_LT(tests::off(a.pixels, b.pixels).rms, allowed) << n;
         EXPECT_LT(a.drawn.triangles, b.drawn.triangles) << n;
     }
 }
@@ -145,8 +159,7 @@ TEST(HeldDistance, ServesSmoothFramesSmallOnesAndPanelsThatHangAsTheyMust) {
         const Flight::Shown a = held.draw(seconds_of(0));
         const Flight::Shown b = anew.draw(seconds_of(0));
         EXPECT_EQ(a.drawn.held_views, 4U);
-        // Of a panel on its side less is sky, and more of it leaves.
-        EXPECT_LT(tests::off(a.pixels, b.pixels).rms, (how.hanging.quarter_turns % 2 == 0 ? 1 : 1.25) * kUnseen)
+        EXPECT_LT(tests::off(a.pixels, b.pixels).rms, changed_by(anew))
             << how.detail.samples << ' ' << how.detail.scale << ' ' << how.hanging.quarter_turns;
     }
 }

@@ -47,6 +47,23 @@ float light_at(const scene::Mirror& mirror, float bearing_rad, float rise) {
     return root * root;
 }
 
+// Begins and ends over the sea in the west; in between it looks over dry ground in the east.
+TEST(Mirror, IsLeftOutWhereTheFlightsMiddleLooksOverNoWater) {
+    scene::Scene scene = walled_lake();
+    auto land = std::make_shared<scene::Land>(*scene.land);
+    for (int row = 0; row < 257; ++row)
+        for (int column = 0; column < 257; ++column) {
+            // In the west as seen from the eye, and none at the rim, which goes on to the horizon.
+            const bool is_sea = column > 8 && column < 128 && std::abs(row - 128) < std::min(143 - column, 110);
+            land->height_m.at(column, row) = is_sea ? -6.0F : 5.0F;
+        }
+    scene.land = land;
+    const scene::Camera to_sea{{60, 12, 0}, {40, 10, 0}, 42};
+    const scene::Camera inland{{60, 12, 0}, {80, 10, 0}, 42};
+    scene.track.cameras = {to_sea, inland, inland, inland, to_sea};
+    EXPECT_TRUE(hold_up_mirror(scene).light.bytes.empty());
+}
+
 // Its edge stands at height over distance, and farther aside lower by the cosine of the bearing.
 TEST(Mirror, ShowsAWallAsHighAsItStandsOverTheWater) {
     const scene::Scene scene = walled_lake();
