@@ -17,8 +17,9 @@ out vec3 to_orange;
 out vec2 over_stone;
 
 const float kTile_m = 3.4;
-const vec3 kPale = vec3(0.72, 0.76, 0.66);  // roots of linear light
-const vec3 kOrange = vec3(0.80, 0.56, 0.22);
+const vec3 kPale = vec3(0.70, 0.73, 0.64);  // roots of linear light
+const vec3 kOrange = vec3(0.72, 0.53, 0.26);
+const float kDense = 0.75; // the stone shows through what covers it
 
 void main() {
     show_ground(at_m, facet_normal.xyz, root_colour.rgb);
@@ -26,9 +27,9 @@ void main() {
     // As light as the stone is in its own light and shade.
     float brightness = 0.55 + 0.75 * max(root_colour.r, root_colour.g);
     show_ground(at_m, facet_normal.xyz, brightness * kPale);
-    to_pale = root_colour.a * (shown - stone);
+    to_pale = kDense * root_colour.a * (shown - stone);
     show_ground(at_m, facet_normal.xyz, brightness * kOrange);
-    to_orange = root_colour.a * (shown - stone);
+    to_orange = kDense * root_colour.a * (shown - stone);
     shown = stone;
     // Facets are flat: each takes the plane that it lies nearest to.
     vec3 n = abs(facet_normal.xyz);

@@ -14,11 +14,14 @@
 namespace quadrat::render::passes {
 namespace {
 
-// How well lichen grows on a facet, 0 to 1: on what lies open to the sky, not in caves, which are dark.
+// How well lichen grows at a corner, 0 to 1: on what lies open to the sky, not in caves, which are dark; here more,
+// there less, over some ten metres.
 float lichen_of(const Pieces::Corner& corner) {
     const float open = std::clamp(0.55F + 0.6F * corner.normal.y, 0.0F, 1.0F);
     const float brightest = std::max({corner.colour.r, corner.colour.g, corner.colour.b});
-    return open * std::clamp((brightest - 0.03F) / 0.06F, 0.0F, 1.0F);
+    const glm::vec3& at = corner.at_m;
+    const float here = 0.62F + 0.45F * std::sin(0.41F * at.x + 2 * std::sin(0.23F * at.z)) * std::cos(0.47F * at.y);
+    return std::min(open * here, 1.0F) * std::clamp((brightest - 0.03F) / 0.06F, 0.0F, 1.0F);
 }
 
 // Of stone without lichen: one pixel of none.

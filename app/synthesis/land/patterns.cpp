@@ -2,7 +2,10 @@
 #include "synthesis/land/patterns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "synthesis/noise/gradient.hpp"
 #include "synthesis/noise/reaction.hpp"
@@ -23,28 +26,59 @@ float tiled(noise::Key key, int x, int y, int period, int octaves) {
                             {.count = octaves});
 }
 
+// What one lichen covers: a disc with a ragged rim, thin in the middle where it is old. In samples, on the torus.
+struct Thallus {
+    glm::vec2 middle;
+    float radius;
+    std::size_t channel;
+};
+
+void grow_on(mesh::Image& picture, const Thallus& thallus, const mesh::Field& ragged, const mesh::Field& crust) {
+    const int reach = static_cast<int>(1.5F * thallus.radius) + 1;
+    const glm::ivec2 at(thallus.middle);
+    const auto wrapped = [](int i) { return (i + kSide) % kSide; };
+    for (int dy = -reach; dy <= reach; ++dy) {
+        for (int dx = -reach; dx <= reach; ++dx) {
+            const int x = wrapped(at.x + dx);
+            const int y = wrapped(at.y + dy);
+            const glm::vec2 off = glm::vec2(at.x + dx, at.y + dy) + 0.5F - thallus.middle;
+            const float r = glm::length(off) / thallus.radius + 0.6F * ragged.at(x, y);
+            const float old = smooth(3.0F, 8.0F, thallus.radius) * (1 - smooth(0.2F, 0.8F, r));
+            const float covers = (1 - smooth(1.0F - 0.8F / thallus.radius, 1.0F + 0.8F / thallus.radius, r)) *
+                                 (1 - 0.6F * old) * (0.65F + 0.35F * crust.at(x, y));
+            // Two that meet share what is there.
+            auto* const channels = picture.pixel(x, y);
+            const std::size_t other = 1 - thallus.channel;
+            channels[thallus.channel] = std::max(channels[thallus.channel], static_cast<std::uint8_t>(255 * covers));
+            channels[other] = std::min(channels[other], static_cast<std::uint8_t>(255 - channels[thallus.channel]));
+        }
+    }
+}
+
 }  // namespace
 
 mesh::Image lichen_picture(base::Seed seed, float share) {
     mesh::Image picture(kSide, kSide, 2);
     if (share <= 0) return picture;
-    // Colonies: branched crusts with bare rock between them.
-    const mesh::Field crusts =
-        noise::react({.feed = 0.050F, .kill = 0.0620F, .stretch = 1.6F, .steps = 560}, seed.child("crusts"), kSide);
-    const noise::Key ground(seed.child("colonies"));
+    mesh::Field crust =
+        noise::react({.feed = 0.050F, .kill = 0.0620F, .stretch = 1.3F, .steps = 260}, seed.child("crusts"), kSide);
+    for (float& c : crust.samples) c = smooth(0.08F, 0.25F, c);
+    mesh::Field ragged(kSide, kSide);
     const noise::Key rim(seed.child("rim"));
     for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) {
-            const float colony = tiled(ground, x, y, 3, 3);
-            const float crust = crusts.at(x, y) + 0.11F * tiled(rim, x, y, 24, 2);
-            // What is not covered yet has the largest concentration last.
-            const float edge = 0.34F - 0.26F * share;
-            const float covered = smooth(edge, edge + 0.07F, crust);
-            const float pale = covered * smooth(-0.10F, 0.06F, colony + 0.25F * (share - 0.5F));
-            const float orange = covered * smooth(0.02F, 0.14F, -colony + 0.15F * (share - 0.5F));
-            picture.pixel(x, y)[0] = static_cast<std::uint8_t>(255 * pale);
-            picture.pixel(x, y)[1] = static_cast<std::uint8_t>(255 * orange);
-        }
+        for (int x = 0; x < kSide; ++x) ragged.at(x, y) = tiled(rim, x, y, 20, 3);
+    // Much as share may be, most of the rock stays bare: stone that is covered all over looks painted.
+    constexpr float kMost = 190;
+    constexpr float kSmallest = 1.1F;
+    constexpr std::array<float, 2> kLargest{9.0F, 4.5F};  // a large orange one would show that tiles repeat
+    constexpr float kOrange = 0.2F;                       // of them
+    for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(kMost * share); ++i) {
+        base::RandomStream random{seed.child("thallus").child(i)};
+        const glm::vec2 middle{random.between(0.0F, 1.0F * kSide), random.between(0.0F, 1.0F * kSide)};
+        const std::size_t channel = random.unit_f() < kOrange ? 1 : 0;
+        const float radius = std::min(kSmallest * std::pow(random.unit_f() + 1.0e-3F, -0.6F), kLargest[channel]);
+        grow_on(picture, {middle, radius, channel}, ragged, crust);
+    }
     return picture;
 }
 
