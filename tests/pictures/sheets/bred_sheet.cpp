@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Landscapes that were bred, chosen by what they have:
 //     bred_sheet SEED COUNT FILE.png NAME=LOW:HIGH …      so many on one sheet, named VISIT-OFFER-LETTER
-//     bred_sheet SEED COUNT --each DIR NAME=LOW:HIGH …    a picture of each, 1280x720; each draws itself again
+//     bred_sheet SEED COUNT --each DIR NAME=LOW:HIGH …    a picture of each, 1920x1080; each draws itself again
 // Plays visits from SEED on, each of seven offers in which chance picks, and keeps the first landscape of an offer of
 // which every named parameter lies between LOW and HIGH: what a visitor may come to see, with nothing set by hand.
 #include <fmt/core.h>
@@ -94,9 +94,9 @@ void sheet(const std::vector<Bred>& bred, const std::filesystem::path& file) {
 
 void each(const std::vector<Bred>& bred, const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
-    stage::Easel easel(1280, 720);
+    stage::Easel easel(1920, 1080);
     for (const Bred& b : bred) {
-        const pictures::Picture picture = picture_of(b, 1280, 720);
+        const pictures::Picture picture = picture_of(b, 1920, 1080);
         pictures::write_picture(folder / (b.name + ".png"), easel.draw(picture), pictures::to_json(picture));
     }
 }

@@ -7,22 +7,26 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <memory>
+#include <numbers>
 #include <optional>
 #include <vector>
 
+#include "genome/recipe.hpp"
 #include "pictures/stage.hpp"
 #include "support/effort.hpp"
 #include "synthesis/compose/view_rays.hpp"
-#include "unit/synthesis/scenes.hpp"
+#include "synthesis/grow.hpp"
 
 namespace quadrat::tests {
 namespace {
 
 constexpr int kWidth = 480;
 constexpr int kHeight = 270;
-constexpr float kStep_m = 5;      // along the land's edge
-constexpr std::size_t kRun = 12;  // places that are judged together, so that grain is no edge
+constexpr float kStep_m = 8;     // along the land's edge
+constexpr std::size_t kRun = 8;  // places that are judged together, so that grain is no edge
 constexpr float kAcross_px = 5;
+constexpr int kTurns = 20;  // of the camera over each of ten lands
 
 struct Crossing {
     glm::vec2 at_px{0};
@@ -37,10 +41,10 @@ class Seams : public Stage {
     }
 
     // Ground alone.
-    mesh::Image ground_of(const std::shared_ptr<const scene::Scene>& scene, const scene::Camera& camera) {
+    mesh::Image ground_of(const std::shared_ptr<const render::GpuScene>& scene, const scene::Camera& camera) {
         render::Frame f = frame();
         render::View view;
-        view.scene = uploaded(scene);
+        view.scene = scene;
         view.viewport = {0, 0, kWidth, kHeight};
         view.camera = camera;
         f.views = {view};
@@ -57,18 +61,22 @@ class Lookout {
           clip_from_world_(scene::clip_from_view(camera, static_cast<float>(kWidth) / kHeight) *
                            scene::view_from_world(camera)) {}
 
-    // Where the ground there is in the picture; nothing where it is not in sight.
+    // Where the ground there is in the picture; nothing where it is not in it, or wet.
     std::optional<glm::vec2> pixel(glm::vec2 at_m) const {
-        const glm::vec3 p{at_m.x, scene::ground_height_m(land_, at_m), at_m.y};
+        const glm::vec3 p = ground(at_m);
         if (p.y < 0.5F || scene::water_depth_m(land_, at_m) > 0) return std::nullopt;
         const glm::vec4 clip = clip_from_world_ * glm::vec4(p, 1);
         if (clip.w < 30) return std::nullopt;
         const glm::vec2 at{(0.5F + 0.5F * clip.x / clip.w) * kWidth, (0.5F - 0.5F * clip.y / clip.w) * kHeight};
         if (at.x < 32 || at.y < 32 || at.x > kWidth - 32 || at.y > kHeight - 32) return std::nullopt;
+        return at;
+    }
+
+    bool is_hidden(glm::vec2 at_m) const {
+        const glm::vec3 p = ground(at_m);
         const float distance_m = glm::distance(p, camera_.eye_m);
         const glm::vec3 ray = (p - camera_.eye_m) / distance_m;
-        if (synthesis::first_hit(land_, camera_.eye_m, ray).distance_m < 0.97F * distance_m) return std::nullopt;
-        return at;
+        return synthesis::first_hit(land_, camera_.eye_m, ray).distance_m < 0.97F * distance_m;
     }
 
     // Runs of crossings of the land's four edges, each in sight with the ground on both sides.
@@ -104,8 +112,15 @@ class Lookout {
         const glm::vec2 way = glm::normalize(*along - *at);
         glm::vec2 across{-way.y, way.x};
         if (glm::dot(across, *outer - *inner) < 0) across = -across;
+        // A crest hides what is behind it: there the ground ends for another reason.
+        constexpr float kLeast_px = 2;
+        if (glm::dot(across, *outer - *at) < kLeast_px || glm::dot(across, *at - *inner) < kLeast_px)
+            return std::nullopt;
+        if (is_hidden(at_m - kBeside_m * out) || is_hidden(at_m + kBeside_m * out)) return std::nullopt;
         return Crossing{*at, across};
     }
+
+    glm::vec3 ground(glm::vec2 at_m) const { return {at_m.x, scene::ground_height_m(land_, at_m), at_m.y}; }
 
     const scene::Land& land_;
     const scene::Camera& camera_;
@@ -139,39 +154,58 @@ float over_beside(const mesh::Image& image, const std::vector<Crossing>& run) {
     return over - beside;
 }
 
+// Bare land under its sky: no plants, that nothing hides the seam.
+std::shared_ptr<const scene::Scene> bare_land(std::uint64_t seed) {
+    genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
+    recipe.values.set(genome::ParameterId::rain_share, -4);
+    recipe.values.set(genome::ParameterId::snowfall_share, -5);
+    const scene::SceneParameters p = scene::realise(recipe.values);
+    const scene::Fineness coarse{.land_samples = 129, .light_px = 64, .albedo_px = 256};
+    const auto land =
+        std::make_shared<scene::Land>(synthesis::grow_land(p.land, recipe.seeds[genome::Aspect::Land], coarse));
+    const auto sky = std::make_shared<scene::Sky>(synthesis::grow_sky(p.sky, recipe.seeds[genome::Aspect::Sky]));
+    return std::make_shared<scene::Scene>(synthesis::compose(
+        std::make_shared<scene::Flora>(), land, sky, recipe.seeds[genome::Aspect::Trees], recipe.flight, coarse));
+}
+
+// High over the land's middle, each time turned on.
+scene::Camera outward(const scene::Land& land, int turn) {
+    const float angle = 2 * std::numbers::pi_v<float> * (static_cast<float>(turn) + 0.3F) / kTurns;
+    const glm::vec2 ahead{std::sin(angle), -std::cos(angle)};
+    const glm::vec2 at = 120.0F * ahead;
+    const glm::vec3 eye{at.x, std::max(scene::ground_height_m(land, at), 0.0F) + 90, at.y};
+    return {eye, eye + glm::vec3{ahead.x, -0.2F, ahead.y}, 50.0F};
+}
+
 TEST_F(Seams, AreNoStrongerEdgesThanTheGroundBesideThemFromTwoHundredCameras) {
     std::size_t runs = 0;
     std::size_t strong = 0;
     double sum = 0;
     float worst = 0;
-    for (std::uint64_t seed = 0; seed < of(200U); ++seed) {
-        genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
-        recipe.values.set(genome::ParameterId::rain_share, -4);
-        recipe.values.set(genome::ParameterId::snowfall_share, -5);
-        const auto scene = std::make_shared<scene::Scene>(synthesis::test_scenes::grow(recipe, {129, 64, 256}));
-        // From higher than a walker, that more of it is in sight.
-        scene::Camera camera = scene::camera_at(scene->track, 12);
-        camera.eye_m.y += 40;
-        const auto found = Lookout(*scene->land, camera).runs();
-        if (found.empty()) continue;
-        const mesh::Image image = ground_of(scene, camera);
-        for (const auto& run : found) {
-            const float over = over_beside(image, run);
-            if (over > 0.08F) {
-                ++strong;
-                std::printf("seed %d at %.0f, %.0f: %.3f\n", static_cast<int>(seed), run.front().at_px.x,
-                            run.front().at_px.y, over);
+    for (std::uint64_t seed = 0; seed < of(10U); ++seed) {
+        const auto scene = bare_land(seed);
+        const auto on_gpu = uploaded(scene);
+        for (int turn = 0; turn < kTurns; ++turn) {
+            const scene::Camera camera = outward(*scene->land, turn);
+            const auto found = Lookout(*scene->land, camera).runs();
+            if (found.empty()) continue;
+            const mesh::Image image = ground_of(on_gpu, camera);
+            for (const auto& run : found) {
+                const float over = over_beside(image, run);
+                if (over > 0.08F) {
+                    ++strong;
+                    std::printf("land %d, turn %d, at %.0f, %.0f: %.3f\n", static_cast<int>(seed), turn,
+                                run.front().at_px.x, run.front().at_px.y, over);
+                }
+                worst = std::max(worst, over);
+                sum += over;
+                ++runs;
             }
-            worst = std::max(worst, over);
-            sum += over;
-            ++runs;
         }
     }
-    RecordProperty("runs", static_cast<int>(runs));
     std::printf("%zu runs of the seam in sight; over what is beside them %.3f in the mean, %.3f at most\n", runs,
                 sum / static_cast<double>(std::max<std::size_t>(runs, 1)), static_cast<double>(worst));
-    // One land in two hundred has an edge that the country around, coarse as it is, cannot follow.
-    EXPECT_LE(100 * strong, runs);
+    EXPECT_EQ(strong, 0U);
     EXPECT_GT(runs, of(200U)) << "too little of the seam is seen";
 }
 

@@ -95,10 +95,10 @@ Seam seam_of(const scene::Land& land) {
     return seam;
 }
 
-TEST(Seam, OverTwoHundredLandsIsNoStrongerAnEdgeThanTheGroundBesideIt) {
+TEST(Seam, IsNoStrongerAnEdgeThanTheGroundBesideIt) {
     double over = 0;
     double beside = 0;
-    for (std::uint64_t seed = 0; seed < tests::of(200U); ++seed) {
+    for (std::uint64_t seed = 0; seed < tests::of(40U); ++seed) {
         const scene::SceneParameters p = scene::realise(genome::random_recipe(base::Seed{seed}).values);
         const Seam seam = seam_of(synthesis::land::make_land(p.land, base::Seed{seed}, {65, 64, 128}));
         EXPECT_LT(seam.worst, 0.05) << seed;  // of the whole scale, at one place
