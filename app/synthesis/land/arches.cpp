@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include "synthesis/land/facets.hpp"
 #include "synthesis/noise/gradient.hpp"
@@ -71,7 +72,7 @@ struct ArchPlace {
 // is_choosy: in the viewer's sight, its feet at like heights. Rugged land has no such place: any that bears one will
 // do.
 std::optional<ArchPlace> find_arch(const StoneGround& ground, const scene::LandParameters& p,
-                                   const std::vector<ArchPlace>& taken, base::Seed seed, bool is_choosy) {
+                                   std::span<const scene::Landmark> taken, base::Seed seed, bool is_choosy) {
     const scene::Land& land = ground.land;
     const float uneven = is_choosy ? 0.55F : 0.95F;  // of its height, between a foot and the middle
     std::optional<ArchPlace> best;
@@ -99,7 +100,10 @@ std::optional<ArchPlace> find_arch(const StoneGround& ground, const scene::LandP
             // Bare rock bears arches: steep ground, and the shore.
             score += 0.8F * std::min(slope_at(land, foot), 0.9F) + (foot_m < 2.0F ? 0.45F : 0.0F);
         }
-        for (const ArchPlace& other : taken) is_right = is_right && glm::length(other.at_m - place.at_m) > 70.0F;
+        for (const scene::Landmark& other : taken) {
+            const float apart_m = other.has_front ? 1.8F * other.size_m + half_m : 70.0F;
+            is_right = is_right && glm::length(glm::vec2{other.at_m.x, other.at_m.z} - place.at_m) > apart_m;
+        }
         if (!is_right || score <= most) continue;
         most = score;
         best = place;
@@ -162,14 +166,12 @@ void add_arch(Stones& stones, const StoneGround& ground, const ArchPlace& place,
 void add_arches(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, const Strata& strata,
                 base::Seed seed) {
     const std::uint64_t count = p.arch_share > 0.6F ? 2 : 1;
-    std::vector<ArchPlace> arches;
     for (std::uint64_t i = 0; i < count; ++i) {
         const base::Seed own = seed.child("arch").child(i);
-        auto place = find_arch(ground, p, arches, own, true);
-        if (!place) place = find_arch(ground, p, arches, own, false);
+        auto place = find_arch(ground, p, stones.landmarks, own, true);
+        if (!place) place = find_arch(ground, p, stones.landmarks, own, false);
         if (!place) continue;
         add_arch(stones, ground, *place, strata, own);
-        arches.push_back(*place);
     }
 }
 

@@ -44,12 +44,41 @@ Fall fall_at(const scene::Land& land, glm::vec2 at_m, float reach_m) {
     return {slope, -rise / std::max(slope, 1.0e-5F)};
 }
 
+struct HoopShape {
+    float out;      // before its place in the slope, in radii
+    float breadth;  // half, in radii
+    float height;   // in radii
+    float lump;     // how far chance moves it, in radii
+};
+// From the back of the hollow out to the lip, over the brow and back into the hill.
+constexpr std::array<HoopShape, 7> kShapes{{{0.55F, 0.55F, 0.50F, 0.10F},
+                                            {1.05F, 0.80F, 0.86F, 0.22F},
+                                            {1.40F, 0.92F, 1.02F, 0.30F},
+                                            {1.50F, 1.22F, 1.32F, 0.30F},
+                                            {1.25F, 1.75F, 1.80F, 0.40F},
+                                            {0.35F, 2.15F, 2.10F, 0.45F},
+                                            {-1.60F, 2.30F, 1.90F, 0.30F}}};
+constexpr std::size_t kBrow = 4;  // from there on it is the rock's outside
+constexpr float kSole = -0.55F;   // how deep the feet stand in the ground before the mouth, in radii
+
+// Whether the hill closes around the rock: it rises behind it, and beside it the ground hides the soles.
+bool is_in_the_hill(const scene::Land& land, const CavePlace& place) {
+    const auto rise = [&](float out, float aside) {
+        return (scene::ground_height_m(land, place.at(out, aside)) - place.floor_m) / place.radius_m;
+    };
+    bool is_closed = rise(kShapes.back().out, 0) > 0.7F;
+    for (std::size_t i = kBrow; i < kShapes.size(); ++i)
+        for (const float side : {-1.0F, 1.0F})
+            is_closed = is_closed && rise(kShapes[i].out, side * kShapes[i].breadth) > kSole + 0.15F;
+    return is_closed;
+}
+
 // Steep, near, turned to the viewer, dry, and with a level step before it.
 std::optional<CavePlace> find_cave(const scene::Land& land, const scene::LandParameters& p,
                                    const std::vector<CavePlace>& taken, base::Seed seed) {
     std::optional<CavePlace> best;
     float most = 0;
-    for (std::uint64_t i = 0; i < 420; ++i) {
+    for (std::uint64_t i = 0; i < 800; ++i) {
         base::RandomStream random{seed.child(i)};
         const float far_m = random.between(60.0F, 300.0F);
         const float aside = random.between(-0.6F, 0.6F);
@@ -68,7 +97,7 @@ std::optional<CavePlace> find_cave(const scene::Land& land, const scene::LandPar
         const float before_m = scene::ground_height_m(land, court);
         if (before_m < 0.8F || scene::water_depth_m(land, court) > 0 || scene::water_depth_m(land, place.at_m) > 0)
             continue;
-        if (scene::to_road_m(land, court) < 2.2F * place.radius_m) continue;
+        if (scene::to_road_m(land, court) < 2.2F * place.radius_m || !is_in_the_hill(land, place)) continue;
         const bool is_apart = std::ranges::none_of(
             taken, [&](const CavePlace& other) { return glm::length(other.at_m - place.at_m) < 60.0F; });
         if (!is_apart) continue;
@@ -87,13 +116,6 @@ std::optional<CavePlace> find_cave(const scene::Land& land, const scene::LandPar
 constexpr int kCorners = 15;
 using Hoop = std::array<glm::vec3, kCorners>;
 
-struct HoopShape {
-    float out;      // before its place in the slope, in radii
-    float breadth;  // half, in radii
-    float height;   // in radii
-    float lump;     // how far chance moves it, in radii
-};
-
 Hoop hoop_of(const CavePlace& place, const HoopShape& shape, noise::Key lumps) {
     Hoop hoop;
     for (int i = 0; i < kCorners; ++i) {
@@ -106,7 +128,7 @@ Hoop hoop_of(const CavePlace& place, const HoopShape& shape, noise::Key lumps) {
             shape.lump * noise::gradient(lumps, 2.1F * x + 1.7F * shape.out, 2.1F * y + 0.9F * shape.out);
         const float push = 1 + lump;
         const glm::vec2 at = place.at(shape.out + 0.5F * lump, push * shape.breadth * x);
-        const float up = is_foot ? -0.55F : push * shape.height * y - 0.02F;
+        const float up = is_foot ? kSole : push * shape.height * y - 0.02F;
         hoop[static_cast<std::size_t>(i)] = {at.x, place.floor_m + place.radius_m * up, at.y};
     }
     return hoop;
@@ -150,14 +172,6 @@ class CaveMesh {
 void add_cave(Stones& stones, const StoneGround& ground, const CavePlace& place, const Strata& strata,
               base::Seed seed) {
     const noise::Key lumps{seed.child("lumps")};
-    // From the back of the hollow out to the lip, over the brow and back into the hill.
-    constexpr std::array<HoopShape, 7> kShapes{{{0.55F, 0.55F, 0.50F, 0.10F},
-                                                {1.05F, 0.80F, 0.86F, 0.22F},
-                                                {1.40F, 0.92F, 1.02F, 0.30F},
-                                                {1.50F, 1.22F, 1.32F, 0.30F},
-                                                {1.25F, 1.75F, 1.80F, 0.40F},
-                                                {0.35F, 2.15F, 2.10F, 0.45F},
-                                                {-1.60F, 2.30F, 1.90F, 0.30F}}};
     constexpr std::array<float, 7> kShades{0.012F, 0.05F, 0.5F, 0.92F, 1.0F, 0.95F, 0.85F};
     std::array<Hoop, kShapes.size()> hoops;
     for (std::size_t i = 0; i < hoops.size(); ++i) {
@@ -174,16 +188,16 @@ void add_cave(Stones& stones, const StoneGround& ground, const CavePlace& place,
         const glm::vec2 at = place.at(out, 0);
         return glm::vec3{at.x, place.floor_m + place.radius_m * up, at.y};
     };
-    std::vector<glm::vec3> left{ahead(0.4F, -0.55F)};
+    std::vector<glm::vec3> left{ahead(0.4F, kSole)};
     std::vector<glm::vec3> right = left;
     for (std::size_t i = 0; i < hoops.size(); ++i) {
         if (i > 0) mesh.span(hoops[i - 1], hoops[i], kShades[i - 1], kShades[i]);
         left.push_back(hoops[i].front());
         right.push_back(hoops[i].back());
     }
-    mesh.close(hoops.front(), ahead(0.4F, -0.55F), true, 0.01F);
-    mesh.close(hoops.back(), ahead(-1.7F, -0.55F), false, 0.8F);
-    left.push_back(ahead(-1.7F, -0.55F));
+    mesh.close(hoops.front(), ahead(0.4F, kSole), true, 0.01F);
+    mesh.close(hoops.back(), ahead(-1.7F, kSole), false, 0.8F);
+    left.push_back(ahead(-1.7F, kSole));
     right.push_back(left.back());
     mesh.sole(left, right);
     // What has fallen from the brow lies at both sides of the way in.

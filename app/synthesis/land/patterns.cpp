@@ -2,7 +2,6 @@
 #include "synthesis/land/patterns.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -68,15 +67,16 @@ mesh::Image lichen_picture(base::Seed seed, float share) {
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) ragged.at(x, y) = tiled(rim, x, y, 20, 3);
     // Much as share may be, most of the rock stays bare: stone that is covered all over looks painted.
-    constexpr float kMost = 190;
+    // Where there is little of it, all of it is small: one large crust would show that tiles repeat.
     constexpr float kSmallest = 1.1F;
-    constexpr std::array<float, 2> kLargest{9.0F, 4.5F};  // a large orange one would show that tiles repeat
-    constexpr float kOrange = 0.2F;                       // of them
-    for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(kMost * share); ++i) {
+    constexpr float kOrange = 0.2F;  // of them
+    const float largest = 2.0F + 5.0F * share;
+    for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(40 + 200 * share); ++i) {
         base::RandomStream random{seed.child("thallus").child(i)};
         const glm::vec2 middle{random.between(0.0F, 1.0F * kSide), random.between(0.0F, 1.0F * kSide)};
         const std::size_t channel = random.unit_f() < kOrange ? 1 : 0;
-        const float radius = std::min(kSmallest * std::pow(random.unit_f() + 1.0e-3F, -0.6F), kLargest[channel]);
+        const float radius =
+            std::min(kSmallest * std::pow(random.unit_f() + 1.0e-3F, -0.6F), channel == 0 ? largest : 0.6F * largest);
         grow_on(picture, {middle, radius, channel}, ragged, crust);
     }
     return picture;
