@@ -102,7 +102,7 @@ TEST(Scene, IsTheSameBitForBitOnAnyNumberOfThreads) {
 }
 
 TEST(Scene, OfAnyGenomeIsFiniteAndAPlaceOneCouldStandIn) {
-    for (std::uint64_t seed = 0; seed < tests::of(200U); ++seed) {
+    for (std::uint64_t seed = 0; seed < tests::sample_of(200U); ++seed) {
         const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
         const scene::SceneParameters p = scene::realise(recipe.values);
         const scene::Land land = grow_land(p.land, recipe.seeds[genome::Aspect::Land], kCoarse);
@@ -192,7 +192,7 @@ TEST(Scene, FliesTheSameWayInPlanOverEveryLandFromAPlaceThatSuitsIt) {
 
 TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
     const base::Seed seed{13};
-    const scene::Fineness fineness{.land_samples = 257, .light_px = 64, .albedo_px = 64};
+    const scene::Fineness fineness{.land_samples = 129, .light_px = 64, .albedo_px = 64};
     const scene::SceneParameters plain = scene::realise(test_scenes::everything());
     const scene::Flora flora = grow_trees(plain.trees, seed);
     const scene::Land land = grow_land(plain.land, seed, fineness);
