@@ -7,7 +7,7 @@ cores=$(nproc)
 # A compiler process of this code takes up to 1.5 GB: a box with little memory builds with fewer at once.
 memory_jobs=$(awk '/MemAvailable/ {n = int($2 / 1500000); print (n < 1 ? 1 : n)}' /proc/meminfo 2>/dev/null || echo 1)
 jobs=$((cores < memory_jobs ? cores : memory_jobs))
-export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
 
 say() { printf '%s\n' "$*"; }
 die() {

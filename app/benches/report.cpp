@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "base/markup.hpp"
-#include "benches/report_style.hpp"
 #include "benches/rivals.hpp"
+#include "report/page_style.hpp"
 
 namespace quadrat::benches {
 namespace {
@@ -105,7 +105,7 @@ std::string html_of(const Report& report) {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<title>Quadrat, measured: {}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n",
-        base::escaped(report.made_at), kReportStyle);
+        base::escaped(report.made_at), report::kPageStyle);
     html += header_of(report);
     for (const Section& section : sections_of(report.results.figures))
         html += section_of(section, report.results.visit_svg);

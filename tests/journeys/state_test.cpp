@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "journeys/quadrat_program.hpp"
@@ -84,6 +85,43 @@ TEST_F(SiteState, OfARunningExhibitIsWrittenToByNobodyElse) {
     running.kill(SIGKILL);
     running.wait();
     EXPECT_TRUE(succeeds(tool({"state", "--state", at("state"), "--move-to", "3"}))) << "a crash holds nothing";
+}
+
+TEST_F(SiteState, IsReportedBesideARunningExhibitInEveryForm) {
+    Process running(exhibit(), folder.path());
+    wait_for_log(running, "press B");
+    const auto report = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"report", "--state", at("state")});
+        return tool(more);
+    };
+    const Ended text = report({});
+    ASSERT_TRUE(succeeds(text));
+    EXPECT_THAT(text.out, HasSubstr("visits           1\n"));
+    EXPECT_THAT(text.out, HasSubstr("left, stuck, cut 0, 0, 1\n"));
+    ASSERT_TRUE(succeeds(report({"-o", "visits.html", "--title", "The foyer"})));
+    EXPECT_THAT(contents_of(elsewhere / "visits.html"), HasSubstr("<h1>The foyer</h1>"));
+    ASSERT_TRUE(succeeds(report({"-o", "visits.csv"})));
+    EXPECT_EQ(count_of(contents_of(elsewhere / "visits.csv"), "\r\n"), 2U);
+    const Ended json = report({"-o", "-"});
+    ASSERT_TRUE(succeeds(json));
+    EXPECT_EQ(nlohmann::json::parse(json.out)["all"]["visits"], 1);
+    EXPECT_THAT(report({"--from", "2001-01-01", "--to", "2001-12-31"}).out, HasSubstr("no visits"));
+    EXPECT_TRUE(running.is_running());
+
+    const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes{
+        {{"--from", "2001-02-30"}, "--from"},
+        {{"--from", "2026-02-02", "--to", "2026-01-01"}, "is after"},
+        {{"-o", "visits.pdf"}, "visits.pdf"},
+        {{"-o", "no/such/visits.html"}, "no/such"},
+    };
+    for (const auto& [arguments, named] : mistakes) {
+        const Ended refused = report(arguments);
+        EXPECT_EQ(refused.status, 2) << arguments[1];
+        EXPECT_THAT(refused.err, HasSubstr(named));
+    }
+    EXPECT_EQ(tool({"report", "--state", at("nowhere")}).status, 2);
+    running.kill(SIGKILL);
+    running.wait();
 }
 
 TEST_F(SiteState, TheServiceWaitsForWhoeverHoldsItAndSaysSoOnce) {

@@ -75,6 +75,19 @@ void HouseBuilders::keep_fields_clear(const scene::Land& land, mesh::Field& to_e
     }
 }
 
+// From the south, where the land opens to the viewer, and from so far that it fills much of a picture.
+scene::Landmark HouseBuilders::landmark() const {
+    constexpr glm::vec2 kViewer_m{0, 290};
+    constexpr float kOverGround_m = 7;
+    glm::vec3 middle{0};
+    const std::vector<scene::House>& all = settled_.settlement.houses;
+    for (const scene::House& house : all) middle += house.foot_m / static_cast<float>(all.size());
+    const glm::vec2 south = kViewer_m - glm::vec2{middle.x, middle.z};
+    const glm::vec2 faces = glm::length(south) > 1 ? glm::normalize(south) : glm::vec2{0, 1};
+    const float size_m = std::clamp(0.6F * settled_.reach_m, 13.0F, 36.0F);
+    return {middle + glm::vec3{0, kOverGround_m, 0}, faces, size_m, false};
+}
+
 void HouseBuilders::paint(const scene::Land& land, mesh::Image& albedo) {
     houses::paint_grounds(albedo, land, settled_, fields_, parameters_.settle_gardens, seed_.child("grounds"));
 }

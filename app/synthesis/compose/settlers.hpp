@@ -13,6 +13,7 @@ class HouseBuilders : public land::Settlers {
     void build(scene::Land& land) override;
     void keep_clear(const scene::Land& land, mesh::Field& to_edge_m) override;
     void paint(const scene::Land& land, mesh::Image& albedo) override;
+    scene::Landmark landmark() const override;
 
   private:
     void keep_fields_clear(const scene::Land& land, mesh::Field& to_edge_m) const;

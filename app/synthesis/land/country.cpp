@@ -13,6 +13,7 @@
 #include "scene/colour.hpp"
 #include "synthesis/land/erosion.hpp"
 #include "synthesis/land/ground.hpp"
+#include "synthesis/land/patterns.hpp"
 #include "synthesis/land/rivers.hpp"
 #include "synthesis/land/roads.hpp"
 #include "synthesis/land/stone.hpp"
@@ -107,6 +108,31 @@ void set_distant_colours(scene::Land& land, const Palette& palette, const scene:
                                          p.land_gain > 0.45F ? 0.5F : 0.2F);
 }
 
+// Nothing is planted on this ground.
+void keep_clear(scene::Land& land, const Footprint& court) {
+    auto& kept = land.kept_clear;
+    if (kept.samples.empty()) kept = {land.height_m.columns, land.height_m.rows, 255};
+    mesh::Field to_edge_m(1, 1);
+    const float half = 0.5F * static_cast<float>(kept.columns - 1);
+    const float reach = (court.radius_m + scene::kFarFromRoads_m) / land.cell_m;
+    const glm::vec2 middle = court.at_m / land.cell_m + half;
+    for (int row = static_cast<int>(middle.y - reach); row <= static_cast<int>(middle.y + reach); ++row) {
+        for (int column = static_cast<int>(middle.x - reach); column <= static_cast<int>(middle.x + reach); ++column) {
+            if (!kept.is_inside(column, row)) continue;
+            const glm::vec2 off = glm::vec2{static_cast<float>(column), static_cast<float>(row)} - middle;
+            to_edge_m.at(0, 0) = land.cell_m * glm::length(off) - court.radius_m;
+            kept.at(column, row) = std::min(kept.at(column, row), scene::kept_clear_of(to_edge_m).at(0, 0));
+        }
+    }
+}
+
+void lay_stones(scene::Land& land, Stones stones, mesh::Image& albedo) {
+    shade_under(albedo, kSide_m, stones.footprints);
+    land.stone = std::move(stones.stone);
+    land.landmarks = std::move(stones.landmarks);
+    for (const Footprint& court : stones.forecourts) keep_clear(land, court);
+}
+
 }  // namespace
 
 scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const scene::Fineness& fineness,
@@ -164,16 +190,18 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     Ground ground = lay_ground({land.height_m, over_water_m, moisture, to_road_m, land.cell_m}, palette, p, seed,
                                fineness.albedo_px);
     land.kinds = std::move(ground.kinds);
-    Stones stones = make_stones({land, over_water_m, palette}, p, seed.child("stones"));
-    shade_under(ground.albedo, kSide_m, stones.footprints);
-    if (is_settled) settlers->paint(land, ground.albedo);
+    lay_stones(land, make_stones({land, over_water_m, palette}, p, seed.child("stones")), ground.albedo);
+    if (is_settled) {
+        settlers->paint(land, ground.albedo);
+        land.landmarks.insert(land.landmarks.begin(), settlers->landmark());
+    }
     ease_into_land(land.surround_albedo, kSurroundCell_m, ground.albedo, kSide_m);
     land.albedo = scene::GroundColours(ground.albedo);
-    land.stone = std::move(stones.stone);
     GroundDetail detail = ground_detail(seed, 256, p.ground_detail, p.ground_bumps);
     land.detail = std::move(detail.grain);
     land.detail_slopes = std::move(detail.slopes);
     land.detail_tile_m = p.ground_detail_m;
+    land.lichen = lichen_picture(seed.child("lichen"), p.ground_lichen);
     land.ripple = p.water_ripple;
     return land;
 }

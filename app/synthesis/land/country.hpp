@@ -20,6 +20,8 @@ class Settlers {
     virtual void keep_clear(const scene::Land& land, mesh::Field& to_edge_m) = 0;
     // Colours the ground about the houses, sRGB.
     virtual void paint(const scene::Land& land, mesh::Image& albedo) = 0;
+    // What a flight turns to.
+    virtual scene::Landmark landmark() const = 0;
 };
 
 // The whole land, as grow_land() promises it. settlers may be null.

@@ -15,7 +15,7 @@ namespace {
 // sky_sheet measure asks a thousand of them.
 TEST(Pictures, OfRandomGenomesAreNeitherBurntOutNorBlack) {
     Easel easel(320, 180);
-    for (std::uint64_t seed = 1; seed <= tests::of(80U); ++seed) {
+    for (std::uint64_t seed = 1; seed <= tests::sample_of(80U); ++seed) {
         pictures::Picture picture;
         picture.scenes = {genome::random_recipe(base::Seed{seed})};
         picture.width = 320;

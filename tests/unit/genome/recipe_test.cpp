@@ -180,7 +180,7 @@ TEST(Offer, ComesBackExactlyFromItsJson) {
 TEST(Offer, IsNotReadFromDamagedJson) {
     const std::string json = to_json(Offer{});
     EXPECT_EQ(offer_from_json(json, "test"), Offer{});
-    for (std::size_t length = 0; length < json.size(); length += tests::kIsSanitized ? 17 : 1)
+    for (std::size_t length = 0; length < json.size(); length += 17)
         EXPECT_THROW(offer_from_json(json.substr(0, length), "test"), base::InputError) << length;
     EXPECT_THROW(offer_from_json(replaced(json, "\"round\":1", "\"round\":0"), "test"), base::InputError);
     EXPECT_THROW(offer_from_json(replaced(json, "\"round\":1", "\"round\":99999999999"), "test"), base::InputError);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace quadrat::benches {
+namespace quadrat::report {
 
-// How a report looks: on a screen by day and by night, and on paper, where it is always day.
-inline constexpr const char* kReportStyle = R"(
+// How a page looks: on a screen by day and by night, and on paper, where it is always day.
+inline constexpr const char* kPageStyle = R"(
 :root { color-scheme: light dark; --paper: #fff; --ink: #1c2126; --quiet: #626c76; --rule: #d9dee3;
         --mark: #3060a0; --pale: #b9cbe3; --growing: #e8f0e0; --breach: #b3261e; }
 @media screen and (prefers-color-scheme: dark) {
@@ -58,6 +58,24 @@ figure text { font-size: 15px; }
 figure .paper { fill: var(--paper); }
 figure .growing { fill: var(--growing); }
 figure .took { stroke: var(--mark); }
+figure .rule { stroke: var(--rule); }
+figure .line { fill: none; stroke: var(--mark); stroke-width: 2; }
+figure .band { stroke: var(--mark); stroke-width: 1.5; opacity: .55; }
+figure .dot { fill: var(--mark); }
+figure .breach { fill: var(--breach); }
+figure .label { fill: var(--quiet); font-size: 12px; font-weight: 400; text-decoration: none; }
+figcaption { color: var(--quiet); font-size: .87em; margin-top: .3rem; }
+.cards { display: grid; grid-template-columns: repeat(auto-fit, minmax(9.5rem, 1fr)); gap: .9rem; margin: 0 0 .8rem;
+         padding: 0; list-style: none; }
+.cards li { border-top: 3px solid var(--mark); padding-top: .35rem; break-inside: avoid; }
+.cards b { display: block; font-size: 1.55rem; font-weight: 600; font-variant-numeric: tabular-nums; }
+.cards span { color: var(--quiet); font-size: .87em; }
+.key { display: inline-block; width: .8em; height: .8em; margin: 0 .35em 0 .9em; vertical-align: -.05em; }
+.key:first-child { margin-left: 0; }
+.key.done { background: var(--mark); }
+.key.other { background: var(--pale); }
+details { margin: .6rem 0 0; }
+summary { color: var(--quiet); cursor: pointer; font-size: .87em; }
 @media print {
   @page { margin: 15mm; }
   body { font-size: 9.5pt; }
@@ -69,4 +87,4 @@ figure .took { stroke: var(--mark); }
 }
 )";
 
-}  // namespace quadrat::benches
+}  // namespace quadrat::report

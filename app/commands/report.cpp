@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/counts.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <ctime>
+
+#include "archive/visit_rows.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "commands/commands.hpp"
+#include "machine/version.hpp"
+#include "report/writers.hpp"
+#include "site/hours.hpp"
+#include "site/state_folder.hpp"
+#include "site/wall_clock.hpp"
+
+namespace quadrat::commands {
+namespace {
+
+struct Options {
+    std::string state, from, to, output;
+    std::string title = "Visitors of the exhibit";
+};
+
+std::optional<report::Date> date_of(const std::string& text, const char* option) {
+    if (text.empty()) return std::nullopt;
+    try {
+        return site::parse_date(text);
+    } catch (const std::invalid_argument& error) {
+        throw base::InputError(fmt::format("{}: {}", option, error.what()));
+    }
+}
+
+// By the machine's time zone: the house's.
+report::LocalTime local_time_of(std::int64_t ms) {
+    const std::time_t seconds = ms / 1000;
+    std::tm local{};
+    ::localtime_r(&seconds, &local);
+    return {std::chrono::year(local.tm_year + 1900) / (local.tm_mon + 1) / local.tm_mday,
+            local.tm_hour * 60 + local.tm_min};
+}
+
+int tell(const Options& options) {
+    const report::Days days{date_of(options.from, "--from"), date_of(options.to, "--to")};
+    if (days.from && days.to && *days.from > *days.to)
+        throw base::InputError(fmt::format("--from {} is after --to {}", options.from, options.to));
+    const bool is_for_people = options.output.empty();
+    const bool is_printed = options.output == "-";
+    if (!is_for_people && !is_printed)
+        base::require_ending(options.output, {".html", ".htm", ".csv", ".json"}, "a report of visits");
+    const std::filesystem::path folder = site::tended_state_folder(options.state);
+    report::Counts counts;
+    archive::read_state(folder, [&](const archive::Connection& connection) {
+        counts = report::count(connection, days, local_time_of);
+    });
+    if (is_for_people) {
+        std::fputs(report::text_of(counts).c_str(), stdout);
+        return 0;
+    }
+    const report::Heading heading{options.title,
+                                  site::time_text(site::read_wall_clock(site::LastTimeSeen(std::filesystem::path{}))),
+                                  std::string(machine::version())};
+    const std::string ending = is_printed ? ".json" : base::ending_of(options.output);
+    base::print_or_write_file(options.output, ending == ".json"  ? report::json_of(counts, heading)
+                                              : ending == ".csv" ? report::csv_of(counts)
+                                                                 : report::html_of(counts, heading));
+    return 0;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, Action& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "report",
+        "What visitors did, from the state file, also while the exhibit runs: how many came when, how long they "
+        "stayed,\n"
+        "where they left, what they answered. Without -o a few lines. Nothing in it tells who a visitor was");
+    command
+        ->add_option("--state", options->state,
+                     "Folder of what is kept between runs; without it, the service's where it is installed")
+        ->default_str("the service's, else ~/.local/state/quadrat");
+    command->add_option("--from", options->from, "First day, as 2026-11-26; without it, the first that is kept");
+    command->add_option("--to", options->to, "Last day, itself included; without it, the last that is kept");
+    command->add_option(
+        "-o,--output", options->output,
+        "NAME.html: a page with plots, to read or print; .csv: a row a day; .json: all counts; -: JSON on "
+        "standard output");
+    command->add_option("--title", options->title, "Of the page")->capture_default_str();
+    command->callback([options, &chosen] { chosen = [options] { return tell(*options); }; });
+}
+
+}  // namespace quadrat::commands
