@@ -83,7 +83,8 @@ void HeldGround::update(const View& view, const glm::mat4& clip_from_world, cons
     stone_ = {first, chosen_.size() - first, 0, 0};
     const std::size_t first_house = chosen_.size();
     country.houses.levels.select(
-        frustum, {view.camera.eye_m, wish.pixels_per_radian, std::sqrt(wish.alpha), &horizon_, wish.reach}, chosen_);
+        frustum, {view.camera.eye_m, wish.pixels_per_radian, std::sqrt(wish.alpha), wish.growth, &horizon_, wish.reach},
+        chosen_);
     houses_ = {first_house, chosen_.size() - first_house, 0, 0};
     indices_.fill<std::uint32_t>(chosen_);
     sent_bytes_ = chosen_.size() * sizeof(std::uint32_t);

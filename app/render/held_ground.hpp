@@ -23,6 +23,7 @@ class HeldGround {
         float views = 1;         // of the frame, among which its triangles are shared out
         passes::Reach reach = {};
         glm::vec2 strip{-1, 1};  // of the view, clip x
+        float growth = 1;        // of its settlement: the share of the houses that stand
         friend bool operator==(const Wish&, const Wish&) = default;
     };
     void update(const View& view, const glm::mat4& clip_from_world, const Wish& wish);

@@ -60,8 +60,8 @@ void ViewPainter::draw(const Frame& frame, const View& view, const Selection& se
     if (what.sky && !gl::Wires::are_on()) draw_sky(frame, view, selection, held, place, drawn);
     marks.reset();
     if (what.ground && !gl::Wires::are_on())
-        of(drawn, Kind::Falling) +=
-            smoke_.draw(view.scene->country->smoke, view.scene->air.sky.clouds[0].wind_m_s, selection.reach);
+        of(drawn, Kind::Falling) += smoke_.draw(view.scene->country->smoke, view.scene->air.sky.clouds[0].wind_m_s,
+                                                view.growth, selection.reach);
     if (what.sky && !gl::Wires::are_on() && selection.reach.part != passes::Reach::Part::Far)
         of(drawn, Kind::Falling) +=
             falling_.draw(view.scene->air.sky.precipitation, selection.block, pixels_per_radian(view), alpha_of(frame));

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <span>
 
 #include "render/gl/buffer_upload.hpp"
 #include "render/passes/packing.hpp"
@@ -127,7 +128,8 @@ HouseLevels::HouseLevels(const scene::Settlement& settlement) {
 }
 
 void HouseLevels::select(const Frustum& frustum, const Wish& wish, std::vector<std::uint32_t>& indices) const {
-    for (const Standing& house : standing_) {
+    const auto built = static_cast<std::size_t>(std::ceil(wish.standing * static_cast<float>(standing_.size())));
+    for (const Standing& house : std::span(standing_).first(std::min(built, standing_.size()))) {
         const float distance_m = std::max(glm::distance(house.middle_m, wish.eye_m) - house.radius_m, 0.5F);
         const float px_per_m = wish.pixels_per_radian / distance_m;
         if (house.radius_m * px_per_m < kLeast_px) continue;

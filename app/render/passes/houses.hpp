@@ -27,6 +27,7 @@ class HouseLevels {
         glm::vec3 eye_m{0};
         float pixels_per_radian = 500;
         float fineness = 1;                // 2: as finely from twice as far
+        float standing = 1;                // the share of the houses that are built, the oldest first
         const Horizon* horizon = nullptr;  // of the ground before them; null: none
         Reach reach = {};
     };

@@ -65,8 +65,10 @@ SmokePass::SmokePass()
                  {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, 0},
                   {1, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(PuffCorner, corner_age)}}}} {}
 
-gl::Work SmokePass::draw(const SmokeOnGpu& smoke, glm::vec2 wind_m_s, const Reach& reach) const {
-    if (smoke.puffs == 0) return {};
+gl::Work SmokePass::draw(const SmokeOnGpu& smoke, glm::vec2 wind_m_s, float growth, const Reach& reach) const {
+    const auto chimneys = static_cast<std::size_t>(growth * static_cast<float>(smoke.puffs / kPuffs));
+    const std::size_t puffs = kPuffs * chimneys;
+    if (puffs == 0) return {};
     program_.use();
     const float strong = kAmongHouses * glm::length(wind_m_s);
     const glm::vec2 wind = kAmongHouses * wind_m_s * std::min(1.0F, kStrongest_m_s / std::max(strong, 0.01F));
@@ -80,11 +82,11 @@ gl::Work SmokePass::draw(const SmokeOnGpu& smoke, glm::vec2 wind_m_s, const Reac
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     glDisable(GL_CULL_FACE);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * smoke.puffs), GL_UNSIGNED_SHORT, nullptr);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * puffs), GL_UNSIGNED_SHORT, nullptr);
     glEnable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
-    return {1, 2 * smoke.puffs, 4 * smoke.puffs};
+    return {1, 2 * puffs, 4 * puffs};
 }
 
 }  // namespace quadrat::render::passes

@@ -26,7 +26,8 @@ void add_smoke(gl::Slices& slices, SmokeOnGpu& smoke, const std::shared_ptr<cons
 class SmokePass {
   public:
     SmokePass();
-    gl::Work draw(const SmokeOnGpu& smoke, glm::vec2 wind_m_s, const Reach& reach) const;
+    // growth: the share of the chimneys that smoke already, the oldest houses' first.
+    gl::Work draw(const SmokeOnGpu& smoke, glm::vec2 wind_m_s, float growth, const Reach& reach) const;
 
   private:
     gl::Program program_;
