@@ -16,6 +16,7 @@
 #include <optional>
 #include <span>
 
+#include "synthesis/compose/clearing.hpp"
 #include "synthesis/compose/competition.hpp"
 #include "synthesis/compose/lookups.hpp"
 #include "synthesis/compose/site.hpp"
@@ -78,17 +79,6 @@ float quantile(float share) {
     return 0.20F * std::log(s / (1 - s)) / 1.702F;
 }
 
-// The share of trees that people leave about their houses: few, and those for shade and fruit.
-float left_by_people(const scene::Settlement& settlement, glm::vec2 at_m) {
-    constexpr float kReach_m = 46;
-    float least_m = kReach_m;
-    for (const scene::House& house : settlement.houses) {
-        const glm::vec2 d = at_m - glm::vec2{house.foot_m.x, house.foot_m.z};
-        least_m = std::min(least_m, glm::length(d) - 8);
-    }
-    return settlement.is_empty() ? 1.0F : 0.10F + 0.90F * glm::smoothstep(16.0F, kReach_m, least_m);
-}
-
 class Planter {
   public:
     Planter(const scene::Land& land, const scene::Flora& flora, const FlightPlan& flight, const PlantingBudget& budget,
@@ -98,6 +88,7 @@ class Planter {
           half_m_(0.5F * land.side_m()),
           sight_(flight, half_m_),
           vistas_(land, flight),
+          clearing_(land.settlement),
           ground_(land),
           budget_(budget),
           seed_(seed),
@@ -172,7 +163,7 @@ class Planter {
             const float grove = groves.at(c.at_m);
             const float density =
                 std::clamp(0.62F - 0.25F * openness + 5.2F * stand.grove_contrast * grove, 0.03F, 1.0F);
-            const float left = left_by_people(land_.settlement, c.at_m);
+            const float left = clearing_.left_at(c.at_m);
             if (stay > density * left || !ground_.is_free(c.at_m, 1.0F)) return;
             const Soil soil = ground_.soil(c.at_m);
             const Zone zone = zones_ ? zones_->at(c.at_m) : Zone{};
@@ -435,6 +426,7 @@ class Planter {
     float half_m_;
     Sight sight_;
     Vistas vistas_;
+    Clearing clearing_;
     Ground ground_;
     PlantingBudget budget_;
     base::Seed seed_;

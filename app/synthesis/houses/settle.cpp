@@ -187,7 +187,8 @@ class Growth {
         const float light = 1 + 0.09F * random.normal() * (0.4F + p_.settle_colourful);
         const float warm = 0.04F * random.normal() * p_.settle_colourful;
         house.wall_tint = light * glm::vec3{1 + warm, 1, 1 - warm};
-        house.roof_tint = glm::vec3{1 + 0.10F * std::clamp(random.normal(), -2.0F, 2.0F)};
+        const float rust = 0.05F * std::clamp(random.normal(), -2.0F, 2.0F);
+        house.roof_tint = (1 + 0.10F * std::clamp(random.normal(), -2.0F, 2.0F)) * glm::vec3{1 + rust, 1, 1 - rust};
         house.evening = random.unit_f();
         house.has_smoke = random.unit_f() < p_.settle_smoke && !stock_.buildings[number].chimneys_m.empty();
         return house;
