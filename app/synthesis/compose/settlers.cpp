@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "synthesis/houses/bounds.hpp"
@@ -14,6 +15,18 @@ namespace {
 
 constexpr float kLaneGrade = 0.25F;
 constexpr float kAboutWalls_m = 3.0F;  // kept clear of plants
+
+// visit(sample, place) of those within a window of places.
+template <typename Visit>
+void for_samples(mesh::Field& field, float cell_m, glm::vec2 low_m, glm::vec2 high_m, const Visit& visit) {
+    const float half = 0.5F * static_cast<float>(field.columns - 1);
+    const auto column = [&](float m) {
+        return std::clamp(static_cast<int>(std::lround(m / cell_m + half)), 0, field.columns - 1);
+    };
+    for (int y = column(low_m.y); y <= column(high_m.y); ++y)
+        for (int x = column(low_m.x); x <= column(high_m.x); ++x)
+            visit(field.at(x, y), cell_m * (glm::vec2{static_cast<float>(x), static_cast<float>(y)} - half));
+}
 
 }  // namespace
 
@@ -36,26 +49,31 @@ void HouseBuilders::build(scene::Land& land) {
 void HouseBuilders::keep_clear(const scene::Land& land, mesh::Field& to_edge_m) {
     if (to_edge_m.samples.empty())
         to_edge_m = mesh::Field(land.height_m.columns, land.height_m.rows, scene::kFarFromRoads_m);
-    const float half = 0.5F * static_cast<float>(to_edge_m.columns - 1);
+    const auto lower = [&](glm::vec2 low_m, glm::vec2 high_m, const auto& away_m) {
+        for_samples(to_edge_m, land.cell_m, low_m - scene::kFarFromRoads_m, high_m + scene::kFarFromRoads_m,
+                    [&](float& to_edge, glm::vec2 at) { to_edge = std::min(to_edge, away_m(at)); });
+    };
     for (const scene::House& house : land.settlement.houses) {
         const scene::Building& building = land.settlement.buildings[house.building];
-        const float reach_m = glm::length(building.half_m) + scene::kFarFromRoads_m;
-        const auto column = [&](float m) {
-            return std::clamp(static_cast<int>(std::lround(m / land.cell_m + half)), 0, to_edge_m.columns - 1);
-        };
-        for (int y = column(house.foot_m.z - reach_m); y <= column(house.foot_m.z + reach_m); ++y)
-            for (int x = column(house.foot_m.x - reach_m); x <= column(house.foot_m.x + reach_m); ++x) {
-                const glm::vec2 at = land.cell_m * (glm::vec2{static_cast<float>(x), static_cast<float>(y)} - half);
-                float& to_edge = to_edge_m.at(x, y);
-                to_edge = std::min(to_edge, scene::to_house_m(building, house, at) - kAboutWalls_m);
-            }
+        const glm::vec2 foot{house.foot_m.x, house.foot_m.z};
+        const float reach_m = glm::length(building.half_m);
+        lower(foot - reach_m, foot + reach_m,
+              [&](glm::vec2 at) { return scene::to_house_m(building, house, at) - kAboutWalls_m; });
     }
+    for (const houses::Lane& lane : settled_.lanes)
+        for (std::size_t i = 0; i + 1 < lane.line_m.size(); ++i) {
+            const glm::vec2 from = lane.line_m[i];
+            const glm::vec2 d = lane.line_m[i + 1] - from;
+            lower(glm::min(from, from + d), glm::max(from, from + d), [&](glm::vec2 at) {
+                const float t = std::clamp(glm::dot(at - from, d) / glm::dot(d, d), 0.0F, 1.0F);
+                return glm::distance(at, from + t * d) - 0.5F * lane.width_m;
+            });
+        }
     keep_fields_clear(land, to_edge_m);
 }
 
 void HouseBuilders::keep_fields_clear(const scene::Land& land, mesh::Field& to_edge_m) const {
     constexpr float kHedge_m = 2;  // left to trees at a field's edge
-    const float half = 0.5F * static_cast<float>(to_edge_m.columns - 1);
     for (const houses::FieldPlot& field : fields_) {
         glm::vec2 low = field.outline_m.front();
         glm::vec2 high = low;
@@ -63,15 +81,9 @@ void HouseBuilders::keep_fields_clear(const scene::Land& land, mesh::Field& to_e
             low = glm::min(low, p);
             high = glm::max(high, p);
         }
-        const auto column = [&](float m) {
-            return std::clamp(static_cast<int>(std::lround(m / land.cell_m + half)), 0, to_edge_m.columns - 1);
-        };
-        for (int y = column(low.y); y <= column(high.y); ++y)
-            for (int x = column(low.x); x <= column(high.x); ++x) {
-                const glm::vec2 at = land.cell_m * (glm::vec2{static_cast<float>(x), static_cast<float>(y)} - half);
-                float& to_edge = to_edge_m.at(x, y);
-                to_edge = std::min(to_edge, std::max(kHedge_m - houses::within_m(field.outline_m, at), -4.0F));
-            }
+        for_samples(to_edge_m, land.cell_m, low, high, [&](float& to_edge, glm::vec2 at) {
+            to_edge = std::min(to_edge, std::max(kHedge_m - houses::within_m(field.outline_m, at), -4.0F));
+        });
     }
 }
 

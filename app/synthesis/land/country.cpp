@@ -133,16 +133,8 @@ void lay_stones(scene::Land& land, Stones stones, mesh::Image& albedo) {
     for (const Footprint& court : stones.forecourts) keep_clear(land, court);
 }
 
-}  // namespace
-
-scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const scene::Fineness& fineness,
-                      Settlers* settlers) {
-    scene::Land land;
-    const Terrain terrain(p, seed);
-    const Palette palette = choose_palette(p, seed);
-    land.cell_m = kSide_m / static_cast<float>(fineness.land_samples - 1);
-    land.surround_cell_m = kSurroundCell_m;
-    land.height_m = field_of(terrain, fineness.land_samples, land.cell_m);
+// Streams, slides and wind at work on the heights.
+void wear(scene::Land& land, const Terrain& terrain, const scene::LandParameters& p) {
     carve_valleys(land.height_m, land.cell_m,
                   {.steps = static_cast<int>(std::lround(p.erosion_age)),
                    .strength = p.erosion_strength,
@@ -155,6 +147,26 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     for_rows(land.height_m, land.cell_m, [&](std::span<const float> xs_m, float z_m, std::span<float> heights_m) {
         terrain.heap_dunes(xs_m, z_m, heights_m);
     });
+}
+
+void set_grain(scene::Land& land, const scene::LandParameters& p, base::Seed seed) {
+    GroundDetail detail = ground_detail(seed, 256, p.ground_detail, p.ground_bumps);
+    land.detail = std::move(detail.grain);
+    land.detail_slopes = std::move(detail.slopes);
+    land.detail_tile_m = p.ground_detail_m;
+}
+
+}  // namespace
+
+scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const scene::Fineness& fineness,
+                      Settlers* settlers) {
+    scene::Land land;
+    const Terrain terrain(p, seed);
+    const Palette palette = choose_palette(p, seed);
+    land.cell_m = kSide_m / static_cast<float>(fineness.land_samples - 1);
+    land.surround_cell_m = kSurroundCell_m;
+    land.height_m = field_of(terrain, fineness.land_samples, land.cell_m);
+    wear(land, terrain, p);
     land.surround_m = field_of(terrain, kSurroundSamples, kSurroundCell_m);
     carve_surround(land.surround_m, p);
     land.surround_albedo = surround_colours(land.surround_m, kSurroundCell_m, palette, p, seed);
@@ -174,10 +186,11 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
                                 {.width_m = p.road_width_m, .grade = p.road_grade, .goes_on = p.road_share > 0}, seed);
     land.water_m = std::move(water.surface_m);
     set_distant_colours(land, palette, p);
+    const std::vector<scene::Road> roads = land.roads;  // lanes are the settlers'
     if (settlers) settlers->build(land);
     const bool is_settled = !land.settlement.is_empty();
     mesh::Field to_edge_m =
-        distance_to_roads_m(fineness.land_samples, land.cell_m, land.roads, is_settled ? std::nullopt : land.site);
+        distance_to_roads_m(fineness.land_samples, land.cell_m, roads, is_settled ? std::nullopt : land.site);
     if (is_settled) settlers->keep_clear(land, to_edge_m);
     land.kept_clear = scene::kept_clear_of(to_edge_m);
     water.surface_m = std::move(land.water_m);
@@ -186,7 +199,7 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     land.fresh_water = std::move(water.mesh);
 
     const mesh::Field moisture = moisture_of(land.height_m, water.drained_area_m2, land.cell_m);
-    const mesh::Field to_road_m = distance_to_roads_m(fineness.land_samples, land.cell_m, land.roads, std::nullopt);
+    const mesh::Field to_road_m = distance_to_roads_m(fineness.land_samples, land.cell_m, roads, std::nullopt);
     Ground ground = lay_ground({land.height_m, over_water_m, moisture, to_road_m, land.cell_m}, palette, p, seed,
                                fineness.albedo_px);
     land.kinds = std::move(ground.kinds);
@@ -197,10 +210,7 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     }
     ease_into_land(land.surround_albedo, kSurroundCell_m, ground.albedo, kSide_m);
     land.albedo = scene::GroundColours(ground.albedo);
-    GroundDetail detail = ground_detail(seed, 256, p.ground_detail, p.ground_bumps);
-    land.detail = std::move(detail.grain);
-    land.detail_slopes = std::move(detail.slopes);
-    land.detail_tile_m = p.ground_detail_m;
+    set_grain(land, p, seed);
     land.lichen = lichen_picture(seed.child("lichen"), p.ground_lichen);
     land.ripple = p.water_ripple;
     return land;
