@@ -18,7 +18,8 @@ namespace quadrat::scene {
 struct Road {
     std::vector<glm::vec3> line_m;  // its middle, a few metres from point to point, on the ground
     float width_m = 4;
-    float grade = 0.1F;  // rise over run that it nowhere passes
+    float grade = 0.1F;    // rise over run that it nowhere passes
+    bool is_lane = false;  // of a settlement
 };
 
 // Level ground kept for a settlement; a road leads to it where the land lets one.

@@ -35,7 +35,7 @@ void HouseBuilders::build(scene::Land& land) {
     if (settled_.settlement.is_empty()) return;
     houses::level_ground(land, settled_);
     for (const houses::Lane& lane : settled_.lanes) {
-        scene::Road road{{}, lane.width_m, kLaneGrade};
+        scene::Road road{{}, lane.width_m, kLaneGrade, true};
         for (const glm::vec2 p : lane.line_m) road.line_m.emplace_back(p.x, scene::ground_height_m(land, p), p.y);
         land.roads.push_back(std::move(road));
     }

@@ -18,7 +18,7 @@ std::vector<scene::Landmark> landmarks_of(const scene::Land& land) {
     for (scene::Landmark& mark : all) mark.size_m *= 2.5F;
     constexpr std::size_t kRoadStep = 4;
     for (const scene::Road& road : land.roads)
-        for (std::size_t i = 0; i < road.line_m.size(); i += kRoadStep)
+        for (std::size_t i = 0; i < road.line_m.size() && !road.is_lane; i += kRoadStep)
             all.push_back({road.line_m[i] + glm::vec3{0, 0.3F, 0}, {0, 1}, road.width_m, false});
     // What stands higher over the ground than boulders do. A facet has three corners of its own: some of them tell.
     constexpr std::size_t kStoneStep = 31;
