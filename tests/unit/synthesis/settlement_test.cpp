@@ -8,7 +8,9 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "scene/camera.hpp"
 #include "scene/parameters.hpp"
+#include "synthesis/compose/track.hpp"
 #include "synthesis/grow.hpp"
 #include "synthesis/houses/settle.hpp"
 #include "synthesis/houses/styles.hpp"
@@ -103,6 +105,23 @@ TEST(Settlement, EveryDoorIsNearALaneThatItLooksAt) {
                         nearest_m = std::min(nearest_m, glm::length(glm::vec2{to.x, to.z}));
                 }
             EXPECT_LT(nearest_m, 14.0F);
+        }
+    }
+}
+
+TEST(Settlement, NoFlightPassesThroughAHouse) {
+    for (const scene::Land& land : lands()) {
+        for (std::uint64_t seed = 0; seed < 4; ++seed) {
+            const base::Seed flight{seed};
+            const scene::Track track = fly(fitted_to(land, plan_flight(flight)), land, flight);
+            for (float seconds = 0; seconds < track.period_s; seconds += 0.5F) {
+                const glm::vec3 eye = scene::camera_at(track, seconds).eye_m;
+                for (const scene::House& house : land.settlement.houses) {
+                    const scene::Building& building = land.settlement.buildings[house.building];
+                    const bool is_beside = scene::to_house_m(building, house, {eye.x, eye.z}) > 1.5F;
+                    EXPECT_TRUE(is_beside || eye.y > house.foot_m.y + building.height_m) << seed << ", " << seconds;
+                }
+            }
         }
     }
 }
