@@ -10,6 +10,28 @@
 
 layout(location = 0) in vec3 at_m;
 layout(location = 2) in vec4 facet_normal;
-layout(location = 4) in vec3 root_colour;
+layout(location = 4) in vec4 root_colour;  // a: how well lichen grows there
 
-void main() { show_ground(at_m, facet_normal.xyz, root_colour); }
+out vec3 to_pale;
+out vec3 to_orange;
+out vec2 over_stone;
+
+const float kTile_m = 3.4;
+const vec3 kPale = vec3(0.70, 0.73, 0.64);  // roots of linear light
+const vec3 kOrange = vec3(0.72, 0.53, 0.26);
+const float kDense = 0.75; // the stone shows through what covers it
+
+void main() {
+    show_ground(at_m, facet_normal.xyz, root_colour.rgb);
+    vec3 stone = shown;
+    // As light as the stone is in its own light and shade.
+    float brightness = 0.55 + 0.75 * max(root_colour.r, root_colour.g);
+    show_ground(at_m, facet_normal.xyz, brightness * kPale);
+    to_pale = kDense * root_colour.a * (shown - stone);
+    show_ground(at_m, facet_normal.xyz, brightness * kOrange);
+    to_orange = kDense * root_colour.a * (shown - stone);
+    shown = stone;
+    // Facets are flat: each takes the plane that it lies nearest to.
+    vec3 n = abs(facet_normal.xyz);
+    over_stone = (n.x > max(n.y, n.z) ? at_m.zy : n.y > n.z ? at_m.xz : at_m.xy) / kTile_m;
+}

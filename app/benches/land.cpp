@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 
 #include "benches/benches.hpp"
 #include "scene/parameters.hpp"
+#include "synthesis/compose/settlers.hpp"
 #include "synthesis/grow.hpp"
 #include "synthesis/land/drainage.hpp"
 #include "synthesis/land/erosion.hpp"
@@ -77,6 +79,32 @@ void add_water(Results& results) {
     results.push_back({"land.water_ms", best_ms(9, work), "ms", 2});
 }
 
+// What people add to the growing of a land: a hamlet, a town.
+void add_settlement(Results& results) {
+    scene::LandParameters p;
+    const scene::Land wild = synthesis::grow_land(p, base::Seed{11});
+    mesh::Image albedo(1024, 1024, 4);
+    const auto settle = [&](const char* row, float age) {
+        p.settle_age = age;
+        scene::Land land = wild;
+        std::size_t houses = 0;
+        const double ms = best_ms(5, [&] {
+            land.settlement = {};
+            land.roads.clear();
+            synthesis::HouseBuilders builders(p, base::Seed{11});
+            builders.build(land);
+            mesh::Field to_edge_m;
+            builders.keep_clear(land, to_edge_m);
+            builders.paint(land, albedo);
+            houses = land.settlement.houses.size();
+        });
+        results.push_back({row, ms, fmt::format("ms, {} houses", houses), 2});
+    };
+    const Threads two(2);
+    settle("land.hamlet_ms", 0.27F);
+    settle("land.town_ms", 1.0F);
+}
+
 void add_erosion(Results& results) {
     const mesh::Field ground = hills(513);
     for (const int threads : {1, 2}) {
@@ -123,6 +151,7 @@ void land(Results& results) {
     }
     add_water(results);
     add_erosion(results);
+    add_settlement(results);
     {
         const Threads one(1);
         results.push_back({"land.cost_exponent", cost_exponent(), "of cells", 1});

@@ -20,13 +20,16 @@ constexpr double kEnough = 0.5;        // of a range
 constexpr double kOftenEnough = 0.01;  // of offers
 
 // Countries lie on a line, so that there is something between them; a visitor sees the nearer one.
-bool is_kind(const genome::Parameter& p) { return p.unit == genome::kChoice || p.id == ParameterId::ground_country; }
+bool is_kind(const genome::Parameter& p) {
+    return p.unit == genome::kChoice || p.id == ParameterId::ground_country || p.id == ParameterId::settle_region;
+}
 
 // A share that reaches below 0 is that of a feature most landscapes do without.
 bool is_feature(const genome::Parameter& p) {
     return p.min < 0 &&
            (p.name.ends_with(".share") || p.id == ParameterId::bow_strength || p.id == ParameterId::air_preetham ||
-            p.id == ParameterId::hill_hybrid || p.id == ParameterId::hill_hetero || p.id == ParameterId::hill_cells);
+            p.id == ParameterId::settle_age || p.id == ParameterId::hill_hybrid || p.id == ParameterId::hill_hetero ||
+            p.id == ParameterId::hill_cells);
 }
 
 int number_of(float kind) { return static_cast<int>(std::lround(kind)); }

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "base/file.hpp"
+#include "breeding/reach.hpp"
 #include "breeding/simulation/replay.hpp"
 #include "breeding/simulation/seeing.hpp"
 #include "breeding/simulation/study.hpp"
@@ -162,6 +163,17 @@ int redo_study(const Options& options) {
     return 0;
 }
 
+// What the breeder has to steer: not the table's rows, but those of them that picks move.
+std::string reach_line() {
+    breeding::BreederOptions options;
+    options.kind = breeding::BreederKind::Belief;
+    options.genome = genome::Genome::Full;
+    const breeding::Reach reach = breeding::reach_of(options);
+    return fmt::format(
+        "picks move {} of {} parameters, {:.0f} % of them over half of their range (quadrat words reach)\n",
+        reach.parameters.size() - reach.still(), reach.parameters.size(), 100 * reach.share_reaching(0.5));
+}
+
 int simulate(const Options& options) {
     if (options.is_study) return redo_study(options);
     if (!options.from.empty()) return replay(options);
@@ -173,7 +185,9 @@ int simulate(const Options& options) {
     for (std::size_t i = 0; i < tournaments.size(); ++i) {
         const auto standings = standings_of(tournaments[i], progress);
         std::cout << (i > 0 ? "\n" : "") << breeding::table_of(tournaments[i], standings)
-                  << breeding::text_of(breeding::figures_of(standings)) << std::flush;
+                  << breeding::text_of(breeding::figures_of(standings));
+        if (tournaments[i].genome == genome::Genome::Full) std::cout << reach_line();
+        std::cout << std::flush;
         if (options.plot.empty()) continue;
         const std::filesystem::path path = options.plot;
         const auto name = i == 0 ? path

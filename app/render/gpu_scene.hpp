@@ -7,9 +7,11 @@
 #include "render/light_and_air.hpp"
 #include "render/passes/cover.hpp"
 #include "render/passes/ground.hpp"
+#include "render/passes/houses.hpp"
 #include "render/passes/mirror.hpp"
 #include "render/passes/plants.hpp"
 #include "render/passes/sky.hpp"
+#include "render/passes/smoke.hpp"
 #include "render/passes/stone.hpp"
 #include "render/passes/water.hpp"
 #include "render/renderer.hpp"
@@ -22,6 +24,8 @@ struct CountryOnGpu {
     passes::LandOnGpu land;
     passes::FreshWaterOnGpu fresh_water;
     passes::StoneOnGpu stone;
+    passes::HousesOnGpu houses;
+    passes::SmokeOnGpu smoke;
 };
 
 // What a picture of the scene needs.

@@ -81,6 +81,11 @@ void HeldGround::update(const View& view, const glm::mat4& clip_from_world, cons
     country.stone.pieces.select(frustum, {view.camera.eye_m, wish.pixels_per_radian, stone_px, &horizon_, wish.reach},
                                 chosen_);
     stone_ = {first, chosen_.size() - first, 0, 0};
+    const std::size_t first_house = chosen_.size();
+    country.houses.levels.select(
+        frustum, {view.camera.eye_m, wish.pixels_per_radian, std::sqrt(wish.alpha), wish.growth, &horizon_, wish.reach},
+        chosen_);
+    houses_ = {first_house, chosen_.size() - first_house, 0, 0};
     indices_.fill<std::uint32_t>(chosen_);
     sent_bytes_ = chosen_.size() * sizeof(std::uint32_t);
 }
@@ -105,7 +110,7 @@ void HeldGround::drop() {
     sight_.drop();
     horizon_.begin({0, 0, 0}, 0);
     chosen_.clear();
-    land_ = surround_ = stone_ = {};
+    land_ = surround_ = stone_ = houses_ = {};
     sent_bytes_ = 0;
 }
 

@@ -12,7 +12,8 @@
 
 namespace quadrat::render {
 
-// What is drawn of land, surround and stone in one of a frame's views, kept from frame to frame while it serves.
+// What is drawn of land, surround, stone and houses in one of a frame's views, kept from frame to frame while it
+// serves.
 class HeldGround {
   public:
     struct Wish {
@@ -22,6 +23,7 @@ class HeldGround {
         float views = 1;         // of the frame, among which its triangles are shared out
         passes::Reach reach = {};
         glm::vec2 strip{-1, 1};  // of the view, clip x
+        float growth = 1;        // of its settlement: the share of the houses that stand
         friend bool operator==(const Wish&, const Wish&) = default;
     };
     void update(const View& view, const glm::mat4& clip_from_world, const Wish& wish);
@@ -31,6 +33,7 @@ class HeldGround {
     const passes::IndexRange& land() const { return land_; }
     const passes::IndexRange& surround() const { return surround_; }
     const passes::IndexRange& stone() const { return stone_; }
+    const passes::IndexRange& houses() const { return houses_; }
     const passes::Horizon& horizon() const { return horizon_; }  // of land and surround
     float grain_m() const { return grain_m_; }                   // how far the land's grain is seen
     // The land's triangles a level, for wires: sorted by it, in the index stream of its own.
@@ -60,7 +63,7 @@ class HeldGround {
     gl::StreamBuffer indices_{GL_ELEMENT_ARRAY_BUFFER};
     gl::StreamBuffer level_indices_{GL_ELEMENT_ARRAY_BUFFER};
     std::vector<passes::IndexRange> land_by_level_;
-    passes::IndexRange land_, surround_, stone_;
+    passes::IndexRange land_, surround_, stone_, houses_;
     float grain_m_ = 1;
     std::size_t sent_bytes_ = 0;
 };

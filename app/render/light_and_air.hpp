@@ -16,6 +16,8 @@ struct LightAndAir {
     float floor_m = 0;
     float side_m = 1;
     float grain_tile_m = 1;
+    float houses_sun = 1;
+    float lamps = 0;  // the share of windows that are lit
 };
 
 LightAndAir light_and_air_of(const scene::Scene& scene);

@@ -28,6 +28,22 @@ mesh::Mesh tetrahedron(float size_m) {
     return mesh;
 }
 
+scene::Settlement hut() {
+    scene::Masses masses;
+    masses.mesh = tetrahedron(6);
+    masses.mesh.texcoords.assign(4, {0, 0});
+    masses.colours.assign(4, glm::vec3{0.3F});
+    masses.claddings.assign(4, scene::Cladding::Tiles);
+    masses.lamps.assign(4, 0.5F);
+    scene::Settlement settlement;
+    settlement.buildings.push_back({{masses}, {4, 4}, 6, {{0, 7, 0}}});
+    scene::House house;
+    house.foot_m = {120, 18, 90};
+    house.has_smoke = true;
+    settlement.houses.push_back(house);
+    return settlement;
+}
+
 // From under the sea in the west to a shore, so ribbed that near and far ground are triangles of their own however they
 // are chosen.
 scene::Land shore() {
@@ -51,6 +67,7 @@ scene::Land shore() {
     for (glm::vec3& p : land.stone.mesh.positions_m) p += glm::vec3{30, 15, -30};
     land.stone.mesh.texcoords.clear();
     land.stone.colours.assign(4, glm::vec3{0.3F});
+    land.settlement = hut();
     return land;
 }
 

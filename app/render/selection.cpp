@@ -28,6 +28,12 @@ glm::mat4 turned(const glm::mat4& clip_from_world, const Hanging& hanging) {
     return turn * clip_from_world;
 }
 
+// Houses come one by one, and the selection is not made anew for each.
+float standing_at(float growth) {
+    constexpr float kSteps = 48;
+    return std::ceil(std::clamp(growth, 0.0F, 1.0F) * kSteps) / kSteps;
+}
+
 }  // namespace
 
 float scale_of(const Frame& frame) { return std::clamp(frame.detail.scale, kLeastScale, 1.0F); }
@@ -51,7 +57,8 @@ void look(const Frame& frame, const View& view, HeldGround& held, Selection& s) 
     const float scale = pixels_per_radian(view);
     if (frame.measured.ground)
         held.update(view, clip_from_world_of(view),
-                    {alpha, scale, aspect_ratio(view), static_cast<float>(frame.views.size()), s.reach, s.strip});
+                    {alpha, scale, aspect_ratio(view), static_cast<float>(frame.views.size()), s.reach, s.strip,
+                     standing_at(view.growth)});
     else
         held.drop();
     if (frame.measured.ground) {

@@ -35,6 +35,8 @@ struct GroundOnGpu {
                               if (shelves->ground == GroundBy::Roam) passes::add_roam(to, made.land, land);
                               passes::add_fresh_water(to, made.fresh_water, pool, land);
                               passes::add_stone(to, made.stone, land);
+                              passes::add_houses(to, made.houses, land);
+                              passes::add_smoke(to, made.smoke, land);
                           })),
           flora(shelved(slices, shelves, &Shelves::floras, ground.flora, passes::add_flora)) {}
 };

@@ -60,6 +60,13 @@ void set_water(passes::ViewBlock& b, const LightAndAir& air, float left) {
     b.mirrored = {shown(air.high_sky, left), 0.35F * encode(scene::luminance(air.foam) * left)};
 }
 
+// When people light their lamps: 0 by day to 1 by night.
+float darkness(const scene::Sky& sky) {
+    if (sky.is_night) return 1;
+    const float high = sky.sun_direction.y;
+    return 0.9F * (1 - glm::smoothstep(0.05F, 0.24F, high));
+}
+
 }  // namespace
 
 LightAndAir light_and_air_of(const scene::Scene& scene) {
@@ -90,6 +97,8 @@ LightAndAir light_and_air_of(const scene::Scene& scene) {
     a.floor_m = scene.floor_m;
     a.side_m = land.side_m();
     a.grain_tile_m = land.detail_tile_m;
+    a.houses_sun = scene.houses_sun;
+    a.lamps = land.settlement.lit_share * darkness(*scene.sky);
     return a;
 }
 
@@ -106,7 +115,7 @@ passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, f
     b.sunlight = {sky.sunlight * left, kept_shown};
     b.ambient = sky.ambient.linear();
     for (glm::vec4& row : b.ambient) row *= left;
-    b.scales = {1 / air.side_m, 1 / air.grain_tile_m, 0.5F * passes::kGrain, 0};
+    b.scales = {1 / air.side_m, 1 / air.grain_tile_m, 0.5F * passes::kGrain, air.lamps};
     b.haze_colour = {shown(sky.haze_colour, left), kLog2E / sky.haze_distance_m};
     b.haze_sunward = {shown(sky.haze_sunward, left), kLog2E / sky.haze_height_m};
     const scene::Mist& mist = sky.mist;
@@ -116,6 +125,8 @@ passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, f
     b.glare = {sky.glare * kept_shown, 0.20F * sky.bow * kept_shown};
     set_water(b, air, left);
     set_clouds(b, view, left, seconds);
+    b.cloud_place[1].z = air.houses_sun;
+    b.cloud_place[1].w = std::pow(kept(view.dim), 0.45F);
     return b;
 }
 

@@ -59,6 +59,9 @@ void ViewPainter::draw(const Frame& frame, const View& view, const Selection& se
     if (marks) marks->begin_distance();
     if (what.sky && !gl::Wires::are_on()) draw_sky(frame, view, selection, held, place, drawn);
     marks.reset();
+    if (what.ground && !gl::Wires::are_on())
+        of(drawn, Kind::Falling) += smoke_.draw(view.scene->country->smoke, view.scene->air.sky.clouds[0].wind_m_s,
+                                                view.growth, selection.reach);
     if (what.sky && !gl::Wires::are_on() && selection.reach.part != passes::Reach::Part::Far)
         of(drawn, Kind::Falling) +=
             falling_.draw(view.scene->air.sky.precipitation, selection.block, pixels_per_radian(view), alpha_of(frame));
@@ -77,6 +80,7 @@ void ViewPainter::draw_ground(const View& view, const Selection& selection, cons
     gl::bind_uniforms(scene.sky->shadow, passes::kShadowBinding);
     of(drawn, Kind::Cover) += cover_.draw(scene.cover, selection.cover, stock.cover);
     gl::Work& work = of(drawn, Kind::Ground);
+    work += houses_.draw(country.houses, held.indices(), held.houses());
     work += stone_.draw(country.stone, held.indices(), held.stone());
     if (gl::Wires::are_on()) {
         for (const passes::IndexRange& level : held.land_by_level())

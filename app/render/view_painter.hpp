@@ -9,8 +9,10 @@
 #include "render/passes/distance.hpp"
 #include "render/passes/falling.hpp"
 #include "render/passes/ground.hpp"
+#include "render/passes/houses.hpp"
 #include "render/passes/plants.hpp"
 #include "render/passes/sky.hpp"
+#include "render/passes/smoke.hpp"
 #include "render/passes/stone.hpp"
 #include "render/passes/water.hpp"
 #include "render/renderer.hpp"
@@ -56,6 +58,8 @@ class ViewPainter {
     passes::GroundPass ground_;
     passes::SurroundPass surround_;
     passes::StonePass stone_;
+    passes::HousesPass houses_;
+    passes::SmokePass smoke_;
     passes::CoverPass cover_;
     passes::PlantsPass plants_;
     passes::WaterPass water_;

@@ -92,6 +92,8 @@ struct Species {
     float moisture = 0.4F;        // of the ground where it does best: 0 dry to 1 wet
     float moisture_width = 0.8F;  // how far from that it still grows
     bool is_tender = false;       // bears no frost
+    float shore_liking = 0;       // -1 away from beaches to 1 on them, where others may have the rest of the land
+    float arid_liking = 0;        // -1 where it is green to 1 on bare dry ground
     float shade_liking = 0;       // -1 in the open to 1 under trees
     float density = 1;            // of its storey, where it does best: 0 to 1
     float share = 1;              // of the plants of its storey, against the other species

@@ -10,6 +10,7 @@
 #include "mesh/image.hpp"
 #include "mesh/mesh.hpp"
 #include "scene/ground_colours.hpp"
+#include "scene/settlement.hpp"
 
 namespace quadrat::scene {
 
@@ -17,7 +18,8 @@ namespace quadrat::scene {
 struct Road {
     std::vector<glm::vec3> line_m;  // its middle, a few metres from point to point, on the ground
     float width_m = 4;
-    float grade = 0.1F;  // rise over run that it nowhere passes
+    float grade = 0.1F;    // rise over run that it nowhere passes
+    bool is_lane = false;  // of a settlement
 };
 
 // Level ground kept for a settlement; a road leads to it where the land lets one.
@@ -30,6 +32,14 @@ struct Site {
 struct Stone {
     mesh::Mesh mesh;
     std::vector<glm::vec3> colours;  // linear, one a vertex
+};
+
+// Something that a walker would go to see: a cave, an arch, a ring of stones.
+struct Landmark {
+    glm::vec3 at_m{0};       // the middle of it, over the ground
+    glm::vec2 faces{0, 1};   // unit, level: where one stands to see it best
+    float size_m = 10;       // its height or breadth, the larger
+    bool has_front = false;  // only from there: a cave
 };
 
 // World: x east, y up, z south, in metres; the land's middle is x = z = 0, the sea's surface y = 0.
@@ -48,8 +58,9 @@ struct Land {
     mesh::Image detail_slopes;  // their slopes: soft east, south, stone east, south; 128 is level, 255 is 1; or empty
     mesh::Image
         kinds;  // two channels, a pixel a sample: how far its grain is soft ground's, how far stone's; empty: soft
-    mesh::Image surround_albedo;                   // RGBA, a pixel a sample of surround_m; empty: far_colour
-    float detail_tile_m = 7;                       // one tile of it on the ground
+    mesh::Image surround_albedo;  // RGBA, a pixel a sample of surround_m; empty: far_colour
+    float detail_tile_m = 7;      // one tile of it on the ground
+    mesh::Image lichen;  // tileable, two channels, how far a pale crust and an orange one cover stone; empty: none
     glm::vec3 shallow_colour{0.2F, 0.45F, 0.42F};  // of water, linear
     glm::vec3 deep_colour{0.02F, 0.10F, 0.14F};
     glm::vec3 far_colour{0.3F, 0.35F, 0.25F};  // of the surround as a whole, linear
@@ -61,6 +72,8 @@ struct Land {
     mesh::Grid<std::uint8_t> kept_clear;  // a byte a sample: how far the edge of the nearest road or site is, see
                                           // kept_clear_of(); empty: none
     Stone stone;
+    Settlement settlement;
+    std::vector<Landmark> landmarks;  // the most worth a look first
 
     float side_m() const { return cell_m * static_cast<float>(height_m.columns - 1); }
 };

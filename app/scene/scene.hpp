@@ -42,9 +42,10 @@ struct Scene {
     std::vector<Plant> plants;  // sorted by species
     Sward sward;
     BakedLight light;
-    Mirror mirror;       // of its water
-    float exposure = 1;  // of all its light, when it is shown
-    float floor_m = 0;   // above the sea: the low ground along its flight, on which mist lies
+    Mirror mirror;         // of its water
+    float exposure = 1;    // of all its light, when it is shown
+    float floor_m = 0;     // above the sea: the low ground along its flight, on which mist lies
+    float houses_sun = 1;  // of the sun, what reaches its houses past the land, 0 to 1
     Track track;
 };
 

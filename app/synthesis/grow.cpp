@@ -8,6 +8,7 @@
 #include "synthesis/compose/near_shade.hpp"
 #include "synthesis/compose/openness.hpp"
 #include "synthesis/compose/planting.hpp"
+#include "synthesis/compose/settlers.hpp"
 #include "synthesis/compose/sward.hpp"
 #include "synthesis/compose/track.hpp"
 #include "synthesis/land/country.hpp"
@@ -22,6 +23,14 @@ constexpr float kLeastByNight = 0.40F;
 constexpr int kShadesAgain = 3;
 constexpr int kShadesAgainByNight = 2;
 
+// The mean over its houses, at the height of their eaves.
+float sun_on(const scene::Settlement& settlement, const LandShadow& shadow) {
+    if (settlement.is_empty()) return 1;
+    float sum = 0;
+    for (const scene::House& house : settlement.houses) sum += shadow.sun_at(house.foot_m + glm::vec3{0, 4, 0});
+    return sum / static_cast<float>(settlement.houses.size());
+}
+
 }  // namespace
 
 scene::Flora grow_trees(const scene::TreeParameters& parameters, base::Seed seed) {
@@ -29,7 +38,8 @@ scene::Flora grow_trees(const scene::TreeParameters& parameters, base::Seed seed
 }
 
 scene::Land grow_land(const scene::LandParameters& parameters, base::Seed seed, const scene::Fineness& fineness) {
-    return land::make_land(parameters, seed, fineness);
+    HouseBuilders builders(parameters, seed.child("settlement"));
+    return land::make_land(parameters, seed, fineness, parameters.settle_age >= 0 ? &builders : nullptr);
 }
 
 scene::Sky grow_sky(const scene::SkyParameters& parameters, base::Seed seed) { return sky::make_sky(parameters, seed); }
@@ -56,6 +66,7 @@ scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_p
         shade_what_is_near(scene.light, scene.plants, scene.track, land->side_m(), kLeftAgain);
     scene.sward = std::move(layout.sward);
     light_sward(scene.sward, *land, scene.light);
+    scene.houses_sun = sun_on(land->settlement, shadow);
     scene.floor_m = low_ground_m(*land, scene.track);
     scene.exposure = exposure_for(*land, *sky, scene.light, scene.track);
     scene.flora = std::move(flora);

@@ -13,7 +13,8 @@ layout(std140, binding = 0) uniform ViewBlock {
     vec4 to_glow;        // xyz: toward where the sky is brightest, unit; w: light of thin cloud before it
     vec4 sunlight;       // rgb: light, irradiance / pi facing the sun; w: factor of the ground's picture, shown
     vec4 ambient[3];     // light of sky and ground on a surface, for red, green and blue: xyz times its normal plus w
-    vec4 scales;         // x: 1 / side of the land, 1/m; y: 1 / tile of its grain, 1/m; z: factor of the grain
+    vec4 scales;         // x: 1 / side of the land, 1/m; y: 1 / tile of its grain, 1/m; z: factor of the grain; w: share of
+                         // windows that are lit
     vec4 haze_colour;    // rgb: shown, across the glow; w: log2(e) / haze distance, 1/m
     vec4 haze_sunward;   // rgb: shown, toward the glow; w: log2(e) / haze height, 1/m
     vec4 mist;           // x: log2(e) * extinction, 1/m; y: its level, m; z: log2(e) / its depth, 1/m;
@@ -25,7 +26,8 @@ layout(std140, binding = 0) uniform ViewBlock {
     vec4 glare;          // rgb: shown, about the disc; w: strength of the rainbow, shown
     vec4 cloud_turn[2];  // from metres over the eye for a metre of height to a layer's tile: two columns
     vec4 cloud_place[2]; // of the lower: x: how far it has drifted, rad; z: darkness of its shadow; of the upper: xy:
-                         // texture coordinate over the eye
+                         // texture coordinate over the eye; z: of the sun, what reaches houses; w: what dimming
+                         // leaves of a lamp
     vec4 shadow_turn;    // from metres over the ground to the lower layer's tile along the light: two columns
     vec4 shadow_place;   // xy: texture coordinate of the land's middle at the sea; zw: less for a metre of height
     vec4 cloud_shaded;   // rgb: shown; w: the upper layer's light on the lower one's scale: factor

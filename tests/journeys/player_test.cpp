@@ -17,13 +17,14 @@ using nlohmann::json;
 
 const std::map<std::string, std::vector<std::string>> kAspects{
     {"trees", {"tropical", "sparse", "tall", "leafy", "colourful", "slender", "gnarled"}},
-    {"land", {"wet", "mountainous", "undulating", "rugged", "green", "cold", "narrow"}},
+    {"land", {"wet", "mountainous", "undulating", "rugged", "green", "cold", "narrow", "settled"}},
     {"sky", {"cloudy", "light", "warm", "misty", "stormy", "vivid"}}};
 
 const json kWish{{"tropical", -0.6}, {"sparse", 0.2},   {"tall", 0.8},  {"leafy", 0.5},       {"colourful", -0.4},
                  {"slender", 0.6},   {"gnarled", -0.5}, {"wet", 0.4},   {"mountainous", 0.7}, {"undulating", 0.1},
-                 {"rugged", 0.5},    {"green", 0.3},    {"cold", 0.5},  {"narrow", 0.4},      {"cloudy", 0.3},
-                 {"light", 0.5},     {"warm", -0.3},    {"misty", 0.4}, {"stormy", -0.3},     {"vivid", 0.2}};
+                 {"rugged", 0.5},    {"green", 0.3},    {"cold", 0.5},  {"narrow", 0.4},      {"settled", -0.3},
+                 {"cloudy", 0.3},    {"light", 0.5},    {"warm", -0.3}, {"misty", 0.4},       {"stormy", -0.3},
+                 {"vivid", 0.2}};
 
 double distance(const json& words, const std::string& aspect) {
     double squares = 0;

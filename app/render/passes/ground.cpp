@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <memory>
 
 #include "render/gl/buffer_upload.hpp"
@@ -14,16 +15,33 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr int kSurroundBlock = 8;
-constexpr float kModelled =
-    1.6F;  // how much steeper what is far is lit than it is: its samples have lost what is small
+// How much steeper what is far is lit than it is: its samples have lost what is small. Beside the land it is lit as
+// that.
+constexpr float kModelled = 1.6F;
+constexpr float kModelledFrom_m = 320;  // beyond the land's edge
 
-PackedNormal normal_at(const mesh::Field& field, float cell_m, int column, int row) {
-    const auto height = [&](int c, int r) {
-        return field.at(std::clamp(c, 0, field.columns - 1), std::clamp(r, 0, field.rows - 1));
+// Of the country around. Within the land its samples lie sunken: there the land's own ground counts.
+PackedNormal surround_normal(const scene::Land& land, int column, int row) {
+    const mesh::Field& field = land.surround_m;
+    const float cell_m = land.surround_cell_m;
+    const auto place_m = [&](int c, int r) {
+        return cell_m * (glm::vec2{static_cast<float>(c), static_cast<float>(r)} -
+                         0.5F * glm::vec2{static_cast<float>(field.columns - 1), static_cast<float>(field.rows - 1)});
     };
+    const auto beyond_m = [&](glm::vec2 at_m) {
+        return std::max(std::abs(at_m.x), std::abs(at_m.y)) - 0.5F * land.side_m();
+    };
+    const auto height_m = [&](int c, int r) {
+        c = std::clamp(c, 0, field.columns - 1);
+        r = std::clamp(r, 0, field.rows - 1);
+        const glm::vec2 at_m = place_m(c, r);
+        return beyond_m(at_m) < 0 ? scene::ground_height_m(land, at_m) : field.at(c, r);
+    };
+    const float far = std::clamp(beyond_m(place_m(column, row)) / kModelledFrom_m, 0.0F, 1.0F);
+    const float modelled = 1 + (kModelled - 1) * far;
     return packed_normal(
-        glm::normalize(glm::vec3{height(column - 1, row) - height(column + 1, row), 2 * cell_m / kModelled,
-                                 height(column, row - 1) - height(column, row + 1)}));
+        glm::normalize(glm::vec3{height_m(column - 1, row) - height_m(column + 1, row), 2 * cell_m / modelled,
+                                 height_m(column, row - 1) - height_m(column, row + 1)}));
 }
 
 Facing facing_of(const scene::Land& land, std::size_t sample) {
@@ -31,7 +49,7 @@ Facing facing_of(const scene::Land& land, std::size_t sample) {
     const auto at = static_cast<int>(sample);
     const int column = at % field.columns;
     const int row = at / field.columns;
-    Facing facing{normal_at(field, land.surround_cell_m, column, row), {}};
+    Facing facing{surround_normal(land, column, row), {}};
     for (int c = 0; c < 3; ++c)
         facing.root_colour[c] = land.surround_albedo.bytes.empty()
                                     ? unsigned_byte(std::sqrt(land.far_colour[c]))

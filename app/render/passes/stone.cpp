@@ -4,12 +4,33 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <vector>
 
 #include "render/gl/buffer_upload.hpp"
+#include "render/gl/picture_upload.hpp"
 #include "render/passes/packing.hpp"
 
 namespace quadrat::render::passes {
+namespace {
+
+// How well lichen grows at a corner, 0 to 1: on what lies open to the sky, not in caves, which are dark; here more,
+// there less, over some ten metres.
+float lichen_of(const Pieces::Corner& corner) {
+    const float open = std::clamp(0.55F + 0.6F * corner.normal.y, 0.0F, 1.0F);
+    const float brightest = std::max({corner.colour.r, corner.colour.g, corner.colour.b});
+    const glm::vec3& at = corner.at_m;
+    const float here = 0.62F + 0.45F * std::sin(0.41F * at.x + 2 * std::sin(0.23F * at.z)) * std::cos(0.47F * at.y);
+    return std::min(open * here, 1.0F) * std::clamp((brightest - 0.03F) / 0.06F, 0.0F, 1.0F);
+}
+
+// Of stone without lichen: one pixel of none.
+std::shared_ptr<const mesh::Image> lichen_on(const std::shared_ptr<const scene::Land>& land) {
+    if (!land->lichen.bytes.empty()) return {land, &land->lichen};
+    return std::make_shared<mesh::Image>(1, 1, 2);
+}
+
+}  // namespace
 
 void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<const scene::Land>& land) {
     const scene::Stone& source = land->stone;
@@ -25,22 +46,30 @@ void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<cons
     gl::add_made<Facing>(slices, stone.facings, GL_ARRAY_BUFFER, most, [corners](std::size_t i) {
         const Pieces::Corner& corner = (*corners)[i];
         const auto root = [&](int c) { return unsigned_byte(std::sqrt(std::max(corner.colour[c], 0.0F))); };
-        return Facing{packed_normal(corner.normal), {root(0), root(1), root(2), 0}};
+        return Facing{packed_normal(corner.normal), {root(0), root(1), root(2), unsigned_byte(lichen_of(corner))}};
     });
+    const auto lichen = lichen_on(land);
+    gl::TextureShape tiled;
+    tiled.wrap_s = tiled.wrap_t = gl::Wrap::Repeat;
+    tiled.width = lichen->width;
+    tiled.height = lichen->height;
+    tiled.channels = 2;
+    gl::add_picture(slices, stone.lichen, lichen, tiled);
 }
 
 StonePass::StonePass()
-    : program_("stone.vert", "lit.frag"),
+    : program_("stone.vert", "stone.frag"),
       vertices_{{0, sizeof(glm::vec3), gl::Advance::PerVertex, {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, 0}}},
                 {1,
                  sizeof(Facing),
                  gl::Advance::PerVertex,
                  {{2, 4, GL_BYTE, gl::Numbers::Normalised, 0},
-                  {4, 3, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Facing, root_colour)}}}} {}
+                  {4, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Facing, root_colour)}}}} {}
 
 gl::Work StonePass::draw(const StoneOnGpu& stone, const gl::StreamBuffer& indices, const IndexRange& range) const {
     if (range.count == 0) return {};
     program_.use();
+    stone.lichen.bind(0);
     vertices_.bind();
     vertices_.feed(0, stone.corners.name());
     vertices_.feed(1, stone.facings.name());

@@ -5,6 +5,7 @@
 #include "render/gl/buffer.hpp"
 #include "render/gl/program.hpp"
 #include "render/gl/slices.hpp"
+#include "render/gl/texture.hpp"
 #include "render/gl/vertex_array.hpp"
 #include "render/passes/grid.hpp"
 #include "render/passes/pieces.hpp"
@@ -15,6 +16,7 @@ namespace quadrat::render::passes {
 struct StoneOnGpu {
     gl::Buffer corners;
     gl::Buffer facings;
+    gl::Texture2D lichen;
     Pieces pieces;
 };
 

@@ -158,6 +158,8 @@ scene::BakedLight bake_light(const scene::Land& land, const mesh::Field& open, c
     CrownShade crowns = cast_crowns(land, sky.sun_direction, flora, plants, side_px);
     darken(crowns.sun, cast_stone(land, sky.sun_direction, side_px), 0.94F);
     darken(crowns.sky, cast_stone(land, {0, 1, 0}, side_px), 0.6F);
+    darken(crowns.sun, cast_houses(land, sky.sun_direction, side_px), 0.94F);
+    darken(crowns.sky, cast_houses(land, {0, 1, 0}, side_px), 0.5F);
     const float px_m = land.side_m() / static_cast<float>(side_px);
     const float half_m = 0.5F * land.side_m();
     const float open_per_px = static_cast<float>(open.columns) / static_cast<float>(side_px);

@@ -171,6 +171,24 @@ class Painting {
         }
     }
 
+    // By the house's coarsest level; a lit window shines.
+    void paint_house(const scene::Masses& masses, const scene::House& house) {
+        const float lit_share = scene_.sky->is_night ? scene_.land->settlement.lit_share : 0.0F;
+        for (std::size_t i = 0; i + 2 < masses.mesh.indices.size(); i += 3) {
+            const std::uint32_t first = masses.mesh.indices[i];
+            const glm::vec3 normal = scene::turned(house, masses.mesh.normals[first]);
+            const float facing = std::max(glm::dot(normal, scene_.sky->sun_direction), 0.0F) * scene_.houses_sun;
+            glm::vec3 lit = masses.colours[first] * (scene_.sky->ambient.on(normal) + facing * scene_.sky->sunlight);
+            const float hour = masses.lamps[first] + house.evening;
+            if (masses.lamps[first] > 0 && hour - std::floor(hour) < lit_share)
+                lit = glm::vec3{1.0F, 0.6F, 0.2F} / std::max(scene_.exposure, 0.1F);
+            std::array<glm::vec3, 3> corners;  // column, rise, distance
+            for (std::size_t k = 0; k < 3; ++k)
+                corners[k] = in_picture(scene::placed(house, masses.mesh.positions_m[masses.mesh.indices[i + k]]));
+            paint_triangle(corners, through_air(lit, house.foot_m, std::max(corners[0].z, kNearest_m)));
+        }
+    }
+
     scene::Mirror take() const {
         scene::Mirror mirror;
         mirror.at_m = water_.at_m;
@@ -187,6 +205,40 @@ class Painting {
     }
 
   private:
+    glm::vec3 in_picture(const glm::vec3& at_m) const {
+        const glm::vec2 from{at_m.x - water_.at_m.x, at_m.z - water_.at_m.z};
+        const float away_m = std::max(glm::length(from), 1.0F);
+        float off = std::atan2(from.x, -from.y) - water_.bearing_rad;
+        off -= 6.2831853F * std::round(off / 6.2831853F);
+        return {scene::mirror_at(off, 0).x * kWidth, (at_m.y - water_.at_m.y) / away_m, away_m};
+    }
+
+    void paint_triangle(const std::array<glm::vec3, 3>& p, const glm::vec3& seen) {
+        const float left = std::min({p[0].x, p[1].x, p[2].x});
+        const float right = std::max({p[0].x, p[1].x, p[2].x});
+        const float away_m = (p[0].z + p[1].z + p[2].z) / 3;
+        if (away_m < kNearest_m || right - left > 0.25F * kWidth) return;
+        for (int x = std::max(static_cast<int>(left), 0); x <= std::min(static_cast<int>(right), kWidth - 1); ++x) {
+            if (away_m < 0.97F * shore_m_[static_cast<std::size_t>(x)] - 2.0F) continue;
+            const float at = std::clamp(static_cast<float>(x) + 0.5F, left, right);
+            float low = 1.0e9F;
+            float high = -1.0e9F;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const glm::vec3& a = p[k];
+                const glm::vec3& b = p[(k + 1) % 3];
+                if ((a.x > at) == (b.x > at) && a.x != at) continue;
+                const float t = b.x == a.x ? 0.0F : std::clamp((at - a.x) / (b.x - a.x), 0.0F, 1.0F);
+                low = std::min(low, a.y + t * (b.y - a.y));
+                high = std::max(high, a.y + t * (b.y - a.y));
+            }
+            for (int y = 0; y < kHeight && rise_[static_cast<std::size_t>(y)] <= high; ++y) {
+                if (rise_[static_cast<std::size_t>(y)] < low || away_m_.at(x, y) < away_m) continue;
+                light_.at(x, y) = seen;
+                away_m_.at(x, y) = away_m;
+            }
+        }
+    }
+
     // Less than 0: there is no water.
     float shore_over(int x) const {
         const glm::vec2 way = way_of(bearing_of(x));
@@ -330,6 +382,8 @@ scene::Mirror hold_up_mirror(const scene::Scene& scene) {
     for (const scene::Plant& plant : scene.plants)
         if (scene.flora->species[plant.species].storey != scene::Storey::Herb)
             painting.paint_plant(plant, foliage[plant.species].colour, foliage[plant.species].is_pointed);
+    for (const scene::House& house : scene.land->settlement.houses)
+        painting.paint_house(scene.land->settlement.buildings[house.building].levels.back(), house);
     return painting.take();
 }
 

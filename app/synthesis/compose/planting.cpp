@@ -13,8 +13,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <optional>
 #include <span>
 
+#include "synthesis/compose/clearing.hpp"
 #include "synthesis/compose/competition.hpp"
 #include "synthesis/compose/lookups.hpp"
 #include "synthesis/compose/site.hpp"
@@ -47,9 +49,10 @@ Storeyed by_storey(const scene::Flora& flora) {
 }
 
 // One of the kinds by its share and how well it does, drawn by an own number of the place. best: of the best of them.
+// zone: where it lies, for kinds that keep to one.
 template <typename Well>
 std::uint32_t choose_species(const scene::Flora& flora, std::span<const std::uint32_t> kinds, float draw,
-                             const Well& well, float& best) {
+                             const Well& well, float& best, const Zone* zone = nullptr) {
     constexpr std::size_t kMost = 12;
     float weights[kMost] = {};
     float total = 0;
@@ -59,6 +62,7 @@ std::uint32_t choose_species(const scene::Flora& flora, std::span<const std::uin
         const float w = well(kinds[i], i);
         best = std::max(best, w);
         weights[i] = w * flora.species[kinds[i]].share;
+        if (zone != nullptr) weights[i] *= at_home(flora.species[kinds[i]], *zone);
         total += weights[i];
     }
     float left = draw * total;
@@ -83,10 +87,15 @@ class Planter {
           flora_(flora),
           half_m_(0.5F * land.side_m()),
           sight_(flight, half_m_),
+          vistas_(land, flight),
+          clearing_(land.settlement),
           ground_(land),
           budget_(budget),
           seed_(seed),
-          kinds_(by_storey(flora)) {}
+          kinds_(by_storey(flora)) {
+        if (std::ranges::any_of(kinds_.trees, [&](std::uint32_t i) { return keeps_to_a_zone(flora.species[i]); }))
+            zones_.emplace(land);
+    }
 
     std::vector<scene::Plant> plant() {
         std::vector<Candidate> trees;
@@ -154,8 +163,10 @@ class Planter {
             const float grove = groves.at(c.at_m);
             const float density =
                 std::clamp(0.62F - 0.25F * openness + 5.2F * stand.grove_contrast * grove, 0.03F, 1.0F);
-            if (stay > density || !ground_.is_free(c.at_m, 1.0F)) return;
+            const float left = clearing_.left_at(c.at_m);
+            if (stay > density * left || !ground_.is_free(c.at_m, 1.0F)) return;
             const Soil soil = ground_.soil(c.at_m);
+            const Zone zone = zones_ ? zones_->at(c.at_m) : Zone{};
             float well = 0;
             // Kinds keep company: each has its own ground within a grove.
             c.species = choose_species(
@@ -163,10 +174,10 @@ class Planter {
                 [&](std::uint32_t i, std::size_t place) {
                     return welfare(flora_.species[i], soil) * std::exp2(7.0F * stands[place].at(c.at_m));
                 },
-                well);
+                well, zones_ ? &zone : nullptr);
             if (stay > density * std::min(well * 2.0F, 1.0F)) return;
             c.scale = c.is_young ? 0.46F + 0.16F * size : 1.0F + stand.size_spread * size;
-            if (sight_.is_in_the_way(c.at_m, crown_m(c))) return;
+            if (sight_.is_in_the_way(c.at_m, crown_m(c)) || vistas_.are_closed_by(c.at_m, crown_m(c))) return;
             c.mark = mark + (c.is_young ? 1.0F : 0.0F);
         };
         const float reach_m = std::max(0.55F * flora_.spacing_m, 2.0F) + 4.0F;
@@ -210,6 +221,14 @@ class Planter {
         plants = std::move(fewer);
     }
 
+    // Of a tree that is set for the picture's sake: the first species, but for the one whose zone this is.
+    std::uint32_t species_at(glm::vec2 at_m) const {
+        if (!zones_) return kinds_.trees.front();
+        const Zone zone = zones_->at(at_m);
+        const auto weight = [&](std::uint32_t i) { return flora_.species[i].share * at_home(flora_.species[i], zone); };
+        return *std::ranges::max_element(kinds_.trees, {}, weight);
+    }
+
     // A tree at each side of the picture, where the land allows it.
     void frame_view(std::vector<Candidate>& trees) const {
         const FlightPlan& flight = sight_.flight();
@@ -224,10 +243,11 @@ class Planter {
                 const float aside_m = side * (wide_m + random.between(6.0F, 16.0F));
                 c.at_m = middle.at_m + along_m * middle.ahead + aside_m * aside;
                 c.scale = random.between(0.95F, 1.22F);
-                c.species = kinds_.trees.front();
+                c.species = species_at(c.at_m);
                 c.mark = 0;
                 const scene::Species& species = flora_.species[c.species];
                 if (!ground_.is_on_land(c.at_m) || sight_.is_in_the_way(c.at_m, 0.8F * crown_m(c))) continue;
+                if (vistas_.are_closed_by(c.at_m, 0.8F * crown_m(c))) continue;
                 if (!ground_.is_free(c.at_m, 1.0F) || welfare(species, ground_.soil(c.at_m)) <= 0.2F) continue;
                 const float apart = std::max(0.6F * crown_m(c), 2.5F);
                 std::erase_if(trees, [&](const Candidate& t) {
@@ -280,11 +300,13 @@ class Planter {
         const float high_m = flora_.species[c.species].height_m * c.scale;
         const float along_m = std::clamp(high_m / (kPictureOverDistance * share), 14.0F, 72.0F);
         c.at_m = from.at_m + along_m * from.ahead + turn * along_m * random.between(0.17F, 0.29F) * right;
+        c.species = species_at(c.at_m);
         return c;
     }
 
     bool is_hero_ground(const Candidate& c, const HeroGround& asked) const {
         if (!ground_.is_on_land(c.at_m) || !ground_.is_free(c.at_m, 1.5F, asked.least_height_m)) return false;
+        if (asked.least_welfare > 0 && vistas_.are_closed_by(c.at_m, 0.8F * crown_m(c))) return false;
         const bool does_well =
             asked.least_welfare <= 0 || welfare(flora_.species[c.species], ground_.soil(c.at_m)) > asked.least_welfare;
         return does_well && std::ranges::none_of(sight_.flight().stations, [&](const FlightPlan::Station& station) {
@@ -403,10 +425,13 @@ class Planter {
     const scene::Flora& flora_;
     float half_m_;
     Sight sight_;
+    Vistas vistas_;
+    Clearing clearing_;
     Ground ground_;
     PlantingBudget budget_;
     base::Seed seed_;
     Storeyed kinds_;
+    std::optional<Zones> zones_;  // where some tree keeps to one
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "scene/colour.hpp"
 #include "scene/flora.hpp"
 #include "scene/land.hpp"
 #include "synthesis/compose/competition.hpp"
@@ -120,12 +121,56 @@ class Sight {
     std::vector<std::uint16_t> nearest_;
 };
 
+// The lines on which landmarks are looked at from the way: what the flight came to see, no tree hides.
+class Vistas {
+  public:
+    Vistas(const scene::Land& land, const FlightPlan& flight) {
+        constexpr float kFarthest_m = 240;
+        constexpr float kWidest = 0.6F;  // tangent off the view
+        if (flight.stations.empty()) return;
+        const std::size_t last = flight.stations.size() - 1;
+        for (const scene::Landmark& mark : land.landmarks) {
+            for (const std::size_t i : {last / 5, last / 2}) {
+                const FlightPlan::Station& station = flight.stations[i];
+                const glm::vec2 to = glm::vec2{mark.at_m.x, mark.at_m.z} - station.at_m;
+                const float along_m = glm::dot(to, station.ahead);
+                const float aside_m = std::abs(to.x * station.ahead.y - to.y * station.ahead.x);
+                if (along_m <= 0 || along_m > kFarthest_m || aside_m > kWidest * along_m) continue;
+                lines_.push_back({station.at_m, to, 0.5F * mark.size_m});
+            }
+        }
+    }
+
+    bool are_closed_by(glm::vec2 at_m, float crown_m) const {
+        return std::ranges::any_of(lines_, [&](const Line& line) {
+            const float t = glm::dot(at_m - line.from_m, line.to) / std::max(glm::dot(line.to, line.to), 1.0F);
+            if (t <= 0 || t >= 1) return false;
+            return glm::length(at_m - line.from_m - t * line.to) < crown_m + t * line.half_m;
+        });
+    }
+
+  private:
+    struct Line {
+        glm::vec2 from_m;
+        glm::vec2 to;
+        float half_m;  // of the landmark's breadth
+    };
+    std::vector<Line> lines_;
+};
+
 // What a plant finds where it stands.
 struct Soil {
     float height_m;
     float slope;     // rise over run
     float moisture;  // 0 dry to 1 wet
     bool is_snowy;
+};
+
+// Where on an island a place lies: the beach, the bare dry land, the grass, as Hultquist, Gain and Cairns ("Affective
+// scene generation", 2006) place palms, cacti and firs. Both 0 on grass.
+struct Zone {
+    float shore = 0;  // 1 on the lowest ground over the sea
+    float arid = 0;   // 1 where nothing green covers what lies higher
 };
 
 class Ground {
@@ -175,6 +220,69 @@ inline float welfare(const scene::Species& species, const Soil& soil) {
     // No palm in frost where anything else would grow; where nothing would, a few that do badly.
     const float frost = soil.is_snowy && species.is_tender ? 0.03F : 1.0F;
     return soil.height_m < kShore_m ? 0 : above * below * flat * moist * frost;
+}
+
+// The zones of a land: by height, and by how green the ground is painted beside the greenest of this land. So plants
+// stand where the picture says that they would.
+class Zones {
+  public:
+    explicit Zones(const scene::Land& land) : land_(land) {
+        if (land.albedo.is_empty()) return;
+        std::vector<float> all;
+        const int step = std::max(land.albedo.width() / 64, 1);
+        for (int y = step / 2; y < land.albedo.height(); y += step)
+            for (int x = step / 2; x < land.albedo.width(); x += step) {
+                const float m_per_px = land.side_m() / static_cast<float>(land.albedo.width());
+                const glm::vec2 at_m =
+                    m_per_px * glm::vec2{static_cast<float>(x), static_cast<float>(y)} - 0.5F * land.side_m();
+                if (scene::ground_height_m(land, at_m) > kInland_m) all.push_back(redness({x, y}));
+            }
+        if (all.empty()) return;
+        const auto twentieth = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 20);
+        std::nth_element(all.begin(), twentieth, all.end());
+        greenest_ = *twentieth;
+    }
+
+    Zone at(glm::vec2 at_m) const {
+        if (land_.albedo.is_empty()) return {};
+        const auto px = [&](float m, int size) {
+            return std::clamp(static_cast<int>((m / land_.side_m() + 0.5F) * static_cast<float>(size)), 0, size - 1);
+        };
+        const float over = redness({px(at_m.x, land_.albedo.width()), px(at_m.y, land_.albedo.height())}) - greenest_;
+        const float dry = std::clamp((over - 0.004F) / 0.010F, 0.0F, 1.0F);
+        const float shore =
+            std::clamp((kInland_m - scene::ground_height_m(land_, at_m)) / (kInland_m - kBeach_m), 0.0F, 1.0F);
+        return {shore, dry * (1 - shore)};
+    }
+
+  private:
+    static constexpr float kBeach_m = 2.0F;
+    static constexpr float kInland_m = 6.0F;
+
+    // a of OKLab: the less, the greener.
+    float redness(glm::ivec2 px) const {
+        const glm::vec3 srgb = glm::vec3(land_.albedo.colour(px.x, px.y)) / 255.0F;
+        return scene::oklab_from_linear(
+                   {scene::linear_from_srgb(srgb.r), scene::linear_from_srgb(srgb.g), scene::linear_from_srgb(srgb.b)})
+            .y;
+    }
+    const scene::Land& land_;
+    float greenest_ = -0.05F;
+};
+
+inline bool keeps_to_a_zone(const scene::Species& species) {
+    return species.shore_liking != 0 || species.arid_liking != 0;
+}
+
+// How much rather it stands in this zone than others do that are not particular: 1. It says who grows here, not how
+// many: alone, a species takes all the land on which it does well.
+inline float at_home(const scene::Species& species, const Zone& zone) {
+    constexpr float kLog2 = 6;
+    // Who keeps out of a zone is at home in all others; who keeps to one, in no other.
+    const auto like = [](float liking, float in_zone) { return liking * (liking < 0 ? in_zone : 2 * in_zone - 1); };
+    const float shore = like(species.shore_liking, zone.shore);
+    const float arid = like(species.arid_liking, zone.arid);
+    return std::exp2(kLog2 * std::clamp(shore + arid, -1.0F, 1.0F));
 }
 
 // How much of the sky crowns hide, on a coarse grid over the land.

@@ -39,10 +39,8 @@ void mark(Mask& mask, std::array<glm::vec2, 3> p) {
     }
 }
 
-}  // namespace
-
-mesh::Field cast_stone(const scene::Land& land, const glm::vec3& to_light, int side) {
-    const mesh::Mesh& stone = land.stone.mesh;
+// Of closed meshes that stand on the land.
+mesh::Field cast(const scene::Land& land, const mesh::Mesh& stone, const glm::vec3& to_light, int side) {
     if (stone.indices.empty()) return {};
     const glm::vec2 flat{to_light.x, to_light.z};
     const float run_per_rise = std::min(glm::length(flat) / std::max(to_light.y, 0.02F), kLongest);
@@ -72,6 +70,23 @@ mesh::Field cast_stone(const scene::Land& land, const glm::vec3& to_light, int s
     for (std::size_t i = 0; i < hidden.samples.size(); ++i)
         hidden.samples[i] = static_cast<float>(std::popcount(mask.samples[i])) / (kSub * kSub);
     return hidden;
+}
+
+}  // namespace
+
+mesh::Field cast_stone(const scene::Land& land, const glm::vec3& to_light, int side) {
+    return cast(land, land.stone.mesh, to_light, side);
+}
+
+mesh::Field cast_houses(const scene::Land& land, const glm::vec3& to_light, int side) {
+    mesh::Mesh all;
+    for (const scene::House& house : land.settlement.houses) {
+        const mesh::Mesh& one = land.settlement.buildings[house.building].levels.back().mesh;
+        const auto first = static_cast<std::uint32_t>(all.positions_m.size());
+        for (const glm::vec3& p : one.positions_m) all.positions_m.push_back(scene::placed(house, p));
+        for (const std::uint32_t index : one.indices) all.indices.push_back(first + index);
+    }
+    return cast(land, all, to_light, side);
 }
 
 }  // namespace quadrat::synthesis

@@ -9,4 +9,7 @@ namespace quadrat::synthesis {
 // (unit, upward). side: of the field, in pixels. Empty where there is no stone.
 mesh::Field cast_stone(const scene::Land& land, const glm::vec3& to_light, int side);
 
+// The same of its houses.
+mesh::Field cast_houses(const scene::Land& land, const glm::vec3& to_light, int side);
+
 }  // namespace quadrat::synthesis

@@ -56,10 +56,26 @@ float merit(const Path& path) {
     return 3.0F * faces_heart + 0.6F * passes - (from_edge_m < 130.0F ? 1.0F : 0.0F);
 }
 
+// The least height over the houses at a place; far below everything where there are none.
+float over_houses_m(const scene::Settlement& settlement, glm::vec2 at) {
+    constexpr float kRoom_m = 5;
+    constexpr float kOverRidge_m = 2.5F;
+    float most = -1.0e6F;
+    for (const scene::House& house : settlement.houses) {
+        const scene::Building& building = settlement.buildings[house.building];
+        const glm::vec2 d = at - glm::vec2{house.foot_m.x, house.foot_m.z};
+        if (std::max(std::abs(d.x), std::abs(d.y)) > 30) continue;
+        if (scene::to_house_m(building, house, at) < kRoom_m)
+            most = std::max(most, house.foot_m.y + building.height_m + kOverRidge_m);
+    }
+    return most;
+}
+
 float floor_m(const scene::Land& land, glm::vec2 at) {
     const float ground_m = scene::ground_height_m(land, at);
     const float water_m = ground_m + scene::water_depth_m(land, at);
-    return std::max({ground_m + kLeastOverGround_m, kLeastOverWater_m, water_m + kLeastOverGround_m});
+    return std::max({ground_m + kLeastOverGround_m, kLeastOverWater_m, water_m + kLeastOverGround_m,
+                     over_houses_m(land.settlement, at)});
 }
 
 // The highest that must be flown over near a station: the camera does not brush what lies beside its way.
@@ -161,7 +177,10 @@ struct Flown {
 Manner best_manner(const Flown& flown, const scene::Land& land) {
     Manner best{0, 0};
     float most = -1.0e6F;
-    for (const float lift_m : {0.0F, 2.0F, 6.0F}) {
+    // A settlement shows itself over its first roofs.
+    const std::array<float, 3> lifts_m =
+        land.settlement.is_empty() ? std::array{0.0F, 2.0F, 6.0F} : std::array{2.0F, 7.0F, 12.0F};
+    for (const float lift_m : lifts_m) {
         for (const float tilt_deg : {0.0F, -3.5F, 3.0F}) {
             const Manner manner{lift_m, tilt_deg};
             const std::size_t last = flown.plan.stations.size() - 1;
@@ -176,28 +195,79 @@ Manner best_manner(const Flown& flown, const scene::Land& land) {
     return best;
 }
 
+// The plan turned and moved as one, so that its early station stands there and looks that way.
+FlightPlan moved(const FlightPlan& plan, glm::vec2 at_m, glm::vec2 ahead) {
+    const FlightPlan::Station early = plan.stations[plan.stations.size() / 5];
+    const auto turned = [&](glm::vec2 v) {
+        const float along = glm::dot(v, early.ahead);
+        const float aside = early.ahead.x * v.y - early.ahead.y * v.x;
+        return along * ahead + aside * glm::vec2{-ahead.y, ahead.x};
+    };
+    FlightPlan there;
+    for (const FlightPlan::Station& station : plan.stations)
+        there.stations.push_back({at_m + turned(station.at_m - early.at_m), turned(station.ahead)});
+    return there;
+}
+
+// What the early station of a plan sees is worth.
+float merit_of(const scene::Land& land, const FlightPlan& plan) {
+    const FlightPlan::Station& early = plan.stations[plan.stations.size() / 5];
+    const glm::vec3 eye{early.at_m.x, floor_m(land, early.at_m) + 3.0F, early.at_m.y};
+    const Outlook seen = outlook(land, {eye, eye + glm::vec3{early.ahead.x, -0.08F, early.ahead.y}, 42.0F});
+    return view_merit(seen) - 4.0F * std::max(seen.water - 0.25F, 0.0F);
+}
+
+bool is_within(const FlightPlan& plan, float most_m) {
+    return std::ranges::all_of(plan.stations, [&](const FlightPlan::Station& station) {
+        return std::max(std::abs(station.at_m.x), std::abs(station.at_m.y)) < most_m;
+    });
+}
+
+// Flights before landmarks, each seen from where it shows its face and a little beside the picture's middle. None that
+// looks far away from the north: the land is composed to be seen so.
+std::vector<FlightPlan> before_landmarks(const scene::Land& land, const FlightPlan& plan) {
+    constexpr std::size_t kMost = 3;
+    constexpr float kWidest_rad = 0.8F;
+    std::vector<FlightPlan> plans;
+    for (std::size_t i = 0; i < std::min(land.landmarks.size(), kMost); ++i) {
+        const scene::Landmark& mark = land.landmarks[i];
+        const float bearing = std::atan2(-mark.faces.x, mark.faces.y);
+        for (const float sizes : {2.6F, 4.2F}) {
+            for (const float turn : {-0.4F, 0.0F, 0.4F}) {
+                const float toward_rad = bearing + turn;
+                if (std::abs(toward_rad) > kWidest_rad) continue;
+                const float away_m = std::clamp(sizes * mark.size_m, 34.0F, 170.0F);
+                const glm::vec2 at = glm::vec2{mark.at_m.x, mark.at_m.z} - away_m * toward(toward_rad);
+                FlightPlan there = moved(plan, at, toward(toward_rad + (turn < 0 ? 0.09F : -0.09F)));
+                if (is_within(there, 440)) plans.push_back(std::move(there));
+            }
+        }
+    }
+    return plans;
+}
+
 }  // namespace
 
 FlightPlan fitted_to(const scene::Land& land, FlightPlan plan) {
     // Ahead and aside, in metres; the land's edge is behind.
     constexpr std::array<glm::vec2, 9> kMoves{
         {{0, 0}, {70, 0}, {-40, 0}, {0, 80}, {0, -80}, {70, 80}, {70, -80}, {-40, 80}, {-40, -80}}};
-    const FlightPlan::Station& early = plan.stations[plan.stations.size() / 5];
+    const FlightPlan::Station early = plan.stations[plan.stations.size() / 5];
     const glm::vec2 aside{-early.ahead.y, early.ahead.x};
-    glm::vec2 best{0};
-    float most = -1.0e6F;
+    std::vector<FlightPlan> others = before_landmarks(land, plan);
     for (const glm::vec2& move : kMoves) {
-        const glm::vec2 shift = move.x * early.ahead + move.y * aside;
-        const glm::vec2 at = early.at_m + shift;
-        const glm::vec3 eye{at.x, floor_m(land, at) + 3.0F, at.y};
-        const Outlook seen = outlook(land, {eye, eye + glm::vec3{early.ahead.x, -0.08F, early.ahead.y}, 42.0F});
-        const float merit =
-            view_merit(seen) - 4.0F * std::max(seen.water - 0.25F, 0.0F) - (move == glm::vec2{0} ? 0.0F : 0.15F);
+        if (move == glm::vec2{0}) continue;
+        others.push_back(plan);
+        for (FlightPlan::Station& station : others.back().stations)
+            station.at_m += move.x * early.ahead + move.y * aside;
+    }
+    float most = merit_of(land, plan) + 0.15F;
+    for (FlightPlan& other : others) {
+        const float merit = merit_of(land, other);
         if (merit <= most) continue;
         most = merit;
-        best = shift;
+        plan = std::move(other);
     }
-    for (FlightPlan::Station& station : plan.stations) station.at_m += best;
     return plan;
 }
 

@@ -12,24 +12,21 @@ namespace quadrat::synthesis {
 namespace {
 
 // Something a country does not have everywhere, and how large it is.
-struct Landmark {
-    glm::vec3 at_m;
-    float size_m;
-};
-
-std::vector<Landmark> landmarks_of(const scene::Land& land) {
-    std::vector<Landmark> all;
+std::vector<scene::Landmark> landmarks_of(const scene::Land& land) {
+    std::vector<scene::Landmark> all = land.landmarks;
+    // One thing is worth more than as many metres of road.
+    for (scene::Landmark& mark : all) mark.size_m *= 2.5F;
     constexpr std::size_t kRoadStep = 4;
     for (const scene::Road& road : land.roads)
-        for (std::size_t i = 0; i < road.line_m.size(); i += kRoadStep)
-            all.push_back({road.line_m[i] + glm::vec3{0, 0.3F, 0}, road.width_m});
+        for (std::size_t i = 0; i < road.line_m.size() && !road.is_lane; i += kRoadStep)
+            all.push_back({road.line_m[i] + glm::vec3{0, 0.3F, 0}, {0, 1}, road.width_m, false});
     // What stands higher over the ground than boulders do. A facet has three corners of its own: some of them tell.
     constexpr std::size_t kStoneStep = 31;
     constexpr float kTall_m = 2.6F;
     for (std::size_t i = 0; i < land.stone.mesh.positions_m.size(); i += kStoneStep) {
         const glm::vec3& p = land.stone.mesh.positions_m[i];
         const float over_m = p.y - scene::ground_height_m(land, {p.x, p.z});
-        if (over_m > kTall_m) all.push_back({p, 0.5F * over_m});
+        if (over_m > kTall_m) all.push_back({p, {0, 1}, 0.5F * over_m, false});
     }
     return all;
 }
@@ -48,9 +45,11 @@ float distance_in_picture_m(const scene::Camera& camera, const glm::vec3& at_m) 
 
 float made_in_sight(const scene::Land& land, const scene::Camera& camera) {
     float sum = 0;
-    for (const Landmark& mark : landmarks_of(land)) {
+    for (const scene::Landmark& mark : landmarks_of(land)) {
         const float distance_m = distance_in_picture_m(camera, mark.at_m);
         if (distance_m < 0 || distance_m > 320) continue;
+        const glm::vec2 to_eye{camera.eye_m.x - mark.at_m.x, camera.eye_m.z - mark.at_m.z};
+        if (mark.has_front && glm::dot(to_eye, mark.faces) < 0.5F * glm::length(to_eye)) continue;
         if (first_hit(land, camera.eye_m, (mark.at_m - camera.eye_m) / distance_m).distance_m < 0.94F * distance_m)
             continue;
         sum += mark.size_m / distance_m;

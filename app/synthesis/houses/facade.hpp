@@ -57,6 +57,7 @@ struct FacadePanel {
     double depth_m = 0;       // before the wall; behind it below 0
     double depth_from_m = 0;  // of what it stands on
     glm::vec3 colour{0.5F};   // sRGB, 0 to 1
+    std::string symbol;       // whose rule made it
 };
 
 // From the back to the front. Throws InputError naming the rule's place where it does not end.

@@ -198,8 +198,8 @@ class Derivation {
         for (std::size_t i = 0; i < 3; ++i) std::from_chars(&colour[1 + 2 * i], &colour[3 + 2 * i], parts[i], 16);
         Shape on = shape;
         on.depth_m += value(rule.depth, shape);
-        panels.push_back(
-            {shape.low, shape.high, on.depth_m, shape.depth_m, glm::vec3(parts[0], parts[1], parts[2]) / 255.0F});
+        panels.push_back({shape.low, shape.high, on.depth_m, shape.depth_m,
+                          glm::vec3(parts[0], parts[1], parts[2]) / 255.0F, rule.symbol});
         derive(rule.then, on, depth, rule.place);
     }
 

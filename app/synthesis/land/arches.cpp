@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include "synthesis/land/facets.hpp"
 #include "synthesis/noise/gradient.hpp"
@@ -68,19 +69,12 @@ struct ArchPlace {
     float height_m = 0;
 };
 
-// Whether the ground between lets the viewer see a point.
-bool is_in_sight(const scene::Land& land, const glm::vec3& point) {
-    const float eye_m = std::max(scene::ground_height_m(land, kViewer_m), 0.0F) + 5.0F;
-    for (float share = 0.08F; share < 0.97F; share += 0.06F) {
-        const glm::vec2 at = kViewer_m + share * (glm::vec2{point.x, point.z} - kViewer_m);
-        if (scene::ground_height_m(land, at) > eye_m + share * (point.y - eye_m)) return false;
-    }
-    return true;
-}
-
+// is_choosy: in the viewer's sight, its feet at like heights. Rugged land has no such place: any that bears one will
+// do.
 std::optional<ArchPlace> find_arch(const StoneGround& ground, const scene::LandParameters& p,
-                                   const std::vector<ArchPlace>& taken, base::Seed seed) {
+                                   std::span<const scene::Landmark> taken, base::Seed seed, bool is_choosy) {
     const scene::Land& land = ground.land;
+    const float uneven = is_choosy ? 0.55F : 0.95F;  // of its height, between a foot and the middle
     std::optional<ArchPlace> best;
     float most = 0;
     for (std::uint64_t i = 0; i < 160; ++i) {
@@ -98,15 +92,18 @@ std::optional<ArchPlace> find_arch(const StoneGround& ground, const scene::LandP
         const glm::vec2 feet[2] = {place.at_m - half_m * place.across, place.at_m + half_m * place.across};
         float score = 0.5F + 0.4F * random.unit_f();
         const float ground_m = scene::ground_height_m(land, place.at_m);
-        bool is_right = is_in_sight(land, {place.at_m.x, ground_m + 0.8F * place.height_m, place.at_m.y});
+        bool is_right = !is_choosy || is_in_sight(land, {place.at_m.x, ground_m + 0.8F * place.height_m, place.at_m.y});
         for (const glm::vec2& foot : feet) {
             const float foot_m = scene::ground_height_m(land, foot);
-            is_right = is_right && foot_m > -2.5F && std::abs(foot_m - ground_m) < 0.55F * place.height_m &&
+            is_right = is_right && foot_m > -2.5F && std::abs(foot_m - ground_m) < uneven * place.height_m &&
                        scene::to_road_m(land, foot) > 0.3F * place.height_m;
             // Bare rock bears arches: steep ground, and the shore.
             score += 0.8F * std::min(slope_at(land, foot), 0.9F) + (foot_m < 2.0F ? 0.45F : 0.0F);
         }
-        for (const ArchPlace& other : taken) is_right = is_right && glm::length(other.at_m - place.at_m) > 70.0F;
+        for (const scene::Landmark& other : taken) {
+            const float apart_m = other.has_front ? 1.8F * other.size_m + half_m : 70.0F;
+            is_right = is_right && glm::length(glm::vec2{other.at_m.x, other.at_m.z} - place.at_m) > apart_m;
+        }
         if (!is_right || score <= most) continue;
         most = score;
         best = place;
@@ -145,6 +142,12 @@ void add_arch(Stones& stones, const StoneGround& ground, const ArchPlace& place,
         rings[i].along =
             glm::normalize(rings[std::min(i + 1, rings.size() - 1)].middle_m - rings[i > 0 ? i - 1 : 0].middle_m);
     add_tube(stones, rings, 11, 0.5F * thick_m, noise::Key{seed.child("lumps")}, strata, land);
+    // From the side of it that the viewer is on.
+    const glm::vec2 through{-place.across.y, place.across.x};
+    const float toward = glm::dot(through, kViewer_m - place.at_m) < 0 ? -1.0F : 1.0F;
+    stones.landmarks.push_back({{place.at_m.x, top_m - 0.3F * place.height_m, place.at_m.y},
+                                toward * through,
+                                std::max(place.height_m, place.span_m)});
     for (const float side : {-1.0F, 1.0F})
         stones.footprints.push_back({place.at_m + side * half_m * 1.2F * place.across, 1.9F * thick_m});
     // What has fallen from it.
@@ -158,97 +161,18 @@ void add_arch(Stones& stones, const StoneGround& ground, const ArchPlace& place,
     }
 }
 
-// A porch of rock before a steep slope, dark inside.
-void add_cave(Stones& stones, const StoneGround& ground, glm::vec2 at_m, float radius_m, const Strata& strata,
-              base::Seed seed) {
-    const scene::Land& land = ground.land;
-    const glm::vec3 n = scene::ground_normal(land, at_m);
-    const glm::vec2 down = glm::normalize(glm::vec2{n.x, n.z} + glm::vec2{1.0e-5F, 0});
-    const glm::vec2 aside{-down.y, down.x};
-    base::RandomStream random{seed};
-    constexpr int kSides = 11;  // of the vault, from foot to foot
-    const float floor_m = scene::ground_height_m(land, at_m + 0.6F * radius_m * down);
-    const auto vault = [&](float out_m, float r, int side) {
-        const float turn = kPi * static_cast<float>(side) / (kSides - 1);
-        const glm::vec2 at = at_m + out_m * down - std::cos(turn) * r * aside;
-        return glm::vec3{at.x, floor_m - 1.0F + std::sin(turn) * 1.15F * r, at.y};
-    };
-    std::vector<float> lumps(kSides);
-    for (float& lump : lumps) lump = random.between(0.88F, 1.14F);
-    const auto quads = [&](const auto& from, const auto& to, float shade_from, float shade_to) {
-        for (int side = 0; side + 1 < kSides; ++side) {
-            const glm::vec3 a = from(side), b = from(side + 1), c = to(side), d = to(side + 1);
-            const auto colour = [&](const glm::vec3& at, float shade) { return shade * strata.at(at.y, 0.15F); };
-            add_facet(stones.stone, {a, c, b}, {colour(a, shade_from), colour(c, shade_to), colour(b, shade_from)});
-            add_facet(stones.stone, {b, c, d}, {colour(b, shade_from), colour(c, shade_to), colour(d, shade_to)});
-        }
-    };
-    const auto outer_back = [&](int s) { return vault(-1.3F * radius_m, 1.25F * radius_m * lumps[s], s); };
-    const auto outer_lip = [&](int s) { return vault(0.75F * radius_m * lumps[s], 1.12F * radius_m * lumps[s], s); };
-    const auto inner_lip = [&](int s) { return vault(0.62F * radius_m * lumps[s], 0.74F * radius_m * lumps[s], s); };
-    const auto inner_back = [&](int s) { return vault(-0.25F * radius_m, 0.52F * radius_m, s); };
-    const auto end = [&](int) { return vault(-0.35F * radius_m, 0.0F, 0); };
-    quads(outer_lip, outer_back, 0.95F, 0.8F);
-    quads(inner_lip, outer_lip, 0.6F, 0.95F);
-    quads(inner_back, inner_lip, 0.07F, 0.6F);
-    quads(end, inner_back, 0.03F, 0.07F);
-    // What stands in the hill and in the ground: it closes the mesh and is never seen.
-    const glm::vec3 dark{0.02F};
-    const glm::vec3 behind = vault(-1.3F * radius_m, 0, 0);
-    for (int side = 0; side + 1 < kSides; ++side)
-        add_facet(stones.stone, {behind, outer_back(side + 1), outer_back(side)}, {dark, dark, dark});
-    for (const int side : {0, kSides - 1}) {
-        const std::array<glm::vec3, 6> foot{behind,          outer_back(side), outer_lip(side),
-                                            inner_lip(side), inner_back(side), end(side)};
-        for (std::size_t i = 1; i + 1 < foot.size(); ++i) {
-            if (side == 0)
-                add_facet(stones.stone, {foot[0], foot[i], foot[i + 1]}, {dark, dark, dark});
-            else
-                add_facet(stones.stone, {foot[0], foot[i + 1], foot[i]}, {dark, dark, dark});
-        }
-    }
-    stones.footprints.push_back({at_m + 0.5F * radius_m * down, 1.3F * radius_m});
-}
-
-void add_caves(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, const Strata& strata,
-               base::Seed seed) {
-    const scene::Land& land = ground.land;
-    std::vector<glm::vec2> caves;
-    for (std::uint64_t i = 0; i < 260 && caves.size() < 2; ++i) {
-        base::RandomStream random{seed.child(i)};
-        const float far_m = random.between(70.0F, 330.0F);
-        const float aside = random.between(-0.33F, 0.33F);
-        const glm::vec2 at = kViewer_m + far_m * glm::vec2{std::sin(aside), -std::cos(aside)};
-        const float radius_m = p.arch_height_m * random.between(0.22F, 0.34F);
-        const glm::vec3 n = scene::ground_normal(land, at);
-        const float height_m = scene::ground_height_m(land, at);
-        const bool faces_viewer =
-            glm::dot(glm::vec2{n.x, n.z}, kViewer_m - at) > 0.35F * glm::length(kViewer_m - at) * (1 - n.y * n.y);
-        if (slope_at(land, at) < 0.55F || !faces_viewer || height_m < 1.0F || std::abs(at.x) > 420.0F) continue;
-        if (scene::to_road_m(land, at) < 2.0F * radius_m || scene::water_depth_m(land, at) > 0) continue;
-        if (!is_in_sight(land, {at.x, height_m + radius_m, at.y})) continue;
-        bool is_apart = true;
-        for (const glm::vec2& other : caves) is_apart = is_apart && glm::length(other - at) > 60.0F;
-        if (!is_apart) continue;
-        add_cave(stones, ground, at, radius_m, strata, seed.child(i));
-        caves.push_back(at);
-    }
-}
-
 }  // namespace
 
 void add_arches(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, const Strata& strata,
                 base::Seed seed) {
     const std::uint64_t count = p.arch_share > 0.6F ? 2 : 1;
-    std::vector<ArchPlace> arches;
     for (std::uint64_t i = 0; i < count; ++i) {
         const base::Seed own = seed.child("arch").child(i);
-        const auto place = find_arch(ground, p, arches, own);
+        auto place = find_arch(ground, p, stones.landmarks, own, true);
+        if (!place) place = find_arch(ground, p, stones.landmarks, own, false);
         if (!place) continue;
         add_arch(stones, ground, *place, strata, own);
-        arches.push_back(*place);
     }
-    add_caves(stones, ground, p, strata, seed.child("caves"));
 }
 
 }  // namespace quadrat::synthesis::land

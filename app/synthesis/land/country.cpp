@@ -13,6 +13,7 @@
 #include "scene/colour.hpp"
 #include "synthesis/land/erosion.hpp"
 #include "synthesis/land/ground.hpp"
+#include "synthesis/land/patterns.hpp"
 #include "synthesis/land/rivers.hpp"
 #include "synthesis/land/roads.hpp"
 #include "synthesis/land/stone.hpp"
@@ -107,15 +108,33 @@ void set_distant_colours(scene::Land& land, const Palette& palette, const scene:
                                          p.land_gain > 0.45F ? 0.5F : 0.2F);
 }
 
-}  // namespace
+// Nothing is planted on this ground.
+void keep_clear(scene::Land& land, const Footprint& court) {
+    auto& kept = land.kept_clear;
+    if (kept.samples.empty()) kept = {land.height_m.columns, land.height_m.rows, 255};
+    mesh::Field to_edge_m(1, 1);
+    const float half = 0.5F * static_cast<float>(kept.columns - 1);
+    const float reach = (court.radius_m + scene::kFarFromRoads_m) / land.cell_m;
+    const glm::vec2 middle = court.at_m / land.cell_m + half;
+    for (int row = static_cast<int>(middle.y - reach); row <= static_cast<int>(middle.y + reach); ++row) {
+        for (int column = static_cast<int>(middle.x - reach); column <= static_cast<int>(middle.x + reach); ++column) {
+            if (!kept.is_inside(column, row)) continue;
+            const glm::vec2 off = glm::vec2{static_cast<float>(column), static_cast<float>(row)} - middle;
+            to_edge_m.at(0, 0) = land.cell_m * glm::length(off) - court.radius_m;
+            kept.at(column, row) = std::min(kept.at(column, row), scene::kept_clear_of(to_edge_m).at(0, 0));
+        }
+    }
+}
 
-scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const scene::Fineness& fineness) {
-    scene::Land land;
-    const Terrain terrain(p, seed);
-    const Palette palette = choose_palette(p, seed);
-    land.cell_m = kSide_m / static_cast<float>(fineness.land_samples - 1);
-    land.surround_cell_m = kSurroundCell_m;
-    land.height_m = field_of(terrain, fineness.land_samples, land.cell_m);
+void lay_stones(scene::Land& land, Stones stones, mesh::Image& albedo) {
+    shade_under(albedo, kSide_m, stones.footprints);
+    land.stone = std::move(stones.stone);
+    land.landmarks = std::move(stones.landmarks);
+    for (const Footprint& court : stones.forecourts) keep_clear(land, court);
+}
+
+// Streams, slides and wind at work on the heights.
+void wear(scene::Land& land, const Terrain& terrain, const scene::LandParameters& p) {
     carve_valleys(land.height_m, land.cell_m,
                   {.steps = static_cast<int>(std::lround(p.erosion_age)),
                    .strength = p.erosion_strength,
@@ -128,6 +147,26 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     for_rows(land.height_m, land.cell_m, [&](std::span<const float> xs_m, float z_m, std::span<float> heights_m) {
         terrain.heap_dunes(xs_m, z_m, heights_m);
     });
+}
+
+void set_grain(scene::Land& land, const scene::LandParameters& p, base::Seed seed) {
+    GroundDetail detail = ground_detail(seed, 256, p.ground_detail, p.ground_bumps);
+    land.detail = std::move(detail.grain);
+    land.detail_slopes = std::move(detail.slopes);
+    land.detail_tile_m = p.ground_detail_m;
+}
+
+}  // namespace
+
+scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const scene::Fineness& fineness,
+                      Settlers* settlers) {
+    scene::Land land;
+    const Terrain terrain(p, seed);
+    const Palette palette = choose_palette(p, seed);
+    land.cell_m = kSide_m / static_cast<float>(fineness.land_samples - 1);
+    land.surround_cell_m = kSurroundCell_m;
+    land.height_m = field_of(terrain, fineness.land_samples, land.cell_m);
+    wear(land, terrain, p);
     land.surround_m = field_of(terrain, kSurroundSamples, kSurroundCell_m);
     carve_surround(land.surround_m, p);
     land.surround_albedo = surround_colours(land.surround_m, kSurroundCell_m, palette, p, seed);
@@ -145,28 +184,35 @@ scene::Land make_land(const scene::LandParameters& p, base::Seed seed, const sce
     if (p.road_share > 0 || land.site)
         land.roads = make_roads(land.height_m, water.surface_m, land.cell_m, land.site,
                                 {.width_m = p.road_width_m, .grade = p.road_grade, .goes_on = p.road_share > 0}, seed);
-    land.kept_clear =
-        scene::kept_clear_of(distance_to_roads_m(fineness.land_samples, land.cell_m, land.roads, land.site));
+    land.water_m = std::move(water.surface_m);
+    set_distant_colours(land, palette, p);
+    const std::vector<scene::Road> roads = land.roads;  // lanes are the settlers'
+    if (settlers) settlers->build(land);
+    const bool is_settled = !land.settlement.is_empty();
+    mesh::Field to_edge_m =
+        distance_to_roads_m(fineness.land_samples, land.cell_m, roads, is_settled ? std::nullopt : land.site);
+    if (is_settled) settlers->keep_clear(land, to_edge_m);
+    land.kept_clear = scene::kept_clear_of(to_edge_m);
+    water.surface_m = std::move(land.water_m);
     const mesh::Field over_water_m = height_over_water_m(land.height_m, water);
     land.water_m = std::move(water.surface_m);
     land.fresh_water = std::move(water.mesh);
 
     const mesh::Field moisture = moisture_of(land.height_m, water.drained_area_m2, land.cell_m);
-    const mesh::Field to_road_m = distance_to_roads_m(fineness.land_samples, land.cell_m, land.roads, std::nullopt);
+    const mesh::Field to_road_m = distance_to_roads_m(fineness.land_samples, land.cell_m, roads, std::nullopt);
     Ground ground = lay_ground({land.height_m, over_water_m, moisture, to_road_m, land.cell_m}, palette, p, seed,
                                fineness.albedo_px);
     land.kinds = std::move(ground.kinds);
-    Stones stones = make_stones({land, over_water_m, palette}, p, seed.child("stones"));
-    shade_under(ground.albedo, kSide_m, stones.footprints);
+    lay_stones(land, make_stones({land, over_water_m, palette}, p, seed.child("stones")), ground.albedo);
+    if (is_settled) {
+        settlers->paint(land, ground.albedo);
+        land.landmarks.insert(land.landmarks.begin(), settlers->landmark());
+    }
     ease_into_land(land.surround_albedo, kSurroundCell_m, ground.albedo, kSide_m);
     land.albedo = scene::GroundColours(ground.albedo);
-    land.stone = std::move(stones.stone);
-    GroundDetail detail = ground_detail(seed, 256, p.ground_detail, p.ground_bumps);
-    land.detail = std::move(detail.grain);
-    land.detail_slopes = std::move(detail.slopes);
-    land.detail_tile_m = p.ground_detail_m;
+    set_grain(land, p, seed);
+    land.lichen = lichen_picture(seed.child("lichen"), p.ground_lichen);
     land.ripple = p.water_ripple;
-    set_distant_colours(land, palette, p);
     return land;
 }
 

@@ -36,7 +36,14 @@ void add_boulder(Stones& stones, const Strata& strata, const glm::vec3& foot_m, 
 // A ring of hewn stones on the ground that is kept for a settlement, some with a lintel; none without such ground.
 void add_standing_stones(Stones& stones, const scene::Land& land, const Strata& strata, base::Seed seed);
 
-// Arches by arch_share, and caves beside them.
+// Whether the ground between lets the viewer see a point.
+bool is_in_sight(const scene::Land& land, const glm::vec3& point);
+
+// Up to two, in slopes that the viewer sees, where arch_share asks for such stone.
+void add_caves(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, const Strata& strata,
+               base::Seed seed);
+
+// Arches by arch_share.
 void add_arches(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, const Strata& strata,
                 base::Seed seed);
 

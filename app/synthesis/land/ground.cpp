@@ -14,6 +14,7 @@
 #include "scene/land.hpp"
 #include "synthesis/land/erosion.hpp"
 #include "synthesis/land/ground_row.hpp"
+#include "synthesis/land/patterns.hpp"
 #include "synthesis/noise/gradient.hpp"
 
 namespace quadrat::synthesis::land {
@@ -208,6 +209,50 @@ void write_kinds(const RowRoom& r, float per_px, int row_px, int side_px, mesh::
     }
 }
 
+// Bands of bare ground across what grows. They are laid as if the ground were as steep as where earth begins to show.
+class Bands {
+  public:
+    Bands(const scene::LandParameters& p, base::Seed seed, float px_m)
+        : share_(std::clamp(p.ground_bands, 0.0F, 1.0F)),
+          bare_slope_(p.ground_soil_slope + 0.17F),
+          samples_per_px_(px_m / kBandsTile_m) {
+        if (share_ > 0) bare_ = bare_bands(seed.child("bands"));
+        samples_per_px_ *= static_cast<float>(bare_.columns);
+    }
+
+    void lay(int row_px, RowRoom& r) const {
+        if (share_ <= 0) return;
+        const auto side = static_cast<float>(bare_.columns);
+        const float v = std::fmod((static_cast<float>(row_px) + 0.5F) * samples_per_px_, side);
+        for (std::size_t x = 0; x < r.pixels(); ++x) {
+            // Not along the water, and drawn out by what winds the patches.
+            const float dry = std::clamp((r.shore_m[x] - 2.0F) / 4.0F, 0.0F, 1.0F);
+            if (dry <= 0) continue;
+            const float u = (static_cast<float>(x) + 0.5F) * samples_per_px_ + 5.0F * r.patch[x];
+            const float bare = tiled_sample(std::fmod(u + side, side), v);
+            const float strong = std::min(share_ * (1.3F + 0.8F * r.patch[x]), 1.0F) * dry;
+            r.slope[x] = std::max(r.slope[x], strong * bare * bare_slope_);
+            r.moisture[x] = std::min(r.moisture[x] + 0.35F * strong * (1 - bare), 1.0F);
+        }
+    }
+
+  private:
+    float tiled_sample(float u, float v) const {
+        const int x = static_cast<int>(u) % bare_.columns;
+        const int y = static_cast<int>(v) % bare_.rows;
+        const int right = (x + 1) % bare_.columns;
+        const int below = (y + 1) % bare_.rows;
+        const float s = u - std::floor(u);
+        const float t = v - std::floor(v);
+        return (1 - t) * ((1 - s) * bare_.at(x, y) + s * bare_.at(right, y)) +
+               t * ((1 - s) * bare_.at(x, below) + s * bare_.at(right, below));
+    }
+    float share_;
+    float bare_slope_;
+    float samples_per_px_;
+    mesh::Field bare_;
+};
+
 }  // namespace
 
 mesh::Field moisture_of(const mesh::Field& height_m, const std::vector<float>& drained_area_m2, float cell_m) {
@@ -239,6 +284,7 @@ Ground lay_ground(const GroundFacts& facts, const Palette& palette, const scene:
     const Relief relief(height_m, facts.cell_m);
     const PixelPlaces places(height_m.columns, side_px);
     const GroundLook look = look_of(parameters, palette);
+    const Bands bands(parameters, seed, places.per_px() * facts.cell_m);
     const float patches_per_px = places.per_px() * facts.cell_m / parameters.ground_patch_m;
     const auto width = static_cast<std::size_t>(side_px);
     std::vector<float> us(width);
@@ -261,6 +307,7 @@ Ground lay_ground(const GroundFacts& facts, const Palette& palette, const scene:
             std::fill(vs.begin(), vs.end(), static_cast<float>(y) * patches_per_px);
             noise::fbm(patches, us, vs, std::span(r.patch).first(width), {.count = 3, .gain = 0.45F});
             for (float& p : r.patch) p *= 1.6F;
+            bands.lay(y, r);
             const float* grains = &grain.at(0, y % kGrainSide);
             // It is painted as seen from above: the steeper the ground, the longer its tufts would be drawn down it.
             for (std::size_t i = 0; i < width; ++i)

@@ -46,16 +46,28 @@ void add_block(Stones& stones, const Strata& strata, const Block& block, base::R
     quad(1, 5, 7, 3);
 }
 
+// From the edge of the nearest road: to_road_m() counts the site's own ground as kept clear, and stones stand on it.
+float past_roads_m(const scene::Land& land, glm::vec2 at_m) {
+    float least_m = scene::kFarFromRoads_m;
+    for (const scene::Road& road : land.roads)
+        for (const glm::vec3& point_m : road.line_m)
+            least_m = std::min(least_m, glm::length(glm::vec2{point_m.x, point_m.z} - at_m) - 0.5F * road.width_m);
+    return least_m;
+}
+
 }  // namespace
 
 void add_standing_stones(Stones& stones, const scene::Land& land, const Strata& strata, base::Seed seed) {
-    if (!land.site) return;
+    if (!land.site || !land.settlement.is_empty()) return;
     base::RandomStream random{seed};
     const glm::vec2 middle{land.site->middle_m.x, land.site->middle_m.z};
     const float reach_m = 0.55F * land.site->radius_m;
     const int count = 9 + static_cast<int>(random.below(6));
     const float step = 2 * std::numbers::pi_v<float> / static_cast<float>(count);
-    const float tall_m = random.between(3.6F, 5.6F);
+    const float tall_m = random.between(4.2F, 6.4F);
+    const glm::vec2 to_viewer = kViewer_m - middle;
+    stones.landmarks.push_back({land.site->middle_m + glm::vec3{0, 0.5F * tall_m, 0},
+                                to_viewer / std::max(glm::length(to_viewer), 1.0F), 2 * reach_m});
     constexpr float kInGround_m = 0.6F;
     bool is_bridged = false;  // from the stone before to this one
     for (int i = 0; i < count; ++i) {
@@ -66,7 +78,7 @@ void add_standing_stones(Stones& stones, const scene::Land& land, const Strata& 
         const bool bridges = random.unit() < 0.4 && i + 1 < count;
         const bool is_fallen = !bridges && !is_bridged && random.unit() < 0.15;
         const float height_m = (bridges || is_bridged ? 1.0F : random.between(0.6F, 1.05F)) * tall_m;
-        if (scene::to_road_m(land, at) > 1.2F && scene::water_depth_m(land, at) <= 0) {
+        if (past_roads_m(land, at) > 1.2F && scene::water_depth_m(land, at) <= 0) {
             const glm::vec3 foot{at.x, scene::ground_height_m(land, at) - kInGround_m, at.y};
             const float broad_m = 0.32F * tall_m * random.between(0.85F, 1.2F);
             const glm::vec3 size = is_fallen ? glm::vec3{height_m, kInGround_m + 0.8F, broad_m}

@@ -102,6 +102,15 @@ float slope_at(const scene::Land& land, glm::vec2 at_m) {
     return std::sqrt(std::max(0.0F, 1.0F - n.y * n.y)) / std::max(n.y, 0.05F);
 }
 
+bool is_in_sight(const scene::Land& land, const glm::vec3& point) {
+    const float eye_m = std::max(scene::ground_height_m(land, kViewer_m), 0.0F) + 5.0F;
+    for (float share = 0.08F; share < 0.97F; share += 0.06F) {
+        const glm::vec2 at = kViewer_m + share * (glm::vec2{point.x, point.z} - kViewer_m);
+        if (scene::ground_height_m(land, at) > eye_m + share * (point.y - eye_m)) return false;
+    }
+    return true;
+}
+
 glm::vec3 Strata::at(float height_m, float wander) const {
     const float turn = 2 * kPi * (height_m / bed_m_ + 0.3F * wander);
     return scene::mix_colours(dark_, light_, 0.62F + 0.38F * contrast_ * std::sin(turn));
@@ -160,8 +169,11 @@ Stones make_stones(const StoneGround& ground, const scene::LandParameters& p, ba
     Stones stones;
     const Strata strata(ground.palette, p);
     add_boulders(stones, ground, p, strata, seed.child("boulders"));
+    if (p.arch_share > 0) {
+        add_caves(stones, ground, p, strata, seed.child("caves"));
+        add_arches(stones, ground, p, strata, seed);
+    }
     add_standing_stones(stones, ground.land, strata, seed.child("ring"));
-    if (p.arch_share > 0) add_arches(stones, ground, p, strata, seed);
     return stones;
 }
 

@@ -16,9 +16,14 @@
 
 namespace quadrat::synthesis::trees {
 
-// Which method grows a kind's limbs: a grammar that tree.type chooses, a preset of Weber & Penn, ABOP's ternary tree,
-// space colonisation.
-enum class Grower { ByType, WeberPenn, Ternary, Colonised };
+// Which method grows a kind's limbs. Breeding reaches every one: tests/unit/breeding/reach_test.cpp counts how often.
+enum class Grower {
+    ByType,     // tree.type's grammar: figure 2.6 a to d of "The Algorithmic Beauty of Plants" (pp. 55 to 57), or the
+                // same four made less flat; the broad tree
+    WeberPenn,  // a preset of Weber & Penn's "Creation and rendering of realistic trees" (1995); most kinds
+    Ternary,    // figure 2.8 b of the same book; the ternary tree
+    Colonised,  // space colonisation (Runions et al. 2007); lime and stone pine
+};
 
 // Mixed into the palette's colour: so much of an sRGB colour, then so much lighter.
 struct Tint {
@@ -53,6 +58,7 @@ struct Kind {
     std::optional<Bark> own_bark{};  // that the gene cannot change
     bool is_tender = false;          // frost keeps it away
     float moisture = 0.45F, moisture_width = 0.8F;
+    float shore_liking = 0, arid_liking = 0;  // see scene::Species: its zone, where several kinds share a land
     float lowest_m = 0.6F;
     float treeline = 1;                       // to the gene's
     float steepness = 1;                      // to the gene's

@@ -114,6 +114,8 @@ scene::Species make_species(const Form& f, base::Seed seed) {
     species.bark_tile_m = f.bark_tile_m * std::clamp(species.trunk_radius_m / 0.28F, 0.5F, 1.6F);
     species.lowest_m = k.lowest_m;
     species.is_tender = k.is_tender;
+    species.shore_liking = k.shore_liking;
+    species.arid_liking = k.arid_liking;
     species.moisture = k.moisture;
     species.moisture_width = k.moisture_width;
     return species;

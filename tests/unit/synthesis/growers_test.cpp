@@ -6,6 +6,8 @@
 #include <map>
 
 #include "support/effort.hpp"
+#include "synthesis/land/patterns.hpp"
+#include "synthesis/noise/reaction.hpp"
 #include "synthesis/trees/bark.hpp"
 #include "synthesis/trees/colonisation.hpp"
 #include "synthesis/trees/foliage.hpp"
@@ -264,8 +266,40 @@ TEST(LeafPicture, HasVeinsAndTheBladesOwnColourOnTheWhole) {
     }
 }
 
+TEST(Lichen, CoversMoreOfAStoneTheMoreItIsAskedFor) {
+    const auto covered = [](float share) {
+        const mesh::Image picture = land::lichen_picture(base::Seed{3}, share);
+        double sum = 0;
+        for (const std::uint8_t byte : picture.bytes) sum += byte;
+        return sum / (255.0 * picture.width * picture.height);
+    };
+    EXPECT_EQ(covered(0), 0);
+    double last = 0;
+    for (const float share : {0.25F, 0.5F, 0.75F, 1.0F}) {
+        EXPECT_GT(covered(share), last) << share;
+        last = covered(share);
+    }
+    EXPECT_GT(covered(0.5F), 0.05);
+    EXPECT_LT(covered(1), 0.9);
+}
+
+TEST(Bands, LeaveBareGroundBetweenThem) {
+    const mesh::Field bare = land::bare_bands(base::Seed{3});
+    std::size_t bands = 0;
+    double bare_share = 0;
+    for (int y = 0; y < bare.rows; ++y)
+        for (int x = 0; x < bare.columns; ++x) {
+            ASSERT_TRUE(bare.at(x, y) >= 0 && bare.at(x, y) <= 1);
+            bare_share += bare.at(x, y) / static_cast<float>(bare.columns * bare.rows);
+            bands += bare.at(x, y) > 0.5F && bare.at((x + 1) % bare.columns, y) <= 0.5F;
+        }
+    EXPECT_GT(bare_share, 0.2);
+    EXPECT_LT(bare_share, 0.8);
+    EXPECT_GT(bands, 4U * bare.rows) << "in the mean along a row";
+}
+
 TEST(Bark, ReactsIntoAPatternThatRunsAlongTheLimb) {
-    const mesh::Field field = react({}, base::Seed{3}, 64);
+    const mesh::Field field = noise::react({}, base::Seed{3}, 64);
     double mean = 0;
     double across = 0;
     double along = 0;

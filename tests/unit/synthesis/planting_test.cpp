@@ -7,6 +7,13 @@
 #include <algorithm>
 #include <cstring>
 #include <glm/geometric.hpp>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "synthesis/compose/site.hpp"
+#include "synthesis/trees/form.hpp"
+#include "unit/synthesis/scenes.hpp"
 
 namespace quadrat::synthesis {
 namespace {
@@ -182,6 +189,98 @@ TEST(Planting, KeepsPalmsOutOfTheFrost) {
     EXPECT_GT(palms, 200U);
     EXPECT_GT(frozen_others, 200U);
     EXPECT_LT(frozen_palms * 10, frozen_others);
+}
+
+// An island's palms, cacti and firs: a third of the land each, where nothing but the zone tells them apart.
+TEST(Planting, KeepsPalmsToTheBeachCactiToTheDesertAndFirsToTheGrass) {
+    scene::Land land = land_of([](float, float z) { return 0.06F * (z + 200); });
+    mesh::Image ground(64, 64, 4);
+    const glm::u8vec3 grass{98, 128, 58};
+    const glm::u8vec3 desert{190, 160, 118};
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            for (int c = 0; c < 3; ++c) ground.pixel(x, y)[c] = (x < 32 ? grass : desert)[c];
+    land.albedo = scene::GroundColours(ground);
+    const auto of_kind = [](const char* name) {
+        const trees::Kind& kind = trees::kind(trees::habit_named(name));
+        scene::Species species = tree();
+        species.shore_liking = kind.shore_liking;
+        species.arid_liking = kind.arid_liking;
+        return species;
+    };
+    scene::Flora flora = wood_of(of_kind("palm"));
+    flora.species.push_back(of_kind("cactus"));
+    flora.species.push_back(of_kind("fir"));
+    const auto is_beach = [](const glm::vec3& at) { return at.y < 2; };
+    const auto is_desert = [](const glm::vec3& at) { return at.y > 5 && at.x > 8; };
+    const auto is_grass = [](const glm::vec3& at) { return at.y > 5 && at.x < -8; };
+    const auto share = [&](std::uint32_t species, const auto& is_there) {
+        double own = 0;
+        double all = 0;
+        for (const scene::Plant& plant : planted(land, flora)) {
+            if (!is_there(plant.root_m)) continue;
+            all += 1;
+            own += plant.species == species ? 1 : 0;
+        }
+        EXPECT_GT(all, 40);
+        return own / all;
+    };
+    EXPECT_GT(share(0, is_beach), 0.9);
+    EXPECT_GT(share(1, is_desert), 0.9);
+    EXPECT_GT(share(2, is_grass), 0.9);
+    // Alone, a palm grows wherever one can.
+    flora.species.resize(1);
+    EXPECT_GT(share(0, is_desert), 0.99);
+}
+
+// The same of landscapes that are grown from genes, with the beaches, the dry and the green ground that these give
+// them.
+TEST(Planting, KeepsAnIslandsKindsToTheirZones) {
+    using P = genome::ParameterId;
+    const auto habit = [](const char* kind) { return static_cast<float>(trees::habit_named(kind)); };
+    for (const std::uint64_t seed : {1U, 2U, 5U}) {
+        genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
+        recipe.values = {};
+        // Palms, and of what goes with them the cactus and the fir.
+        for (const auto& [id, value] : std::initializer_list<std::pair<P, float>>{{P::tree_habit, habit("palm")},
+                                                                                  {P::second_companion, 5},
+                                                                                  {P::second_share, 0.9F},
+                                                                                  {P::third_companion, 7},
+                                                                                  {P::third_share, 1},
+                                                                                  {P::tree_spacing_m, 8},
+                                                                                  {P::land_relief_m, 70},
+                                                                                  {P::land_sea_level, 0.45F},
+                                                                                  {P::island_share, 0.55F},
+                                                                                  {P::island_wave_m, 420},
+                                                                                  {P::ground_country, 2},
+                                                                                  {P::ground_chance, 0},
+                                                                                  {P::ground_heath, 0},
+                                                                                  {P::ground_beach, 1.8F},
+                                                                                  {P::ground_moisture, 1},
+                                                                                  {P::ground_lushness, 0.25F},
+                                                                                  {P::ground_patch_m, 120},
+                                                                                  {P::stand_clearings, 0}})
+            recipe.values.set(id, value);
+        const scene::Scene scene = test_scenes::grow(recipe, {257, 64, 512});
+        const Zones zones(*scene.land);
+        std::map<std::string, double> beach, desert, grass;
+        double on_beach = 0, on_desert = 0, on_grass = 0;
+        for (const scene::Plant& plant : scene.plants) {
+            const scene::Species& species = scene.flora->species[plant.species];
+            if (species.storey != scene::Storey::Tree) continue;
+            const Zone zone = zones.at({plant.root_m.x, plant.root_m.z});
+            const bool is_beach = zone.shore > 0.5F;
+            const bool is_desert = !is_beach && zone.arid > 0.5F;
+            (is_beach ? beach : is_desert ? desert : grass)[species.name] += 1;
+            (is_beach ? on_beach : is_desert ? on_desert : on_grass) += 1;
+        }
+        EXPECT_GT(on_beach, 40) << seed;
+        EXPECT_GT(on_desert, 100) << seed;
+        EXPECT_GT(on_grass, 100) << seed;
+        EXPECT_GT(beach["palm"] / on_beach, 0.9) << seed;
+        EXPECT_GT(desert["cactus"] / on_desert, 0.6) << seed;
+        EXPECT_GT(grass["fir"] / on_grass, 0.75) << seed;
+    }
 }
 
 }  // namespace

@@ -3,13 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <glm/geometric.hpp>
 #include <map>
 
 #include "genome/recipe.hpp"
+#include "mesh/pieces.hpp"
 #include "support/effort.hpp"
+#include "synthesis/compose/track.hpp"
+#include "synthesis/compose/view_merit.hpp"
 #include "synthesis/grow.hpp"
 
 namespace {
@@ -22,6 +27,7 @@ scene::Land settled(std::uint64_t seed, float road_share, float site_share) {
     scene::SceneParameters p = scene::realise(recipe.values);
     p.land.road_share = road_share;
     p.land.site_share = site_share;
+    p.land.settle_age = -1;
     return grow_land(p.land, recipe.seeds[genome::Aspect::Land],
                      {.land_samples = 257, .light_px = 64, .albedo_px = 64});
 }
@@ -116,6 +122,62 @@ TEST(Sites, AreLevelDryAndReached) {
     }
     EXPECT_GT(sites, tests::of(45));
     EXPECT_GE(reached, sites - 1);
+}
+
+// Ground kept for a settlement bears a ring of stones that reach into it, and of lintels that rest on two of them.
+TEST(Sites, BearARingOfStones) {
+    int sites = 0;
+    int lying_in_the_air = 0;
+    for (std::uint64_t seed = 0; seed < tests::of(16U); ++seed) {
+        const scene::Land land = settled(seed, -1, 1);
+        if (!land.site) continue;
+        ++sites;
+        ASSERT_FALSE(land.landmarks.empty()) << seed;
+        const glm::vec2 middle = plan(land.site->middle_m);
+        EXPECT_LT(glm::length(plan(land.landmarks.back().at_m) - middle), 1.0F) << seed;
+        int uprights = 0;
+        for (const auto& piece : mesh::pieces_of(land.stone.mesh)) {
+            float low_m = 100;
+            float high_m = -100;
+            bool is_on_site = true;
+            for (std::size_t i = 0; i < 3 * piece.size(); ++i) {
+                const glm::vec3& p = land.stone.mesh.positions_m[land.stone.mesh.indices[piece[i / 3] + i % 3]];
+                const float over_m = p.y - scene::ground_height_m(land, plan(p));
+                low_m = std::min(low_m, over_m);
+                high_m = std::max(high_m, over_m);
+                is_on_site = is_on_site && glm::length(plan(p) - middle) < 0.9F * land.site->radius_m;
+            }
+            if (!is_on_site) continue;
+            uprights += low_m < 0 && high_m > 1.5F;
+            lying_in_the_air += low_m > 7;
+        }
+        EXPECT_GE(uprights, 5) << seed;
+    }
+    EXPECT_GT(sites, tests::of(12));
+    EXPECT_EQ(lying_in_the_air, 0);
+}
+
+// Where the genes ask for such stone, a third of the lands have a slope that bears a cave; of nearly all the flight
+// shows one or an arch.
+TEST(Landmarks, AreInSightOfTheFlight) {
+    int lands = 0;
+    int caves = 0;
+    int in_sight = 0;
+    for (std::uint64_t seed = 0; seed < tests::of(16U); ++seed) {
+        const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
+        scene::SceneParameters p = scene::realise(recipe.values);
+        p.land.arch_share = 0.8F;
+        scene::Land land = grow_land(p.land, recipe.seeds[genome::Aspect::Land],
+                                     {.land_samples = 257, .light_px = 64, .albedo_px = 64});
+        const scene::Track track = fly(fitted_to(land, plan_flight(recipe.flight)), land, recipe.flight);
+        ++lands;
+        caves += std::ranges::any_of(land.landmarks, &scene::Landmark::has_front);
+        land.roads.clear();
+        in_sight += outlook(land, scene::camera_at(track, 12)).made > 0.15F;
+    }
+    std::printf("of %d lands %d have a cave, in %d the flight shows one or an arch\n", lands, caves, in_sight);
+    EXPECT_GE(3 * caves, lands);
+    EXPECT_GE(4 * in_sight, 3 * lands);
 }
 
 TEST(Stones, FaceOutwardAndKeepToTheLand) {

@@ -77,10 +77,13 @@ Seam seam_of(const scene::Land& land) {
             };
             const float last = inside(16, 0);
             const float over = std::abs(surround_luma(land, (edge_m + 16) * out + a * along) - last);
+            // Whichever way they go: where snow ends at the seam, it ends beside it, too.
             float beside = 0;
-            for (const float aside_m : {-64.0F, -32.0F, 0.0F, 32.0F, 64.0F})
-                for (const float in_m : {16.0F, 48.0F, 80.0F})
+            for (const float aside_m : {-64.0F, -32.0F, 0.0F, 32.0F})
+                for (const float in_m : {16.0F, 48.0F, 80.0F}) {
                     beside = std::max(beside, std::abs(inside(in_m, aside_m) - inside(in_m + 32, aside_m)));
+                    beside = std::max(beside, std::abs(inside(in_m, aside_m) - inside(in_m, aside_m + 32)));
+                }
             seam.worst = std::max(seam.worst, static_cast<double>(over - beside));
             seam.mean += over;
             seam.inside += std::abs(inside(16, 0) - inside(48, 0));
@@ -92,13 +95,13 @@ Seam seam_of(const scene::Land& land) {
     return seam;
 }
 
-TEST(Seam, OverTwoHundredLandsIsNoStrongerAnEdgeThanTheGroundBesideIt) {
+TEST(Seam, IsNoStrongerAnEdgeThanTheGroundBesideIt) {
     double over = 0;
     double beside = 0;
-    for (std::uint64_t seed = 0; seed < tests::of(200U); ++seed) {
+    for (std::uint64_t seed = 0; seed < tests::of(40U); ++seed) {
         const scene::SceneParameters p = scene::realise(genome::random_recipe(base::Seed{seed}).values);
         const Seam seam = seam_of(synthesis::land::make_land(p.land, base::Seed{seed}, {65, 64, 128}));
-        EXPECT_LT(seam.worst, 0.24) << seed;  // of the whole scale, at one place
+        EXPECT_LT(seam.worst, 0.05) << seed;  // of the whole scale, at one place
         over += seam.mean;
         beside += seam.inside;
     }

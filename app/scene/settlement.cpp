@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/settlement.hpp"
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace quadrat::scene {
+
+std::size_t Settlement::triangles() const {
+    std::size_t sum = 0;
+    for (const Masses& piece : bounds) sum += piece.mesh.triangle_count();
+    for (const House& house : houses) sum += buildings[house.building].levels.front().mesh.triangle_count();
+    return sum;
+}
+
+glm::vec3 turned(const House& house, const glm::vec3& direction) {
+    const float c = std::cos(house.yaw_rad);
+    const float s = std::sin(house.yaw_rad);
+    return {c * direction.x + s * direction.z, direction.y, c * direction.z - s * direction.x};
+}
+
+glm::vec3 placed(const House& house, const glm::vec3& in_building_m) {
+    return house.foot_m + turned(house, in_building_m);
+}
+
+std::vector<glm::vec2> outline_m(const Building& building, const House& house, float grown_m) {
+    const glm::vec2 half = building.half_m + grown_m;
+    std::vector<glm::vec2> corners;
+    for (const glm::vec2 sign : {glm::vec2{-1, 1}, glm::vec2{1, 1}, glm::vec2{1, -1}, glm::vec2{-1, -1}}) {
+        const glm::vec3 p = placed(house, {sign.x * half.x, 0, sign.y * half.y});
+        corners.emplace_back(p.x, p.z);
+    }
+    return corners;
+}
+
+float to_house_m(const Building& building, const House& house, glm::vec2 at_m) {
+    const glm::vec2 d = at_m - glm::vec2{house.foot_m.x, house.foot_m.z};
+    const float c = std::cos(house.yaw_rad);
+    const float s = std::sin(house.yaw_rad);
+    const glm::vec2 local{c * d.x - s * d.y, s * d.x + c * d.y};
+    return glm::length(glm::max(glm::abs(local) - building.half_m, glm::vec2{0}));
+}
+
+}  // namespace quadrat::scene

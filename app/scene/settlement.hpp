@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace quadrat::scene {
+
+// What a surface is covered with: its pattern, see shaders/houses.frag, which counts them the same way.
+enum class Cladding : std::uint8_t { Plain, Plaster, Boards, Planks, Rubble, Tiles, Slates, Thatch };
+
+// A building's faces, flat: quads and triangles of corners of their own. Its front looks along +z, y is up, the ground
+// lies at y = 0; what is below it reaches into the ground.
+struct Masses {
+    mesh::Mesh mesh;                  // texcoords: metres along and up the surface
+    std::vector<glm::vec3> colours;   // a vertex, linear
+    std::vector<Cladding> claddings;  // a vertex
+    std::vector<float> lamps;         // a vertex: 0 no window; to 1 the later in the evening a light goes on behind it
+};
+
+// A building as it is made once and stands several times.
+struct Building {
+    std::vector<Masses> levels;  // finest first
+    glm::vec2 half_m{4, 4};      // of its walls, east and south of its middle
+    float height_m = 6;          // to the ridge
+    std::vector<glm::vec3> chimneys_m;
+};
+
+struct House {
+    std::uint32_t building = 0;
+    glm::vec3 foot_m{0};
+    float yaw_rad = 0;       // about y, counter-clockwise seen from above
+    glm::vec3 wall_tint{1};  // factors
+    glm::vec3 roof_tint{1};
+    float evening = 0;  // 0 to 1: added to its lamps, so that no two houses wake alike
+    bool has_smoke = false;
+};
+
+// What people have built on a land.
+struct Settlement {
+    std::vector<Building> buildings;
+    std::vector<House> houses;   // in the order they were built: a younger settlement has the first of them
+    std::vector<Masses> bounds;  // fences, walls, hedges along plots and fields, a piece a plot, where they stand
+    float lit_share = 0.5F;      // of the windows, on a dark night
+
+    bool is_empty() const { return houses.empty(); }
+    std::size_t triangles() const;  // of the finest level of all
+};
+
+// The corners of a house's walls on the ground, counter-clockwise seen from above; grown by so much on all sides.
+std::vector<glm::vec2> outline_m(const Building& building, const House& house, float grown_m = 0);
+
+// How far a place lies from a house's walls; 0 within them.
+float to_house_m(const Building& building, const House& house, glm::vec2 at_m);
+
+// A point of the building where the house has it.
+glm::vec3 placed(const House& house, const glm::vec3& in_building_m);
+glm::vec3 turned(const House& house, const glm::vec3& direction);
+
+}  // namespace quadrat::scene

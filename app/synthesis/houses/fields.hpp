@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "synthesis/houses/settle.hpp"
+
+namespace quadrat::synthesis::houses {
+
+// Land that is tilled or mown.
+struct FieldPlot {
+    std::vector<glm::vec2> outline_m;
+    glm::vec2 along{1, 0};   // of its rows, unit
+    glm::vec3 colour{0.5F};  // sRGB
+    float rows = 0;          // how much they show
+    bool has_hedge = false;
+};
+
+// Fields about a settlement: cells of a Voronoi diagram, split into lots; on ground that a plough can work, off houses
+// and lanes.
+std::vector<FieldPlot> lay_fields(const scene::Land& land, const Settled& settled,
+                                  const scene::LandParameters& parameters, base::Seed seed);
+
+// How far within a convex outline, either way round; less than 0 outside.
+float within_m(const std::vector<glm::vec2>& outline, glm::vec2 at);
+
+}  // namespace quadrat::synthesis::houses

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "synthesis/houses/building.hpp"
+
+// Not for use from outside.
+namespace quadrat::synthesis::houses {
+
+// How high the roof stands over the eaves where its two sides meet over so wide a house.
+double rise_m(const Design& design, double width_m);
+// Of a half hip: how much of a gable the hip takes.
+double hip_cut_m(const Design& design, double width_m);
+
+// Covers the plan at each level: the roof's faces, barge and fascia boards, and soffits where it is near. Returns the
+// height of the ridge. Throws mesh::PlanError for a plan that is none.
+double add_roof(scene::Building& to, const Design& design);
+
+}  // namespace quadrat::synthesis::houses

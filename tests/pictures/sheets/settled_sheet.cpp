@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// One landscape with a settlement, full size, to be looked at:
+//     settled_sheet LAND TREES SKY FILE.png [NAME=VALUE …]      by the names of archetypes; by.side=WIDTH,
+//     by.height=HEIGHT,
+//         by.seed=N, by.seconds=N, by.over=M and by.away=M: from so far south of the settlement and so high over it
+#include <fmt/core.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "breeding/words/described_scene.hpp"
+#include "pictures/image_file.hpp"
+#include "pictures/picture.hpp"
+#include "pictures/weather.hpp"
+#include "scene/parameters.hpp"
+#include "stage/easel.hpp"
+#include "synthesis/grow.hpp"
+
+namespace {
+
+using namespace quadrat;
+using namespace quadrat::tests;
+
+void take(genome::Recipe& recipe, genome::Aspect aspect, const std::string& name) {
+    for (const breeding::DescribedScene& scene : breeding::archetypes(aspect)) {
+        if (scene.name != name) continue;
+        for (const genome::ParameterId id : parameters_of(aspect, genome::Genome::Full))
+            recipe.values.set(id, scene.values[id]);
+        return;
+    }
+    fmt::print(stderr, "no archetype is called \"{}\"\n", name);
+    std::exit(2);
+}
+
+float taken(Values& values, const char* name, float otherwise) {
+    const auto found = values.find(name);
+    if (found == values.end()) return otherwise;
+    const float value = found->second;
+    values.erase(found);
+    return value;
+}
+
+scene::Camera camera_south_of(const scene::Land& land, float away_m, float over_m, float bearing_deg) {
+    const scene::Settlement& settlement = land.settlement;
+    glm::vec3 middle{0};
+    for (const scene::House& house : settlement.houses)
+        middle += house.foot_m / static_cast<float>(settlement.houses.size());
+    const float turn = bearing_deg * 0.0174533F;
+    glm::vec3 eye = middle + away_m * glm::vec3{-std::sin(turn), 0, std::cos(turn)};
+    eye.y = std::max({scene::ground_height_m(land, {eye.x, eye.z}) + 1.7F, 2.5F, middle.y + over_m});
+    return {eye, middle + glm::vec3{0, 3, 0}, 42};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Values extra;
+    std::vector<std::string> rest;
+    for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
+        const auto equals = word.find('=');
+        if (equals == std::string::npos)
+            rest.push_back(word);
+        else
+            extra[word.substr(0, equals)] = std::strtof(word.c_str() + equals + 1, nullptr);
+    }
+    if (rest.size() != 4) {
+        fmt::print(stderr, "usage: settled_sheet LAND TREES SKY FILE.png [NAME=VALUE …]\n");
+        return 2;
+    }
+    pictures::Picture picture;
+    picture.width = static_cast<int>(taken(extra, "by.side", 1920));
+    picture.height = static_cast<int>(taken(extra, "by.height", 1080));
+    picture.seconds = taken(extra, "by.seconds", 12);
+    const base::Seed seed{static_cast<std::uint64_t>(taken(extra, "by.seed", 4))};
+    const float away_m = taken(extra, "by.away", 0);
+    const float over_m = taken(extra, "by.over", 12);
+    const float bearing = taken(extra, "by.bearing", 0);
+    genome::Recipe recipe;
+    take(recipe, genome::Aspect::Land, rest[0]);
+    take(recipe, genome::Aspect::Trees, rest[1]);
+    take(recipe, genome::Aspect::Sky, rest[2]);
+    for (const genome::Aspect aspect : genome::kAspects) recipe.seeds[aspect] = seed.child(name_of(aspect));
+    recipe.flight = seed.child("flight");
+    set_all(recipe, extra);
+    const scene::Land land =
+        synthesis::grow_land(scene::realise(recipe.values).land, recipe.seeds[genome::Aspect::Land]);
+    fmt::print("{} houses, {} triangles, {} bounds\n", land.settlement.houses.size(), land.settlement.triangles(),
+               land.settlement.bounds.size());
+    picture.scenes = {recipe};
+    if (away_m > 0 && !land.settlement.is_empty()) picture.camera = camera_south_of(land, away_m, over_m, bearing);
+    stage::Easel easel(picture.width, picture.height);
+    pictures::write_picture(rest[3], easel.draw(picture), to_json(picture));
+    return 0;
+}
