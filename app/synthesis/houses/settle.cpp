@@ -324,8 +324,9 @@ class Growth {
         const auto is_sea_near = [&](glm::vec2 at, float r) {
             for (int i = 0; i < 10; ++i) {
                 const float turn = 0.628319F * static_cast<float>(i);
-                if (scene::ground_height_m(land_, at + r * glm::vec2{std::sin(turn), std::cos(turn)}) < -1.0F)
-                    return true;
+                const glm::vec2 way{std::sin(turn), std::cos(turn)};
+                const auto is_sea = [&](float m) { return scene::ground_height_m(land_, at + m * way) < -1.0F; };
+                if (is_sea(r) && is_sea(3 * r) && is_sea(5 * r)) return true;
             }
             return false;
         };
