@@ -25,6 +25,7 @@ quadrat_pkg(dep_evdev libevdev)
 quadrat_pkg(dep_systemd libsystemd)
 quadrat_pkg(dep_mosquitto libmosquitto)
 quadrat_pkg(dep_openssl openssl)
+quadrat_pkg(dep_microhttpd libmicrohttpd)
 quadrat_pkg(dep_toml tomlplusplus)
 # Not its CMake package, which on Debian insists on programs of another package.
 quadrat_pkg(dep_openimageio OpenImageIO)

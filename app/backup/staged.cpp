@@ -93,6 +93,7 @@ std::vector<std::string> site_files() {
             "words.previous.json",
             "taste.json",
             "buttons.map",
+            "desk.passphrase",
             "earlier/landscape-1.png",
             "earlier/landscape-2.png",
             "earlier/landscape-3.png"};

@@ -27,6 +27,7 @@ void add_bench(CLI::App& app, Action& chosen);
 void add_doctor(CLI::App& app, Action& chosen);
 void add_shot(CLI::App& app, Action& chosen);
 void add_state(CLI::App& app, Action& chosen);
+void add_desk(CLI::App& app, Action& chosen);
 void add_report(CLI::App& app, Action& chosen);
 void add_publish(CLI::App& app, Action& chosen);
 void add_man(CLI::App& app, Action& chosen);

@@ -7,6 +7,7 @@
 
 #include "commands/calibrate.hpp"
 #include "commands/commands.hpp"
+#include "commands/examine.hpp"
 #include "commands/learn_buttons.hpp"
 #include "doctor/diagnosis.hpp"
 #include "doctor/diagnosis_crash.hpp"
@@ -32,62 +33,6 @@ struct Options {
 // By severity: 1 and 2 are a crash and bad usage, as everywhere.
 constexpr int kStatus[] = {0, 3, 4};
 
-std::vector<doctor::Finding> service_findings(const std::string& state) {
-    std::vector<doctor::Finding> findings = doctor::examine_service(site::watched_folder(state));
-    if (!site::is_the_services(state)) return findings;
-    const std::vector<doctor::Finding> unit = doctor::examine_unit(machine::read_unit_state("quadrat.service"));
-    findings.insert(findings.begin(), unit.begin(), unit.end());
-    const auto now = std::chrono::system_clock::now();
-    const std::vector<doctor::Finding> crash =
-        doctor::examine_crashes(doctor::kCrashFolder, machine::account_named("quadrat"), now);
-    findings.insert(findings.end(), crash.begin(), crash.end());
-    return findings;
-}
-
-std::vector<doctor::Finding> button_findings(const site::Configuration& configuration,
-                                             const std::optional<machine::Account>& user) {
-    std::vector<doctor::Finding> findings = doctor::examine_buttons(configuration, user);
-    const std::vector<doctor::Finding> boards = doctor::examine_boards(configuration);
-    findings.insert(findings.end(), boards.begin(), boards.end());
-    return findings;
-}
-
-std::vector<doctor::Finding> screen_findings(const site::Configuration& configuration,
-                                             const std::optional<machine::Account>& user) {
-    std::vector<doctor::Finding> findings = doctor::examine_screen(user);
-    const std::vector<doctor::Finding> wanted = doctor::examine_wanted_screen(configuration);
-    findings.insert(findings.end(), wanted.begin(), wanted.end());
-    return findings;
-}
-
-std::vector<doctor::Finding> examine_parts(const Options& options) {
-    const doctor::Examined examined = doctor::examine_configuration(
-        site::tended_configuration(options.configuration, options.state), site::tended_state_folder(options.state));
-    const site::Configuration& configuration = examined.configuration;
-    // Who names another state folder has an exhibit of their own, and runs it themselves.
-    const auto user = site::is_the_services(options.state) ? machine::account_named("quadrat") : std::nullopt;
-    const std::pair<const char*, std::function<std::vector<doctor::Finding>()>> parts[] = {
-        {"settings", [&] { return examined.findings; }},
-        {"gpu", [] { return doctor::examine_gpu(); }},
-        {"screen", [&] { return screen_findings(configuration, user); }},
-        {"buttons", [&] { return button_findings(configuration, user); }},
-        {"state", [&] { return doctor::examine_state(site::tended_state_folder(options.state), user); }},
-        {"clock",
-         [&] {
-             const site::LastTimeSeen seen(site::tended_state_folder(options.state));
-             return doctor::examine_clock(site::read_wall_clock(seen), configuration.hours);
-         }},
-        {"service", [&] { return service_findings(options.state); }},
-    };
-    std::vector<doctor::Finding> all;
-    for (const auto& [name, look] : parts) {
-        if (!options.only.empty() && std::ranges::find(options.only, name) == options.only.end()) continue;
-        const std::vector<doctor::Finding> some = look();
-        all.insert(all.end(), some.begin(), some.end());
-    }
-    return all;
-}
-
 int examine(const Options& options) {
     if (options.learns_buttons) {
         const auto map = options.map.empty() ? site::tended_state_folder(options.state) / "buttons.map"
@@ -98,7 +43,7 @@ int examine(const Options& options) {
         return calibrate(site::settings_for_people(options.configuration).configuration,
                          site::state_folder(options.state));
     }
-    const std::vector<doctor::Finding> all = examine_parts(options);
+    const std::vector<doctor::Finding> all = examine_parts(options.configuration, options.state, options.only);
     std::fputs((options.is_json ? json_of(all) : doctor::report_of(all)).c_str(), stdout);
     return kStatus[static_cast<std::size_t>(doctor::worst_of(all))];
 }

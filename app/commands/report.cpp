@@ -4,17 +4,14 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <ctime>
 
-#include "archive/visit_rows.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "commands/commands.hpp"
-#include "machine/version.hpp"
+#include "commands/visits.hpp"
 #include "report/writers.hpp"
 #include "site/hours.hpp"
 #include "site/state_folder.hpp"
-#include "site/wall_clock.hpp"
 
 namespace quadrat::commands {
 namespace {
@@ -33,15 +30,6 @@ std::optional<report::Date> date_of(const std::string& text, const char* option)
     }
 }
 
-// By the machine's time zone: the house's.
-report::LocalTime local_time_of(std::int64_t ms) {
-    const std::time_t seconds = ms / 1000;
-    std::tm local{};
-    ::localtime_r(&seconds, &local);
-    return {std::chrono::year(local.tm_year + 1900) / (local.tm_mon + 1) / local.tm_mday,
-            local.tm_hour * 60 + local.tm_min};
-}
-
 int tell(const Options& options) {
     const report::Days days{date_of(options.from, "--from"), date_of(options.to, "--to")};
     if (days.from && days.to && *days.from > *days.to)
@@ -51,17 +39,12 @@ int tell(const Options& options) {
     if (!is_for_people && !is_printed)
         base::require_ending(options.output, {".html", ".htm", ".csv", ".json"}, "a report of visits");
     const std::filesystem::path folder = site::tended_state_folder(options.state);
-    report::Counts counts;
-    archive::read_state(folder, [&](const archive::Connection& connection) {
-        counts = report::count(connection, days, local_time_of);
-    });
+    const report::Counts counts = count_visits(folder, days);
     if (is_for_people) {
         std::fputs(report::text_of(counts).c_str(), stdout);
         return 0;
     }
-    const report::Heading heading{options.title,
-                                  site::time_text(site::read_wall_clock(site::LastTimeSeen(std::filesystem::path{}))),
-                                  std::string(machine::version())};
+    const report::Heading heading = heading_of(options.title);
     const std::string ending = is_printed ? ".json" : base::ending_of(options.output);
     base::print_or_write_file(options.output, ending == ".json"  ? report::json_of(counts, heading)
                                               : ending == ".csv" ? report::csv_of(counts)

@@ -82,6 +82,12 @@ void read_fleet(Reader& reader, Configuration::Fleet& fleet) {
     reader.read_checked("fleet", "ca_file", fleet.ca_file, check_file);
 }
 
+void read_desk(Reader& reader, Configuration::Desk& desk) {
+    reader.read_checked("desk", "listen", desk.listen, check_listen_address);
+    reader.read_checked("desk", "certificate", desk.certificate, check_file);
+    reader.read_checked("desk", "key", desk.key, check_file);
+}
+
 void read_words(Reader& reader, std::map<std::string, std::array<double, 2>>& words) {
     for (const genome::Word& word : genome::vocabulary()) {
         const std::string name(word.name);
@@ -143,6 +149,7 @@ void read_all(Reader& reader, Configuration& configuration, const LettersWithout
     read_words(reader, configuration.words);
     read_picture(reader, configuration.picture);
     read_fleet(reader, configuration.fleet);
+    read_desk(reader, configuration.desk);
     read_hours(reader, configuration.hours);
     read_closing(reader, configuration.closing);
     read_texts(reader, configuration.texts, without_font);

@@ -74,6 +74,14 @@ struct Configuration {
         friend bool operator==(const Fleet&, const Fleet&) = default;
     } fleet;
 
+    // A page for those who look after the exhibit; none, unless it listens somewhere.
+    struct Desk {
+        std::string listen;       // "127.0.0.1:8080", "[::1]:8080"
+        std::string certificate;  // and the key to it, PEM; needed wherever other machines reach it
+        std::string key;
+        friend bool operator==(const Desk&, const Desk&) = default;
+    } desk;
+
     Hours hours;                // when the house is open; always, unless it says
     DoorkeeperOptions closing;  // what happens at closing time
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <filesystem>
 
+#include "base/listen_address.hpp"
 #include "display/options.hpp"
 #include "firmware-io/input_spec.hpp"
 #include "firmware-io/scripted/scripted_buttons.hpp"
@@ -119,6 +120,15 @@ void InputCheck::operator()(const std::string& spec) {
 
 void check_broker(const std::string& address) {
     if (!address.empty()) parse_broker(address);
+}
+
+void check_listen_address(const std::string& text) {
+    if (text.empty()) return;
+    try {
+        base::parse_listen_address(text);
+    } catch (const std::invalid_argument& error) {
+        refuse(fmt::format("is \"{}\": {}", text, error.what()));
+    }
 }
 
 void check_fleet_name(const std::string& name) {

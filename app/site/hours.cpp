@@ -133,14 +133,14 @@ std::string date_text(std::chrono::year_month_day date) {
                        static_cast<unsigned>(date.day()));
 }
 
-Curtain Doorkeeper::look(Instant now, const WallClock& wall, bool has_visitor) {
-    if (!wall.is_trusted || is_open(hours_, wall)) {
+Curtain Doorkeeper::look(Instant now, const WallClock& wall, bool has_visitor, bool stands_by) {
+    if (!stands_by && (!wall.is_trusted || is_open(hours_, wall))) {
         is_closing_ = false;
         return curtain_ = Curtain::Open;
     }
     if (!is_closing_) closed_since_ = now;
     is_closing_ = true;
-    const bool is_awake = now < awake_until_;
+    const bool is_awake = !stands_by && now < awake_until_;
     if (curtain_ == Curtain::Open) {
         const bool may_stay = is_awake || (has_visitor && now - closed_since_ < options_.overtime);
         if (may_stay) return curtain_;

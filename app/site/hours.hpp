@@ -81,7 +81,8 @@ class Doorkeeper {
         hours_ = hours;
         options_ = options;
     }
-    Curtain look(Instant now, const WallClock& wall, bool has_visitor);
+    // On stand-by it is closed whatever the hours say, and no button wakes it.
+    Curtain look(Instant now, const WallClock& wall, bool has_visitor, bool stands_by = false);
     void pressed(Instant now);  // any button
 
   private:

@@ -10,6 +10,7 @@
 #include "base/log.hpp"
 #include "machine/heap.hpp"
 #include "machine/version.hpp"
+#include "pictures/picture.hpp"
 #include "pictures/png_picture.hpp"
 
 namespace quadrat::staff {
@@ -107,9 +108,15 @@ void Caretaker::look_outside(base::Instant now) {
 // True: the configuration is another.
 bool Caretaker::take_over(Seen seen) {
     tell_clock(seen.wall);
+    if (seen.stands_by != seen_.stands_by) {
+        base::log::info("staff: {}", seen.stands_by ? "stand-by" : "no longer on stand-by");
+        reported_at_.reset();
+    }
     seen_ = std::move(seen);
     has_looked_ = true;
     if (seen_.is_picture_asked) answer_picture_wish();
+    if (seen_.is_glance_asked) answer_glance_wish();
+    if (seen_.is_restart_asked) carry_out(StaffWish::Restart);
     auto changed = std::exchange(seen_.settings, std::nullopt);
     return changed && take_over(std::move(*changed));
 }
@@ -169,8 +176,21 @@ void Caretaker::answer_picture_wish() {
     });
 }
 
+void Caretaker::answer_glance_wish() {
+    if (curtain_ != site::Curtain::Dark || board_) {
+        if (picture_wishes_.empty()) picture_wishes_.emplace_back(kGlance);
+        return;
+    }
+    errands_.send([runtime = parts_.runtime] {
+        std::error_code ignored;
+        std::filesystem::remove(runtime / kGlance, ignored);
+        std::filesystem::remove(runtime / kGlanceAsked, ignored);
+    });
+}
+
 void Caretaker::raise_curtain(bool has_visitor, base::Instant now) {
-    const site::Curtain before = std::exchange(curtain_, doorkeeper_.look(now, seen_.wall, has_visitor));
+    const site::Curtain before =
+        std::exchange(curtain_, doorkeeper_.look(now, seen_.wall, has_visitor, seen_.stands_by));
     if (before == curtain_) return;
     reported_at_.reset();
     constexpr const char* kWords[] = {"open", "closing: the card is shown", "closed: the screen is switched off"};
@@ -245,13 +265,16 @@ void Caretaker::keep_picture(mesh::Image picture, const std::filesystem::path& f
         try {
             std::error_code exists;
             std::filesystem::create_directories((runtime / file).parent_path(), exists);
-            pictures::write_png_quickly(runtime / file, picture);
+            const bool is_small = file == kGlance && picture.width > kGlanceWidth;
+            pictures::write_png_quickly(runtime / file,
+                                        is_small ? pictures::scaled_to(picture, kGlanceWidth) : picture);
             if (is_of_a_fault(file)) keep_evidence(picture, at);
         } catch (const base::InputError& error) {
             base::log::info("picture: {}", error.what());
         }
         std::error_code ignored;
         if (file == kPicture) std::filesystem::remove(runtime / kPictureAsked, ignored);
+        if (file == kGlance) std::filesystem::remove(runtime / kGlanceAsked, ignored);
     });
 }
 
@@ -273,8 +296,9 @@ Vitals Caretaker::vitals(const Panel& panel, const VisitNow& visit, base::Instan
     vitals.wall = seen_.wall;
     const site::Hours& hours = parts_.configuration.hours;
     vitals.has_hours = !hours.is_always_open;
-    vitals.is_open = !seen_.wall.is_trusted || site::is_open(hours, seen_.wall);
-    vitals.opening = site::opening_text(hours, seen_.wall);
+    vitals.stands_by = seen_.stands_by;
+    vitals.is_open = !seen_.stands_by && (!seen_.wall.is_trusted || site::is_open(hours, seen_.wall));
+    vitals.opening = seen_.stands_by ? "on stand-by, as staff asked" : site::opening_text(hours, seen_.wall);
     vitals.frames = frames_;
     vitals.level = drawn_.level;
     vitals.alpha = drawn_.alpha;

@@ -88,6 +88,7 @@ class Caretaker {
     bool take_over(Seen seen);
     void tell_clock(const site::WallClock& wall);
     void answer_picture_wish();
+    void answer_glance_wish();
     bool take_over(Seen::Changed changed);
     void keep_proved_settings(base::Instant now);
     void raise_curtain(bool has_visitor, base::Instant now);

@@ -118,6 +118,7 @@ std::string to_json(const Vitals& vitals) {
     json["screen_trouble"] = vitals.screen_trouble;
     json["open"] = vitals.is_open;
     json["opening"] = vitals.opening;
+    json["standing_by"] = vitals.stands_by;
     json["clock"] = {{"time", site::time_text(vitals.wall)},
                      {"zone", vitals.wall.zone},
                      {"trusted", vitals.wall.is_trusted},

@@ -44,6 +44,7 @@ struct Vitals {
     site::WallClock wall;
     bool has_hours = false;  // it closes by the clock
     bool is_open = true;     // by its hours
+    bool stands_by = false;  // staff keep it closed
     std::string opening;     // "open until 18:00"
     FrameCount frames;
     double level = 1;  // of detail, the governor's

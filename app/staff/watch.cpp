@@ -51,6 +51,9 @@ Seen Watch::look() {
     seen.free_mb = machine::free_mb(state_);
     std::error_code ignored;
     seen.is_picture_asked = fs::exists(runtime_ / kPictureAsked, ignored);
+    seen.is_glance_asked = fs::exists(runtime_ / kGlanceAsked, ignored);
+    seen.stands_by = fs::exists(runtime_ / kStandBy, ignored);
+    seen.is_restart_asked = fs::remove(runtime_ / kRestartAsked, ignored);
     if (!configuration_file_.empty()) seen.settings = changed_settings();
     return seen;
 }

@@ -23,6 +23,9 @@ struct Seen {
     site::WallClock wall;
     std::optional<double> free_mb;
     bool is_picture_asked = false;
+    bool is_glance_asked = false;
+    bool stands_by = false;
+    bool is_restart_asked = false;
     std::optional<Changed> settings;
     std::vector<std::string> earlier_faults;  // of the runs before this one, oldest first
 };
@@ -59,6 +62,14 @@ inline constexpr const char* kPictureAsked = "picture.asked";
 inline constexpr const char* kPicture = "picture.png";
 // Or this lies beside it, and says why there is none.
 inline constexpr const char* kNoPicture = "picture.refused";
+// The same of a small picture, for who looks again and again; none lies there while the screen is dark.
+inline constexpr const char* kGlanceAsked = "glance.asked";
+inline constexpr const char* kGlance = "glance.png";
+inline constexpr int kGlanceWidth = 854;
+// While this file is there, the exhibit is closed to visitors, whatever its hours say.
+inline constexpr const char* kStandBy = "standby";
+// The exhibit takes this file away, ends, and is started anew by whoever started it.
+inline constexpr const char* kRestartAsked = "restart.asked";
 // What the machine should do, in one word: reboot or poweroff. A unit with the right to it watches this file.
 inline constexpr const char* kPowerAsked = "power.asked";
 

@@ -73,6 +73,20 @@ TEST_F(AnEvening, ShowsTheCardAndThenSwitchesTheScreenOff) {
     EXPECT_EQ(keeper.look(20h, at("2026-11-25", 9), false), Curtain::Open) << "it wakes by itself";
 }
 
+TEST_F(AnEvening, IsAnyHourOnStandBy) {
+    const auto by_day = [this](std::chrono::seconds after, bool has_visitor, bool stands_by) {
+        return keeper.look(1h + after, at("2026-11-24", 12), has_visitor, stands_by);
+    };
+    EXPECT_EQ(by_day(0s, true, true), Curtain::Open) << "the visit that has begun goes on";
+    EXPECT_EQ(by_day(60s, false, true), Curtain::Card);
+    EXPECT_EQ(by_day(120s, false, true), Curtain::Dark);
+    keeper.pressed(1h + 121s);
+    EXPECT_EQ(by_day(122s, false, true), Curtain::Dark) << "no button wakes it";
+    EXPECT_EQ(by_day(123s, false, false), Curtain::Open);
+    EXPECT_EQ(keeper.look(2h, {parse_date("2026-11-24"), 720, false}, false, true), Curtain::Card)
+        << "also with a clock that is not trusted";
+}
+
 TEST_F(AnEvening, LetsAVisitEndButNotForEver) {
     EXPECT_EQ(look(-60s, true), Curtain::Open);
     EXPECT_EQ(look(0s, true), Curtain::Open);

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page for staff, over real connections, beside a running exhibit.
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <random>
+#include <thread>
+
+#include "journeys/quadrat_program.hpp"
+
+namespace {
+
+using namespace quadrat::tests;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+sockaddr_in loopback(int port) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    return address;
+}
+
+// A port that nobody listens on just now.
+int free_port() {
+    const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in address = loopback(0);
+    socklen_t size = sizeof address;
+    EXPECT_EQ(::bind(socket, reinterpret_cast<sockaddr*>(&address), size), 0);
+    ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size);
+    ::close(socket);
+    return ntohs(address.sin_port);
+}
+
+class StaffsPage : public testing::Test {
+  protected:
+    void SetUp() override {
+        ::unsetenv("RUNTIME_DIRECTORY");
+        folder.write("quadrat.toml", "[picture]\nland_samples = 65\n[desk]\nlisten = \"127.0.0.1:" +
+                                         std::to_string(port) + "\"\n[fleet]\nname = \"Foyer\"\n");
+        folder.write("visit.script", "wait 600s\n");
+        std::filesystem::create_directory(folder / "state");
+    }
+
+    std::string at(const std::string& name) const { return (folder / name).string(); }
+    Ended tool(const std::vector<std::string>& arguments) const { return run(program(arguments), elsewhere); }
+    void set_passphrase() const {
+        const std::string command =
+            "echo 'a sentence of staff' | '" QUADRAT_BINARY "' desk --set-passphrase --state '" + at("state") + "'";
+        ASSERT_EQ(std::system(command.c_str()), 0);
+    }
+    std::vector<std::string> desk() const {
+        return program({"desk", "--config", at("quadrat.toml"), "--state", at("state")});
+    }
+
+    // What comes back for these bytes, until the other side is through.
+    std::string say(const std::string& bytes) const {
+        const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+        const timeval patience{10, 0};
+        ::setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+        const sockaddr_in address = loopback(port);
+        std::string answer;
+        if (::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) {
+            ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+            char some[4096];
+            for (ssize_t got = 0; (got = ::recv(socket, some, sizeof some, 0)) > 0;)
+                answer.append(some, static_cast<std::size_t>(got));
+        }
+        ::close(socket);
+        return answer;
+    }
+    std::string ask(const std::string& method, const std::string& path, const std::string& form = "") const {
+        return say(method + " " + path + " HTTP/1.1\r\nHost: exhibit\r\nConnection: close\r\nCookie: " + cookie +
+                   "\r\nContent-Type: application/x-www-form-urlencoded\r\nContent-Length: " +
+                   std::to_string(form.size()) + "\r\n\r\n" + form);
+    }
+    void log_in() {
+        const std::string answer = ask("POST", "/login", "passphrase=a+sentence+of+staff");
+        ASSERT_THAT(answer, StartsWith("HTTP/1.1 303")) << answer;
+        const std::size_t from = answer.find("quadrat-desk=");
+        ASSERT_NE(from, std::string::npos) << answer;
+        cookie = answer.substr(from, answer.find(';', from) - from);
+    }
+    std::string act(const std::string& what) const {
+        const std::string page = ask("GET", "/");
+        const std::size_t from = page.find("name=\"token\" value=\"") + 20;
+        return ask("POST", "/act", "act=" + what + "&token=" + page.substr(from, 64));
+    }
+    template <typename Comes>
+    void wait_until(Process& process, const char* what, const Comes& comes) const {
+        const auto begun = std::chrono::steady_clock::now();
+        while (!comes()) {
+            ASSERT_TRUE(process.is_running()) << what;
+            ASSERT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds{120}) << what << " has not come";
+            std::this_thread::sleep_for(std::chrono::milliseconds{20});
+        }
+    }
+
+    TemporaryFolder folder, elsewhere;
+    int port = free_port();
+    std::string cookie;
+};
+
+TEST_F(StaffsPage, ShowsARunningExhibitAndHasItStandByAndStartAnew) {
+    set_passphrase();
+    Process exhibit(
+        program({"run", "--config", at("quadrat.toml"), "--display", "headless", "--size", "64x64", "--input",
+                 "script:" + at("visit.script"), "--state", at("state"), "--seed", "5", "--speed", "1.001"}),
+        folder.path());
+    Process page(desk(), elsewhere.path());
+    wait_until(page, "the desk", [&] { return ask("GET", "/login").starts_with("HTTP/1.1 200"); });
+    EXPECT_THAT(ask("GET", "/"), StartsWith("HTTP/1.1 303"));
+    log_in();
+    wait_until(exhibit, "its health", [&] {
+        return ask("GET", "/health.json").find("\"verdict\"") != std::string::npos &&
+               ask("GET", "/").find("All is well") != std::string::npos;
+    });
+    wait_until(exhibit, "a picture", [&] { return ask("GET", "/picture.png").find("\x89PNG") != std::string::npos; });
+    EXPECT_THAT(ask("GET", "/doctor"), HasSubstr("in use by the exhibit"));
+    EXPECT_THAT(ask("GET", "/report"), StartsWith("HTTP/1.1 200"));
+    EXPECT_THAT(ask("GET", "/backup.tar.xz"), HasSubstr("attachment"));
+
+    EXPECT_THAT(act("standby"), StartsWith("HTTP/1.1 303"));
+    wait_until(exhibit, "stand-by",
+               [&] { return ask("GET", "/health.json").find("on stand-by, as staff asked") != std::string::npos; });
+    EXPECT_THAT(ask("GET", "/"), HasSubstr("<button>Wake</button>"));
+    EXPECT_THAT(act("wake"), StartsWith("HTTP/1.1 303"));
+    wait_until(exhibit, "waking", [&] { return ask("GET", "/health.json").find("always open") != std::string::npos; });
+    EXPECT_THAT(act("restart"), StartsWith("HTTP/1.1 303"));
+    exhibit.wait();
+    EXPECT_THAT(contents_of(folder / "stderr.txt"), HasSubstr("staff: restart"));
+    EXPECT_THAT(contents_of(folder / "state/desk.log"), HasSubstr("127.0.0.1 asked for restart"));
+    page.kill(SIGTERM);
+    EXPECT_TRUE(succeeds(page.wait()));
+}
+
+TEST_F(StaffsPage, OutlivesWhateverIsSentToIt) {
+    set_passphrase();
+    Process page(desk(), elsewhere.path());
+    wait_until(page, "the desk", [&] { return ask("GET", "/login").starts_with("HTTP/1.1 200"); });
+    std::mt19937 chance(11);
+    const std::string words[]{"GET ",
+                              "POST ",
+                              "/",
+                              "/login",
+                              "/../../etc/passwd",
+                              "%2e%2e",
+                              " HTTP/1.1",
+                              " HTTP/9.9",
+                              "\r\n",
+                              "Host: x",
+                              "Content-Length: 99999999999999",
+                              "Content-Length: -1",
+                              "Cookie: ",
+                              "Transfer-Encoding: chunked",
+                              "\r\n\r\n",
+                              "ffffffff\r\n",
+                              std::string(9000, 'A'),
+                              std::string("\0\x01\xff", 3),
+                              "passphrase=%"};
+    for (int i = 0; i < 300; ++i) {
+        std::string bytes = "GET / HTTP/1.1\r\nConnection: close\r\n";
+        if (chance() % 2 == 0) bytes.clear();
+        for (auto n = chance() % 12; n > 0; --n) bytes += words[chance() % std::size(words)];
+        const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+        const sockaddr_in address = loopback(port);
+        if (::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0)
+            ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        ::close(socket);
+    }
+    // One address may have so many connections at once; those that were closed are noticed one after the other.
+    wait_until(page, "an answer", [&] { return ask("GET", "/login").starts_with("HTTP/1.1 200"); });
+    EXPECT_THAT(ask("POST", "/login", "passphrase=" + std::string(5000, 'x')), StartsWith("HTTP/1.1 413"));
+    EXPECT_THAT(ask("POST", "/login", "passphrase=%zz"), StartsWith("HTTP/1.1 400"));
+    EXPECT_THAT(ask("GET", "/nowhere"), StartsWith("HTTP/1.1 404"));
+    EXPECT_TRUE(page.is_running());
+    log_in();
+    EXPECT_THAT(ask("GET", "/"), HasSubstr("The exhibit says nothing"));
+    page.kill(SIGTERM);
+    EXPECT_TRUE(succeeds(page.wait()));
+}
+
+TEST_F(StaffsPage, ListensNowhereUnlessItIsSafeAndWanted) {
+    const Ended without = tool({"desk", "--config", at("quadrat.toml"), "--state", at("state")});
+    EXPECT_EQ(without.status, 2);
+    EXPECT_THAT(without.err, HasSubstr("quadrat desk --set-passphrase"));
+    set_passphrase();
+    struct Wrong {
+        const char* toml;
+        int status;
+        const char* says;
+    };
+    for (const Wrong& wrong :
+         {Wrong{"", 0, "nothing listens"}, Wrong{"[desk]\nlisten = \"localhost:80\"\n", 2, "in numbers"},
+          Wrong{"[desk]\nlisten = \"0.0.0.0:8443\"\n", 2, "unencrypted"},
+          Wrong{"[desk]\nlisten = \"127.0.0.1:8443\"\nkey = \"no.pem\"\n", 2, "no.pem"}}) {
+        folder.write("other.toml", std::string("# \n") + wrong.toml);
+        const Ended ended = tool({"desk", "--config", at("other.toml"), "--state", at("state")});
+        EXPECT_EQ(ended.status, wrong.status) << wrong.toml << ended.err;
+        EXPECT_THAT(ended.err, HasSubstr(wrong.says)) << wrong.toml;
+    }
+    const std::string short_one = "echo short | '" QUADRAT_BINARY "' desk --set-passphrase --state '" + at("state") +
+                                  "' 2>'" + (elsewhere / "said.txt").string() + "'";
+    EXPECT_NE(std::system(short_one.c_str()), 0);
+    EXPECT_THAT(contents_of(elsewhere / "said.txt"), HasSubstr("at least 10"));
+}
+
+}  // namespace
