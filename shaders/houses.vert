@@ -21,7 +21,7 @@ flat out vec2 pieces;   // x: how much pieces differ; y: how far rows are shifte
 const vec4 kCourses[8] = vec4[8](vec4(0.1, 0.1, 0.0, 0.0), vec4(0.4, 0.6, 0.0, 0.0), vec4(0.25, 5.0, 0.16, 0.0),
                                  vec4(5.6, 0.1, 0.0, 0.35), vec4(1.9, 3.0, 0.0, 0.22), vec4(3.6, 3.0, 0.34, 0.10),
                                  vec4(2.6, 4.2, 0.22, 0.14), vec4(9.0, 0.9, 0.16, 0.0));
-const vec2 kPieces[8] = vec2[8](vec2(0.0, 0.0), vec2(0.05, 0.8), vec2(0.10, 0.8), vec2(0.13, 0.0), vec2(0.26, 0.9),
+const vec2 kPieces[8] = vec2[8](vec2(0.0, 0.0), vec2(0.03, 0.8), vec2(0.10, 0.8), vec2(0.13, 0.0), vec2(0.26, 0.9),
                                 vec2(0.15, 1.0), vec2(0.20, 1.0), vec2(0.16, 0.6));
 
 void main() {

@@ -55,10 +55,15 @@ class Tillage {
     bool is_fit_at(glm::vec2 p) const {
         if (!is_buildable(land_, p) || steepness(land_, p, 7) > kSteepest) return false;
         for (const scene::Road& road : land_.roads)
-            for (const glm::vec3& r : road.line_m)
-                if (glm::distance(glm::vec2{r.x, r.z}, p) < 0.5F * road.width_m + 2.5F) return false;
+            for (const glm::vec3& r : road.line_m) {
+                const glm::vec2 d = glm::vec2{r.x, r.z} - p;
+                const float room_m = 0.5F * road.width_m + 2.5F;
+                if (glm::dot(d, d) < room_m * room_m) return false;
+            }
         return std::ranges::all_of(settled_.settlement.houses, [&](const scene::House& house) {
-            return scene::to_house_m(settled_.settlement.buildings[house.building], house, p) > 7;
+            const glm::vec2 d{house.foot_m.x - p.x, house.foot_m.z - p.y};
+            return glm::dot(d, d) > 900 ||
+                   scene::to_house_m(settled_.settlement.buildings[house.building], house, p) > 7;
         });
     }
     const scene::Land& land_;

@@ -44,8 +44,8 @@ float to_roads_m(const scene::Land& land, glm::vec2 at) {
     return least;
 }
 
-// Of living here; the less the better. None: unfit.
-std::optional<float> price_of(const scene::Land& land, const scene::LandParameters& p, glm::vec2 at) {
+// Of living here; the less the better. None: unfit, or not below the most that is asked for.
+std::optional<float> price_of(const scene::Land& land, const scene::LandParameters& p, glm::vec2 at, float most) {
     if (!is_buildable(land, at)) return std::nullopt;
     float steep = 0;
     int dry = 0;
@@ -62,10 +62,13 @@ std::optional<float> price_of(const scene::Land& land, const scene::LandParamete
     const float slope_south =
         scene::ground_height_m(land, at - glm::vec2{0, 15}) - scene::ground_height_m(land, at + glm::vec2{0, 15});
     const float sun = std::clamp(slope_south / 5, -1.0F, 1.0F);
-    const float water = std::abs(to_water_m(land, at) - 28) / 130;
     const glm::vec2 off = glm::vec2{at.x, at.y - 125} / glm::vec2{150, 110};
-    return 10 * steep + p.settle_by_water * 2.4F * water - (2.4F * p.settle_on_height - 0.6F) * over - 0.35F * sun +
-           0.7F * to_roads_m(land, at) / 120 + 0.55F * glm::dot(off, off) + 0.25F * std::min(hidden_m(land, at), 8.0F);
+    float price = 10 * steep - (2.4F * p.settle_on_height - 0.6F) * over - 0.35F * sun + 0.55F * glm::dot(off, off);
+    // What is left to add is dear to find and never less than 0.
+    if (price >= most) return std::nullopt;
+    price += 0.7F * to_roads_m(land, at) / 120 + 0.25F * std::min(hidden_m(land, at), 8.0F);
+    if (price >= most) return std::nullopt;
+    return price + p.settle_by_water * 2.4F * std::abs(to_water_m(land, at) - 28) / 130;
 }
 
 }  // namespace
@@ -87,7 +90,7 @@ std::optional<glm::vec2> settling_place(const scene::Land& land, const scene::La
     float least = 1.0e9F;
     for (float z = -160; z <= 200; z += 15) {
         for (float x = -225; x <= 225; x += 15) {
-            const std::optional<float> price = price_of(land, parameters, {x, z});
+            const std::optional<float> price = price_of(land, parameters, {x, z}, least);
             if (!price || *price >= least) continue;
             least = *price;
             best = glm::vec2{x, z};

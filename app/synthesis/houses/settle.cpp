@@ -46,6 +46,7 @@ struct Frontage {
     float side = 1;
     float at_m = 0;
     float end_m = 0;
+    float price = 0;  // of building there next
 };
 
 class Growth {
@@ -62,7 +63,10 @@ class Growth {
             const Branch& branch = branches_[b];
             const float end_m = kLaneStep_m * static_cast<float>(branch.lane.line_m.size() - 1);
             const float from_m = branch.from < 0 ? 2.0F : 4.0F;
-            for (const float side : {1.0F, -1.0F}) frontages_.push_back({static_cast<int>(b), side, from_m, end_m});
+            for (const float side : {1.0F, -1.0F}) {
+                frontages_.push_back({static_cast<int>(b), side, from_m, end_m});
+                frontages_.back().price = price(frontages_.back());
+            }
             used_m_.push_back(0);
         }
         for (std::uint32_t use = 0; use < of_use_.size(); ++use) of_use_[use] = stock_.of(static_cast<Use>(use));
@@ -144,9 +148,11 @@ class Growth {
         for (int tries = 0; tries < 4000; ++tries) {
             Frontage* best = nullptr;
             for (Frontage& f : frontages_)
-                if (f.at_m + 4 < f.end_m && (!best || price(f) < price(*best))) best = &f;
+                if (f.at_m + 4 < f.end_m && (!best || f.price < best->price)) best = &f;
             if (!best) return false;
-            if (build_at(*best)) return true;
+            const bool is_built = build_at(*best);
+            best->price = price(*best);
+            if (is_built) return true;
         }
         return false;
     }
@@ -324,8 +330,9 @@ class Growth {
         const auto is_sea_near = [&](glm::vec2 at, float r) {
             for (int i = 0; i < 10; ++i) {
                 const float turn = 0.628319F * static_cast<float>(i);
-                if (scene::ground_height_m(land_, at + r * glm::vec2{std::sin(turn), std::cos(turn)}) < -1.0F)
-                    return true;
+                const glm::vec2 way{std::sin(turn), std::cos(turn)};
+                const auto is_sea = [&](float m) { return scene::ground_height_m(land_, at + m * way) < -1.0F; };
+                if (is_sea(r) && is_sea(3 * r) && is_sea(5 * r)) return true;
             }
             return false;
         };

@@ -108,7 +108,8 @@ class Wall {
         if (is_base || (size.x * size.y > kWall_m2 && panel.symbol != "Foot")) {
             const glm::vec3 toward = scene::linear_from_srgb_hex(design_.wall_warmth > 0 ? 0xD9A866 : 0xB9C4CE);
             look.colour = scene::mix_colours(look.colour, toward, 0.45F * std::abs(design_.wall_warmth));
-            look.colour = scene::shifted_colour(look.colour, design_.wall_lightness);
+            // Limewash and paint on a wall are darker than a swatch of them.
+            look.colour = scene::shifted_colour(look.colour, 0.94F * design_.wall_lightness);
         }
         return look;
     }

@@ -55,12 +55,34 @@ bool changes_a_sky(const genome::Parameter& parameter) {
     return false;
 }
 
+bool are_same(const scene::Masses& a, const scene::Masses& b) {
+    return a.mesh == b.mesh && a.colours == b.colours && a.claddings == b.claddings && a.lamps == b.lamps;
+}
+
+bool are_same(const scene::Settlement& a, const scene::Settlement& b) {
+    const auto all_same = [](const std::vector<scene::Masses>& some, const std::vector<scene::Masses>& others) {
+        return std::ranges::equal(some, others, [](const auto& one, const auto& two) { return are_same(one, two); });
+    };
+    const auto is_built_alike = [&](const scene::Building& one, const scene::Building& two) {
+        return all_same(one.levels, two.levels) && one.chimneys_m == two.chimneys_m;
+    };
+    const auto stands_alike = [](const scene::House& one, const scene::House& two) {
+        return one.building == two.building && one.foot_m == two.foot_m && one.yaw_rad == two.yaw_rad &&
+               one.wall_tint == two.wall_tint && one.roof_tint == two.roof_tint && one.evening == two.evening &&
+               one.has_smoke == two.has_smoke;
+    };
+    return std::ranges::equal(a.buildings, b.buildings, is_built_alike) &&
+           std::ranges::equal(a.houses, b.houses, stands_alike) && all_same(a.bounds, b.bounds) &&
+           a.lit_share == b.lit_share;
+}
+
 bool are_same(const scene::Land& a, const scene::Land& b) {
     return a.height_m == b.height_m && a.surround_m == b.surround_m && a.albedo == b.albedo && a.detail == b.detail &&
            a.water_m == b.water_m && a.fresh_water == b.fresh_water && a.shallow_colour == b.shallow_colour &&
            a.deep_colour == b.deep_colour && a.detail_tile_m == b.detail_tile_m && a.detail_slopes == b.detail_slopes &&
            a.kinds == b.kinds && a.surround_albedo == b.surround_albedo && a.stone.mesh == b.stone.mesh &&
-           a.kept_clear == b.kept_clear && a.ripple == b.ripple && a.lichen == b.lichen;
+           a.kept_clear == b.kept_clear && a.ripple == b.ripple && a.lichen == b.lichen &&
+           are_same(a.settlement, b.settlement);
 }
 
 bool are_same(const scene::Flora& a, const scene::Flora& b) {
@@ -172,6 +194,7 @@ TEST(Scene, FliesTheSameWayInPlanOverEveryLandFromAPlaceThatSuitsIt) {
         genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
         recipe.values.set(genome::ParameterId::arch_share, -1);
         recipe.values.set(genome::ParameterId::site_share, -1);
+        recipe.values.set(genome::ParameterId::settle_age, -1);
         return recipe;
     };
     const scene::Scene a = grow(without_landmarks(1));
@@ -190,14 +213,25 @@ TEST(Scene, FliesTheSameWayInPlanOverEveryLandFromAPlaceThatSuitsIt) {
     }
 }
 
+// A village, for the parameters that only show in one.
+genome::ParameterValues a_village() {
+    genome::ParameterValues values;
+    values.set(genome::ParameterId::settle_age, 0.5F);
+    values.set(genome::ParameterId::settle_fields, 0.4F);
+    return values;
+}
+
 TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
     const base::Seed seed{13};
     const scene::Fineness fineness{.land_samples = 129, .light_px = 64, .albedo_px = 64};
     const scene::SceneParameters plain = scene::realise(test_scenes::everything());
     const scene::Flora flora = grow_trees(plain.trees, seed);
     const scene::Land land = grow_land(plain.land, seed, fineness);
+    const scene::Land village = grow_land(scene::realise(a_village()).land, seed, fineness);
+    ASSERT_FALSE(village.settlement.is_empty());
     for (const genome::Parameter& parameter : genome::parameter_table()) {
-        genome::ParameterValues values = test_scenes::everything();
+        const bool is_peoples = parameter.name.starts_with("settle.");
+        genome::ParameterValues values = is_peoples ? a_village() : test_scenes::everything();
         const bool is_high = values[parameter.id] > 0.5F * (parameter.min + parameter.max);
         values.set(parameter.id, is_high ? parameter.min : parameter.max);
         const scene::SceneParameters p = scene::realise(values);
@@ -206,7 +240,8 @@ TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
                 EXPECT_FALSE(are_same(grow_trees(p.trees, seed), flora)) << parameter.name;
                 break;
             case genome::Aspect::Land:
-                EXPECT_FALSE(are_same(grow_land(p.land, seed, fineness), land)) << parameter.name;
+                EXPECT_FALSE(are_same(grow_land(p.land, seed, fineness), is_peoples ? village : land))
+                    << parameter.name;
                 break;
             case genome::Aspect::Sky:
                 EXPECT_TRUE(changes_a_sky(parameter)) << parameter.name;
