@@ -193,9 +193,11 @@ TEST(Scene, FliesTheSameWayInPlanOverEveryLandFromAPlaceThatSuitsIt) {
 TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
     const base::Seed seed{13};
     const scene::Fineness fineness{.land_samples = 129, .light_px = 64, .albedo_px = 64};
+    const scene::Fineness finer{.land_samples = 257, .light_px = 64, .albedo_px = 64};
     const scene::SceneParameters plain = scene::realise(test_scenes::everything());
     const scene::Flora flora = grow_trees(plain.trees, seed);
     const scene::Land land = grow_land(plain.land, seed, fineness);
+    const scene::Land fine_land = grow_land(plain.land, seed, finer);
     for (const genome::Parameter& parameter : genome::parameter_table()) {
         genome::ParameterValues values = test_scenes::everything();
         const bool is_high = values[parameter.id] > 0.5F * (parameter.min + parameter.max);
@@ -206,7 +208,10 @@ TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
                 EXPECT_FALSE(are_same(grow_trees(p.trees, seed), flora)) << parameter.name;
                 break;
             case genome::Aspect::Land:
-                EXPECT_FALSE(are_same(grow_land(p.land, seed, fineness), land)) << parameter.name;
+                // What only the finest samples show is looked for there.
+                EXPECT_FALSE(are_same(grow_land(p.land, seed, fineness), land) &&
+                             are_same(grow_land(p.land, seed, finer), fine_land))
+                    << parameter.name;
                 break;
             case genome::Aspect::Sky:
                 EXPECT_TRUE(changes_a_sky(parameter)) << parameter.name;
