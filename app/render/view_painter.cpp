@@ -59,7 +59,7 @@ void ViewPainter::draw(const Frame& frame, const View& view, const Selection& se
     if (marks) marks->begin_distance();
     if (what.sky && !gl::Wires::are_on()) draw_sky(frame, view, selection, held, place, drawn);
     marks.reset();
-    if (what.ground && !gl::Wires::are_on())
+    if (what.sky && !gl::Wires::are_on())
         of(drawn, Kind::Falling) += smoke_.draw(view.scene->country->smoke, view.scene->air.sky.clouds[0].wind_m_s,
                                                 view.growth, selection.reach);
     if (what.sky && !gl::Wires::are_on() && selection.reach.part != passes::Reach::Part::Far)

@@ -164,7 +164,7 @@ TEST(Remarks, NameScenesDescribedAlikeThatDiffer) {
 TEST(Remarks, SayThatThereAreFewerScenesThanWords) {
     const auto& land = archetypes(Aspect::Land);
     EXPECT_THAT(remarks_on(std::vector{land[0], land[1]}),
-                testing::Contains(HasSubstr("land: 2 described scenes for 7 words")));
+                testing::Contains(HasSubstr("land: 2 described scenes for 8 words")));
 }
 
 TEST(Remarks, SayWhichScenesAreASingularSystem) {
@@ -173,7 +173,7 @@ TEST(Remarks, SayWhichScenesAreASingularSystem) {
         word_of(scene, WordId::wet) = 0.5F;
         word_of(scene, WordId::green) = scene.words[static_cast<std::size_t>(WordId::rugged)].value_or(0);
     }
-    EXPECT_THAT(remarks_on(scenes), testing::Contains(HasSubstr("land: the scenes move 5 of 7 words independently")));
+    EXPECT_THAT(remarks_on(scenes), testing::Contains(HasSubstr("land: the scenes move 6 of 8 words independently")));
     const WordMap map(scenes);  // and the map stands it
     for (const DescribedScene& scene : scenes)
         for (const auto id : parameters_of(Aspect::Land, genome::Genome::Full))
