@@ -152,7 +152,7 @@ std::string exhibit_page(const Sources& sources, const std::optional<std::string
     body += "<section aria-label=\"Acts\" class=\"acts\">\n";
     body += stands_by ? button("/act", form_token, "wake", "Wake", "Visitors may come again")
                       : button("/act", form_token, "standby", "Stand-by",
-                               "The screen goes dark until it is woken here, or starts anew");
+                               "The screen goes dark until it is woken here");
     body += button("/act", form_token, "restart", "Restart", "A visit that is under way is taken up again");
     body += button("/logout", form_token, "", "Log out", "");
     body += "</section>\n<h2>Last faults</h2>\n";

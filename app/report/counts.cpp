@@ -104,17 +104,6 @@ void count_ending(const archive::VisitRow& visit, Counts& counts, DayCount& day)
     if (visit.ending == "left" || visit.ending == "stuck") count_where_given_up(visit, counts);
 }
 
-void add(DayCount& sum, const DayCount& day) {
-    sum.visits += day.visits;
-    sum.finished += day.finished;
-    sum.left += day.left;
-    sum.stuck += day.stuck;
-    sum.cut += day.cut;
-    sum.rounds += day.rounds;
-    sum.picks += day.picks;
-    sum.starts += day.starts;
-}
-
 void count_visits(const archive::Connection& connection, const Days& asked, const ToLocal& to_local, Counts& counts,
                   Calendar& calendar) {
     const auto [from_ms, until_ms] = wide_bounds(asked);
@@ -178,6 +167,17 @@ std::vector<WordCount> count_words(const archive::Connection& connection, const 
 }
 
 }  // namespace
+
+void add(DayCount& sum, const DayCount& day) {
+    sum.visits += day.visits;
+    sum.finished += day.finished;
+    sum.left += day.left;
+    sum.stuck += day.stuck;
+    sum.cut += day.cut;
+    sum.rounds += day.rounds;
+    sum.picks += day.picks;
+    sum.starts += day.starts;
+}
 
 Counts count(const archive::Connection& connection, const Days& asked, const ToLocal& to_local) {
     Counts counts;

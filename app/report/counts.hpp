@@ -47,6 +47,8 @@ struct DayCount {
     friend bool operator==(const DayCount&, const DayCount&) = default;
 };
 
+void add(DayCount& sum, const DayCount& day);  // all but the date
+
 // What visitors said of a word, by the Monday of the week; a value is from -1 (its low end) to 1.
 struct WordWeek {
     Date monday{};

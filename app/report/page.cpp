@@ -84,13 +84,7 @@ std::vector<Period> periods_of(const Counts& counts, std::string& unit) {
                                : unit == "month" ? label
                                                  : text});
         }
-        DayCount& sum = periods.back().sum;
-        sum.visits += day.visits;
-        sum.finished += day.finished;
-        sum.left += day.left;
-        sum.stuck += day.stuck;
-        sum.cut += day.cut;
-        sum.starts += day.starts;
+        add(periods.back().sum, day);
     }
     return periods;
 }

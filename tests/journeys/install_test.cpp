@@ -193,7 +193,7 @@ TEST(Install, EveryServiceIsShutIn) {
         EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
         EXPECT_THAT(ended.out, HasSubstr("Overall exposure level for " + entry.path().filename().string()));
     }
-    EXPECT_EQ(services, 4);
+    EXPECT_EQ(services, 5);
     const std::string unit = contents_of(QUADRAT_SOURCE_DIR "/deploy/system/quadrat.service");
     for (const char* line :
          {"ProtectSystem=strict", "NoNewPrivileges=yes", "DevicePolicy=closed", "SystemCallFilter=@system-service",

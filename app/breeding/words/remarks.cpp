@@ -12,9 +12,9 @@ namespace {
 
 using genome::Aspect;
 
-constexpr float kAlike = 0.05F;           // of a word: nobody could say it more exactly
-constexpr double kApart = 0.25;           // of a parameter's range: one sees it
-constexpr double kLooksDifferent = 0.05;  // share of the parameters that are apart
+constexpr float kAlike = 0.05F;                // of a word: nobody could say it more exactly
+constexpr double kApart = 0.25;                // of a parameter's range: one sees it
+constexpr std::ptrdiff_t kLooksDifferent = 5;  // parameters that are apart, however many there are
 
 bool are_described_alike(const DescribedScene& a, const DescribedScene& b) {
     for (std::size_t w = 0; w < a.words.size(); ++w) {
@@ -25,11 +25,10 @@ bool are_described_alike(const DescribedScene& a, const DescribedScene& b) {
 }
 
 bool look_different(const DescribedScene& a, const DescribedScene& b, Aspect aspect) {
-    const auto ids = parameters_of(aspect, genome::Genome::Full);
-    const auto apart = std::ranges::count_if(ids, [&](genome::ParameterId id) {
+    const auto apart = std::ranges::count_if(parameters_of(aspect, genome::Genome::Full), [&](genome::ParameterId id) {
         return std::abs(a.values[id] - b.values[id]) > kApart * (parameter(id).max - parameter(id).min);
     });
-    return static_cast<double>(apart) > kLooksDifferent * static_cast<double>(ids.size());
+    return apart >= kLooksDifferent;
 }
 
 std::string name_of(const DescribedScene& scene, std::size_t number) {
