@@ -253,7 +253,8 @@ void add_desk(CLI::App& app, Action& chosen) {
                                            "what it shows, stand-by and restart,\n"
                                            "the doctor, what visitors did, a backup. It listens where the settings say "
                                            "so ([desk]), and asks for a passphrase");
-    command->add_option("--config", options->configuration, "The site's settings; [desk] says where it listens");
+    command->add_option("--config", options->configuration, "The site's settings; [desk] says where it listens")
+        ->default_str("none: nothing listens");
     command->add_flag("--service", options->is_service,
                       "With a mistake in the settings, serve by the last with which the exhibit worked");
     command->add_option("--state", options->state, "The exhibit's state folder")

@@ -65,12 +65,13 @@ void add_report(CLI::App& app, Action& chosen) {
         ->add_option("--state", options->state,
                      "Folder of what is kept between runs; without it, the service's where it is installed")
         ->default_str("the service's, else ~/.local/state/quadrat");
-    command->add_option("--from", options->from, "First day, as 2026-11-26; without it, the first that is kept");
-    command->add_option("--to", options->to, "Last day, itself included; without it, the last that is kept");
-    command->add_option(
-        "-o,--output", options->output,
-        "NAME.html: a page with plots, to read or print; .csv: a row a day; .json: all counts; -: JSON on "
-        "standard output");
+    command->add_option("--from", options->from, "First day, as 2026-11-26")->default_str("the first that is kept");
+    command->add_option("--to", options->to, "Last day, itself included")->default_str("the last that is kept");
+    command
+        ->add_option("-o,--output", options->output,
+                     "NAME.html: a page with plots, to read or print; .csv: a row a day; .json: all counts; -: JSON on "
+                     "standard output")
+        ->default_str("a few lines on standard output");
     command->add_option("--title", options->title, "Of the page")->capture_default_str();
     command->callback([options, &chosen] { chosen = [options] { return tell(*options); }; });
 }

@@ -150,9 +150,9 @@ std::string exhibit_page(const Sources& sources, const std::optional<std::string
         "it does not come by itself.</figcaption></figure>\n";
     if (is_told) body += facts_of(health);
     body += "<section aria-label=\"Acts\" class=\"acts\">\n";
-    body += stands_by ? button("/act", form_token, "wake", "Wake", "Visitors may come again")
-                      : button("/act", form_token, "standby", "Stand-by",
-                               "The screen goes dark until it is woken here");
+    body += stands_by
+                ? button("/act", form_token, "wake", "Wake", "Visitors may come again")
+                : button("/act", form_token, "standby", "Stand-by", "The screen goes dark until it is woken here");
     body += button("/act", form_token, "restart", "Restart", "A visit that is under way is taken up again");
     body += button("/logout", form_token, "", "Log out", "");
     body += "</section>\n<h2>Last faults</h2>\n";
