@@ -5,8 +5,10 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -217,6 +219,19 @@ TEST(Staff, ThreeFailuresLeadToSafeModeAndPersistentOnesToOneReboot) {
     exhibit.wait();
 }
 
+// How much slower this machine is just now than the one on which three seconds were promised: by sums of roots, which
+// took 0.055 s of processor time there. Never less than one.
+double slowness() {
+    timespec begun{}, ended{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begun);
+    volatile double sum = 0;
+    for (int i = 0; i < 20'000'000; ++i) sum = sum + std::sqrt(static_cast<double>(i));
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &ended);
+    const double took_s =
+        static_cast<double>(ended.tv_sec - begun.tv_sec) + 1e-9 * static_cast<double>(ended.tv_nsec - begun.tv_nsec);
+    return std::max(1.0, took_s / 0.055);
+}
+
 TEST(Staff, TheVisitorsGenerationIsBackWithinThreeSecondsOfAKill) {
     const Service service("at 4s press A\nafter 1s press B\nwait 600s\n");
     // The land as fine as the exhibit has it.
@@ -235,10 +250,13 @@ TEST(Staff, TheVisitorsGenerationIsBackWithinThreeSecondsOfAKill) {
     EXPECT_THAT(again.wait().err, HasSubstr("taking up visit 1 at round 1"));
     // Growing uses every core. Where others use them too, what counts is how long it would have taken alone.
     const double alone_s = (cpu_of_children_s() - cpu_before) / std::max(1U, std::thread::hardware_concurrency());
+    const double slower = slowness();
+    RecordProperty("slowness_percent", static_cast<int>(100 * slower));
     RecordProperty("back_on_screen_ms", static_cast<int>(1000 * took.count()));
     RecordProperty("back_on_screen_alone_ms", static_cast<int>(1000 * alone_s));
 #ifndef QUADRAT_SANITIZED
-    EXPECT_LT(std::min(took.count(), alone_s), 3.0) << took.count() << " s, alone " << alone_s << " s";
+    EXPECT_LT(std::min(took.count(), alone_s), 3.0 * slower)
+        << took.count() << " s, alone " << alone_s << " s, on a machine " << slower << " times slower";
 #endif
 }
 
