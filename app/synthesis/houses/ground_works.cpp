@@ -9,6 +9,7 @@
 namespace quadrat::synthesis::houses {
 namespace {
 
+constexpr float kOverWater_m = 0.3F;
 constexpr float kPadRoom_m = 0.9F;  // level ground around the walls
 constexpr float kPadEase_m = 5.0F;  // over which it meets the land
 constexpr float kLaneEase_m = 3.0F;
@@ -37,6 +38,16 @@ void for_samples(scene::Land& land, glm::vec2 at, float reach_m, const Visit& vi
     for (int y = std::max(first(at.y), 0); y <= std::min(last(at.y), h.rows - 1); ++y)
         for (int x = std::max(first(at.x), 0); x <= std::min(last(at.x), h.columns - 1); ++x)
             visit(h.at(x, y), land.cell_m * (glm::vec2{static_cast<float>(x), static_cast<float>(y)} - half));
+}
+
+// The surface of the lake or river whose sample is nearest, or of the sea, which is 0; the ground may lie above it.
+float water_beside_m(const scene::Land& land, glm::vec2 at_m) {
+    const mesh::Field& water = land.water_m;
+    if (water.samples.empty()) return 0;
+    const float half = 0.5F * static_cast<float>(water.columns - 1);
+    const int column = static_cast<int>(std::lround(at_m.x / land.cell_m + half));
+    const int row = static_cast<int>(std::lround(at_m.y / land.cell_m + half));
+    return water.is_inside(column, row) ? std::max(0.0F, water.at(column, row)) : 0.0F;
 }
 
 // Across a lane the ground is level, along it even.
@@ -102,6 +113,9 @@ void level_ground(scene::Land& land, Settled& settled) {
             high = std::max(high, h);
         }
         house.foot_m.y = sum + 0.3F * (high - sum);
+        // Ground that is made level must not sink below the water beside it.
+        for (const glm::vec2 p : outline_m(building, house, kPadRoom_m + land.cell_m))
+            house.foot_m.y = std::max(house.foot_m.y, water_beside_m(land, p) + kOverWater_m);
         if (house.foot_m.y > land.snow_line_m) house.roof_tint *= kSnow / roof_colour(building);
     }
     level_pads(land, settlement);
