@@ -79,12 +79,7 @@ std::vector<std::int64_t> starts(const Connection& connection, std::int64_t from
 
 void read_state(const std::filesystem::path& directory, const std::function<void(const Connection&)>& read) {
     const std::filesystem::path file = state_file_in(directory);
-    named_in_errors(file, [&] {
-        return read_from(file, [&](const Connection& connection) {
-            read(connection);
-            return 0;
-        });
-    });
+    named_in_errors(file, [&] { read_from(file, read); });
 }
 
 }  // namespace quadrat::archive

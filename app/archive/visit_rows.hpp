@@ -23,10 +23,9 @@ struct RoundRow {
 struct VisitRow {
     std::int64_t id = 0;
     std::int64_t began_ms = 0;
-    std::int64_t ended_ms = 0;  // 0 for a visit that has not ended
-    std::string ending;         // "finished", "left", "stuck"; "" for one that has not ended
-    std::vector<RoundRow>
-        rounds;  // as they stood in the end: a round that was taken back and answered again is there once
+    std::int64_t ended_ms = 0;     // 0 for a visit that has not ended
+    std::string ending;            // "finished", "left", "stuck"; "" for one that has not ended
+    std::vector<RoundRow> rounds;  // as they stood in the end: one that was taken back and answered again is there once
 };
 
 // Visits that began in [from_ms, until_ms), oldest first. `rounds` are those of the visits whose generations are still

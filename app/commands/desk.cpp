@@ -9,12 +9,11 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <thread>
 
 #include "archive/visit_rows.hpp"
 #include "backup/backup.hpp"
@@ -22,6 +21,7 @@
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "base/owned.hpp"
+#include "benches/scratch.hpp"
 #include "commands/commands.hpp"
 #include "commands/examine.hpp"
 #include "commands/visits.hpp"
@@ -32,6 +32,7 @@
 #include "report/writers.hpp"
 #include "site/settings.hpp"
 #include "site/state_folder.hpp"
+#include "staff/presence.hpp"
 #include "staff/watch.hpp"
 
 namespace quadrat::commands {
@@ -49,16 +50,12 @@ struct Options {
     bool sets_passphrase = false;
 };
 
-std::atomic<bool>& stop_flag() {
-    static std::atomic<bool> stop{false};
-    return stop;
-}
-
 std::string random_bytes(std::size_t count) {
     std::string bytes(count, '\0');
     std::size_t got = 0;
     while (got < count) {
         const ssize_t some = ::getrandom(bytes.data() + got, count - got, 0);
+        if (some < 0 && errno != EINTR) throw base::InputError("the system gives no random numbers");
         if (some > 0) got += static_cast<std::size_t>(some);
     }
     return bytes;
@@ -132,6 +129,7 @@ std::optional<std::string> read_if_there(const fs::path& file, std::size_t most)
 
 // What the exhibit drew in the last seconds. Whoever asks gets what lies there, and has the next one made.
 std::optional<std::string> glance(const fs::path& runtime) {
+    if (!staff::is_exhibit_present(runtime)) return std::nullopt;
     constexpr std::chrono::seconds kOld{10};
     const fs::path file = runtime / staff::kGlance;
     std::error_code error;
@@ -142,6 +140,9 @@ std::optional<std::string> glance(const fs::path& runtime) {
 }
 
 void do_act(const fs::path& runtime, desk::Act act) {
+    // What is asked of nobody would surprise whoever starts next.
+    if (act != desk::Act::Wake && !staff::is_exhibit_present(runtime))
+        throw base::InputError("no exhibit runs here that could do that");
     std::error_code ignored;
     switch (act) {
         case desk::Act::StandBy:
@@ -164,19 +165,10 @@ std::vector<desk::Finding> findings_of(const Options& options) {
 
 std::string backup_of(const fs::path& state, const fs::path& settings) {
     const auto now = std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now());
-    std::string name = (fs::temp_directory_path() / "quadrat-desk-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-        throw base::InputError("there is no room for a backup in the folder of temporary files");
-    const fs::path folder = name;
-    const struct Removed {
-        fs::path folder;
-        ~Removed() {
-            std::error_code ignored;
-            fs::remove_all(folder, ignored);
-        }
-    } removed{folder};
-    backup::write_backup({state, settings, now}, folder / "quadrat-backup.tar.xz", [](const std::string&, double) {});
-    return base::read_file(folder / "quadrat-backup.tar.xz", std::size_t{512} << 20U);
+    const benches::Scratch folder;
+    const fs::path file = folder.path / "quadrat-backup.tar.xz";
+    backup::write_backup({state, settings, now}, file, [](const std::string&, double) {});
+    return base::read_file(file, std::size_t{512} << 20U);
 }
 
 desk::Sources sources_for(const Options& options, const site::Configuration& configuration, const fs::path& state,
@@ -184,7 +176,11 @@ desk::Sources sources_for(const Options& options, const site::Configuration& con
     desk::Sources sources;
     sources.exhibit = configuration.fleet.name;
     sources.version = std::string(machine::version());
-    sources.health = [runtime] { return read_if_there(runtime / "health.json", 1U << 20U); };
+    // What an exhibit said that has ended since lies there too.
+    sources.health = [runtime]() -> std::optional<std::string> {
+        if (!staff::is_exhibit_present(runtime)) return std::nullopt;
+        return read_if_there(runtime / "health.json", 1U << 20U);
+    };
     sources.picture = [runtime] { return glance(runtime); };
     sources.examine = [options] { return findings_of(options); };
     sources.report = [state, title = configuration.fleet.name] {
@@ -226,10 +222,12 @@ int serve(const Options& options) {
     const fs::path runtime = options.runtime.empty() ? machine::runtime_folder(state) : fs::path(options.runtime);
     desk::Desk desk(sources_for(options, settings.configuration, state, runtime, hash->substr(0, hash->find('\n'))),
                     random_bytes, !wanted.certificate.empty());
-    struct sigaction action {};
-    action.sa_handler = [](int) { stop_flag() = true; };
-    ::sigaction(SIGTERM, &action, nullptr);
-    ::sigaction(SIGINT, &action, nullptr);
+    // Taken by this thread alone, below; the server's inherits that it does not hear them.
+    sigset_t ends{};
+    ::sigemptyset(&ends);
+    ::sigaddset(&ends, SIGTERM);
+    ::sigaddset(&ends, SIGINT);
+    ::pthread_sigmask(SIG_BLOCK, &ends, nullptr);
     ::signal(SIGPIPE, SIG_IGN);
     const auto begun = std::chrono::steady_clock::now();
     const desk::ServerOptions how{address,
@@ -240,7 +238,8 @@ int serve(const Options& options) {
                            std::chrono::duration_cast<desk::Instant>(std::chrono::steady_clock::now() - begun));
     });
     base::log::info("desk: listens on {}://{}", how.certificate.empty() ? "http" : "https", base::to_text(address));
-    while (!stop_flag()) std::this_thread::sleep_for(std::chrono::milliseconds{200});
+    int signal = 0;
+    ::sigwait(&ends, &signal);
     return 0;
 }
 

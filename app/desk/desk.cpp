@@ -64,6 +64,8 @@ Answer Desk::answer(const Request& request, Instant now) {
         answer = route(request, now);
     } catch (const base::InputError& error) {
         answer = {503, "text/html; charset=utf-8", trouble_page(sources_, 503, error.what()), {}};
+    } catch (const std::exception& error) {
+        answer = {500, "text/html; charset=utf-8", trouble_page(sources_, 500, error.what()), {}};
     }
     const bool has_policy = !answer.headers.empty() && answer.headers.front().first == "Content-Security-Policy";
     if (!has_policy) answer.headers.emplace_back("Content-Security-Policy", kPagePolicy);
@@ -171,7 +173,7 @@ Answer Desk::page_of(const Request& request, const Sessions::Session& session) {
                  {"Content-Disposition", "attachment; filename=\"quadrat-backup.tar.xz\""}}};
     }
     if (request.path == "/doctor")
-        return {200, "text/html; charset=utf-8", doctor_page(sources_, sources_.examine(), session.form_token), {}};
+        return {200, "text/html; charset=utf-8", doctor_page(sources_, sources_.examine()), {}};
     if (request.path != "/") return redirected("/");
     std::string done;
     for (const NamedAct& known : kActs)

@@ -13,18 +13,18 @@ namespace {
 using base::escaped;
 using Json = nlohmann::json;
 
+std::string name_of(const Sources& sources) { return escaped(sources.exhibit.empty() ? "Quadrat" : sources.exhibit); }
+
 std::string page(const Sources& sources, const std::string& title, const std::string& body, bool has_script = false) {
-    const std::string name = sources.exhibit.empty() ? "Quadrat" : sources.exhibit;
     return fmt::format(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{} · {}</title>\n"
         "<link rel=\"stylesheet\" href=\"/desk.css\">\n{}</head>\n<body>\n<main>\n{}</main>\n</body>\n</html>\n",
-        escaped(title), escaped(name), has_script ? "<script src=\"/desk.js\" defer></script>\n" : "", body);
+        escaped(title), name_of(sources), has_script ? "<script src=\"/desk.js\" defer></script>\n" : "", body);
 }
 
 std::string heading(const Sources& sources, const std::string& here) {
-    const std::string name = sources.exhibit.empty() ? "Quadrat" : sources.exhibit;
-    std::string html = fmt::format("<header>\n<h1>{}</h1>\n<nav aria-label=\"Pages\">\n", escaped(name));
+    std::string html = fmt::format("<header>\n<h1>{}</h1>\n<nav aria-label=\"Pages\">\n", name_of(sources));
     const std::pair<const char*, const char*> pages[]{
         {"/", "Exhibit"}, {"/doctor", "Doctor"}, {"/report", "Visitors"}, {"/backup.tar.xz", "Backup"}};
     for (const auto& [path, label] : pages)
@@ -117,7 +117,6 @@ std::string faults_of(const Json& health) {
 }  // namespace
 
 std::string login_page(const Sources& sources, const std::string& trouble) {
-    const std::string name = sources.exhibit.empty() ? "Quadrat" : sources.exhibit;
     return page(
         sources, "Log in",
         fmt::format(
@@ -125,7 +124,7 @@ std::string login_page(const Sources& sources, const std::string& trouble) {
             "{}<label for=\"passphrase\">Passphrase of the staff</label>\n"
             "<input id=\"passphrase\" name=\"passphrase\" type=\"password\" maxlength=\"256\" required "
             "autofocus autocomplete=\"current-password\"{}>\n<button>Log in</button>\n</form>\n",
-            escaped(name),
+            name_of(sources),
             trouble.empty() ? "" : "<p id=\"trouble\" class=\"bad\" role=\"alert\">" + escaped(trouble) + "</p>\n",
             trouble.empty() ? "" : " aria-describedby=\"trouble\""));
 }
@@ -161,7 +160,7 @@ std::string exhibit_page(const Sources& sources, const std::optional<std::string
     return page(sources, verdict_text(verdict), body, true);
 }
 
-std::string doctor_page(const Sources& sources, const std::vector<Finding>& findings, const std::string&) {
+std::string doctor_page(const Sources& sources, const std::vector<Finding>& findings) {
     std::string body = heading(sources, "/doctor") + "<h2>What the doctor finds</h2>\n<ul class=\"findings\">\n";
     for (const Finding& finding : findings)
         body += fmt::format("<li class=\"{0}\"><b>{1}</b> <span class=\"word\">{0}</span> {2}{3}</li>\n",

@@ -13,7 +13,7 @@ std::string login_page(const Sources& sources, const std::string& trouble);
 // `health`: as the exhibit says it, or nothing where none runs.
 std::string exhibit_page(const Sources& sources, const std::optional<std::string>& health,
                          const std::string& form_token, const std::string& done);
-std::string doctor_page(const Sources& sources, const std::vector<Finding>& findings, const std::string& form_token);
+std::string doctor_page(const Sources& sources, const std::vector<Finding>& findings);
 std::string trouble_page(const Sources& sources, int status, const std::string& trouble);
 
 extern const char* const kStyle;

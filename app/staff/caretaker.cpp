@@ -101,6 +101,7 @@ void Caretaker::look_outside(base::Instant now) {
         const std::scoped_lock lock(mutex_);
         // A look that nobody has taken up yet may have seen what this one does not see any more.
         if (fresh_ && !seen.settings) seen.settings = std::move(fresh_->settings);
+        if (fresh_ && fresh_->is_restart_asked) seen.is_restart_asked = true;
         fresh_ = std::move(seen);
     });
 }

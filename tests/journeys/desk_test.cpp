@@ -136,6 +136,10 @@ TEST_F(StaffsPage, ShowsARunningExhibitAndHasItStandByAndStartAnew) {
     exhibit.wait();
     EXPECT_THAT(contents_of(folder / "stderr.txt"), HasSubstr("staff: restart"));
     EXPECT_THAT(contents_of(folder / "state/desk.log"), HasSubstr("127.0.0.1 asked for restart"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "state/health.json")) << "what it said last still lies there";
+    EXPECT_THAT(ask("GET", "/"), HasSubstr("The exhibit says nothing"));
+    EXPECT_THAT(act("standby"), StartsWith("HTTP/1.1 503")) << "nobody is there to be asked";
+    EXPECT_FALSE(std::filesystem::exists(folder / "state/standby"));
     page.kill(SIGTERM);
     EXPECT_TRUE(succeeds(page.wait()));
 }

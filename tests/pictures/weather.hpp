@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <cstdlib>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -13,6 +14,19 @@
 namespace quadrat::tests {
 
 using Values = std::map<std::string, float>;
+
+// Takes a command line's words apart: NAME=VALUE, and the rest in order.
+inline std::vector<std::string> without_values(int argc, const char* const* argv, Values& values) {
+    std::vector<std::string> rest;
+    for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
+        const auto equals = word.find('=');
+        if (equals == std::string::npos)
+            rest.push_back(word);
+        else
+            values[word.substr(0, equals)] = std::strtof(word.c_str() + equals + 1, nullptr);
+    }
+    return rest;
+}
 
 inline void set_all(genome::Recipe& recipe, const Values& values) {
     for (const auto& [name, value] : values) {

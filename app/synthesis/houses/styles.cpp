@@ -277,12 +277,14 @@ class Maker {
         return std::floor(std::max(0.0F, p_.settle_storeys - 1 + random.between(-0.35F, 0.35F)));
     }
 
+    // To the front and the back, or to both sides.
+    static void turn_gables(Design& d, bool to_front) { d.is_gable = {to_front, !to_front, to_front, !to_front}; }
+
     void shape_townhouse(Design& d, base::RandomStream& random) const {
         d.facade = &grammars().at(region_.townhouse);
         const float size = p_.settle_house_size * random.between(0.9F, 1.1F);
         d.plan = plan_of(0.84 * region_.width_m * size, 1.15 * region_.depth_m);
-        const bool is_gable_front = random.unit() < 0.5;
-        d.is_gable = {is_gable_front, !is_gable_front, is_gable_front, !is_gable_front};
+        turn_gables(d, random.unit() < 0.5);
         d.verge_m = std::min(d.verge_m, 0.25);
         d.wall_m += region_.storey_m * (storeys_more(random) + (region_.dwelling == "savanna" ? 0 : 1));
     }
@@ -293,8 +295,7 @@ class Maker {
         d.form = RoofForm::Gabled;
         d.wall_m = random.between(3.2F, 3.9F);
         d.plan = plan_of(random.between(8.5F, 11.5F), random.between(6.4F, 7.4F));
-        const bool is_gable_front = random.unit() < 0.4;
-        d.is_gable = {is_gable_front, !is_gable_front, is_gable_front, !is_gable_front};
+        turn_gables(d, random.unit() < 0.4);
         d.chimneys = 0;
         d.plinth_m = 0.2;
         d.wall_warmth = 0;

@@ -60,14 +60,7 @@ pictures::SheetEntry drawn(stage::Easel& easel, const breeding::DescribedScene& 
 
 int main(int argc, char** argv) {
     Values extra;
-    std::vector<std::string> rest;
-    for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
-        const auto equals = word.find('=');
-        if (equals == std::string::npos)
-            rest.push_back(word);
-        else
-            extra[word.substr(0, equals)] = std::strtof(word.c_str() + equals + 1, nullptr);
-    }
+    const std::vector<std::string> rest = without_values(argc, argv, extra);
     const auto aspect = rest.size() == 4 ? genome::aspect_named(rest[0]) : std::nullopt;
     if (!aspect) {
         fmt::print(stderr, "usage: archetype_sheet trees|land|sky FIRST COUNT FILE.png, or - FILE.png PART\n");

@@ -132,14 +132,7 @@ int usage() {
 
 int main(int argc, char** argv) {
     Values extra;
-    std::vector<std::string> rest;
-    for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
-        const auto equals = word.find('=');
-        if (equals == std::string::npos)
-            rest.push_back(word);
-        else
-            extra[word.substr(0, equals)] = std::strtof(word.c_str() + equals + 1, nullptr);
-    }
+    const std::vector<std::string> rest = without_values(argc, argv, extra);
     if (rest.size() < 3) return usage();
     const std::uint64_t first = std::strtoull(rest[0].c_str(), nullptr, 10);
     const std::uint64_t seeds = std::strtoull(rest[1].c_str(), nullptr, 10);

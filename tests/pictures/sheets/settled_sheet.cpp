@@ -59,14 +59,7 @@ scene::Camera camera_south_of(const scene::Land& land, float away_m, float over_
 
 int main(int argc, char** argv) {
     Values extra;
-    std::vector<std::string> rest;
-    for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
-        const auto equals = word.find('=');
-        if (equals == std::string::npos)
-            rest.push_back(word);
-        else
-            extra[word.substr(0, equals)] = std::strtof(word.c_str() + equals + 1, nullptr);
-    }
+    const std::vector<std::string> rest = without_values(argc, argv, extra);
     if (rest.size() != 4) {
         fmt::print(stderr, "usage: settled_sheet LAND TREES SKY FILE.png [NAME=VALUE …]\n");
         return 2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters show: the pictures at the two ends of a range differ. Every one of the classic genome's does in one and
-// the same scene; of all of them nearly every one in some of a few scenes, as what a pine has for a bark shows on pines
-// alone.
+// Parameters show. Of the classic genome the pictures at the two ends of every one's range differ, in one and the same
+// scene. Of all of them nearly every one shows in some of a few scenes, as what a pine has for a bark shows on pines
+// alone: between the scene's own value and the end that is farther from it, or between both ends.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -36,7 +36,10 @@ class ADesk : public testing::Test {
         some.examine = [] {
             return std::vector<Finding>{{"screen", "bad", "no <screen>", "plug it in"}, {"gpu", "good", "fine", ""}};
         };
-        some.report = [] { return std::string("<html>visits</html>"); };
+        some.report = [this]() -> std::string {
+            if (breaks) throw std::runtime_error("a fault of ours");
+            return "<html>visits</html>";
+        };
         some.backup = []() -> std::string { throw base::InputError("no room for a backup"); };
         some.act = [this](Act act) { acts.push_back(act); };
         some.note = [this](const std::string& what) { notes.push_back(what); };
@@ -67,6 +70,7 @@ class ADesk : public testing::Test {
     }
 
     std::mt19937 chance{7};
+    bool breaks = false;
     std::optional<std::string> health = R"({"verdict": "doubtful", "opening": "open until 18:00", "alpha": 0.5,
         "frames": {"shown": 100, "late": 2, "per_second": 59.7}, "faults": ["button A <sticks>"]})";
     std::vector<Act> acts;
@@ -192,6 +196,9 @@ TEST_F(ADesk, RefusesWhatItDoesNotKnow) {
     EXPECT_EQ(post("/doctor", {}).status, 405);
     EXPECT_EQ(get("/backup.tar.xz").status, 503);
     EXPECT_THAT(get("/backup.tar.xz").body, HasSubstr("no room for a backup"));
+    breaks = true;
+    EXPECT_EQ(get("/report").status, 500);
+    EXPECT_THAT(get("/report").body, HasSubstr("a fault of ours"));
 }
 
 TEST(Form, IsReadAsBrowsersWriteIt) {
