@@ -9,6 +9,7 @@
 #include "render/passes/ground_brush.hpp"
 #include "render/view.hpp"
 #include "scene/colour.hpp"
+#include "scene/lamps.hpp"
 
 namespace quadrat::render {
 namespace {
@@ -60,13 +61,6 @@ void set_water(passes::ViewBlock& b, const LightAndAir& air, float left) {
     b.mirrored = {shown(air.high_sky, left), 0.35F * encode(scene::luminance(air.foam) * left)};
 }
 
-// When people light their lamps: 0 by day to 1 by night.
-float darkness(const scene::Sky& sky) {
-    if (sky.is_night) return 1;
-    const float high = sky.sun_direction.y;
-    return 0.9F * (1 - glm::smoothstep(0.05F, 0.24F, high));
-}
-
 }  // namespace
 
 LightAndAir light_and_air_of(const scene::Scene& scene) {
@@ -98,7 +92,7 @@ LightAndAir light_and_air_of(const scene::Scene& scene) {
     a.side_m = land.side_m();
     a.grain_tile_m = land.detail_tile_m;
     a.houses_sun = scene.houses_sun;
-    a.lamps = land.settlement.lit_share * darkness(*scene.sky);
+    a.lamps = scene::lit_windows(land.settlement, *scene.sky);
     return a;
 }
 

@@ -26,17 +26,18 @@ float ground_height_m(const Land& land, glm::vec2 at_m) {
     return sample_at(land.surround_m, land.surround_cell_m, at_m);
 }
 
-float water_depth_m(const Land& land, glm::vec2 at_m) {
-    float surface_m = 0;
+float water_surface_m(const Land& land, glm::vec2 at_m) {
     const mesh::Field& water = land.water_m;
     const float half_side = 0.5F * land.side_m();
-    if (!water.samples.empty() && std::abs(at_m.x) <= half_side && std::abs(at_m.y) <= half_side) {
-        const float half = 0.5F * static_cast<float>(water.columns - 1);
-        const int column = static_cast<int>(std::lround(at_m.x / land.cell_m + half));
-        const int row = static_cast<int>(std::lround(at_m.y / land.cell_m + half));
-        if (water.is_inside(column, row)) surface_m = std::max(surface_m, water.at(column, row));
-    }
-    return std::max(surface_m - ground_height_m(land, at_m), 0.0F);
+    if (water.samples.empty() || std::abs(at_m.x) > half_side || std::abs(at_m.y) > half_side) return 0;
+    const float half = 0.5F * static_cast<float>(water.columns - 1);
+    const int column = static_cast<int>(std::lround(at_m.x / land.cell_m + half));
+    const int row = static_cast<int>(std::lround(at_m.y / land.cell_m + half));
+    return water.is_inside(column, row) ? std::max(0.0F, water.at(column, row)) : 0.0F;
+}
+
+float water_depth_m(const Land& land, glm::vec2 at_m) {
+    return std::max(water_surface_m(land, at_m) - ground_height_m(land, at_m), 0.0F);
 }
 
 mesh::Grid<std::uint8_t> kept_clear_of(const mesh::Field& to_edge_m) {

@@ -88,6 +88,9 @@ mesh::Grid<std::uint8_t> kept_clear_of(const mesh::Field& to_edge_m);
 // How far a place lies from the edge of the nearest road or site, so that nothing is planted on it; less than 0: on it.
 float to_road_m(const Land& land, glm::vec2 at_m);
 
+// The level of the lake or river whose sample is nearest, or of the sea, which is 0; the ground may lie over it.
+float water_surface_m(const Land& land, glm::vec2 at_m);
+
 // Depth of water over the ground, of the sea, a lake or a river; 0 on dry land.
 float water_depth_m(const Land& land, glm::vec2 at_m);
 

@@ -15,6 +15,7 @@
 
 #include "base/seed.hpp"
 #include "scene/colour.hpp"
+#include "scene/lamps.hpp"
 #include "synthesis/compose/view_rays.hpp"
 
 namespace quadrat::synthesis {
@@ -173,14 +174,13 @@ class Painting {
 
     // By the house's coarsest level; a lit window shines.
     void paint_house(const scene::Masses& masses, const scene::House& house) {
-        const float lit_share = scene_.sky->is_night ? scene_.land->settlement.lit_share : 0.0F;
+        const float lit_share = scene::lit_windows(scene_.land->settlement, *scene_.sky);
         for (std::size_t i = 0; i + 2 < masses.mesh.indices.size(); i += 3) {
             const std::uint32_t first = masses.mesh.indices[i];
             const glm::vec3 normal = scene::turned(house, masses.mesh.normals[first]);
             const float facing = std::max(glm::dot(normal, scene_.sky->sun_direction), 0.0F) * scene_.houses_sun;
             glm::vec3 lit = masses.colours[first] * (scene_.sky->ambient.on(normal) + facing * scene_.sky->sunlight);
-            const float hour = masses.lamps[first] + house.evening;
-            if (masses.lamps[first] > 0 && hour - std::floor(hour) < lit_share)
+            if (scene::is_lit(masses.lamps[first], house.evening, lit_share))
                 lit = glm::vec3{1.0F, 0.6F, 0.2F} / std::max(scene_.exposure, 0.1F);
             std::array<glm::vec3, 3> corners;  // column, rise, distance
             for (std::size_t k = 0; k < 3; ++k)

@@ -75,12 +75,7 @@ void HouseBuilders::keep_clear(const scene::Land& land, mesh::Field& to_edge_m) 
 void HouseBuilders::keep_fields_clear(const scene::Land& land, mesh::Field& to_edge_m) const {
     constexpr float kHedge_m = 2;  // left to trees at a field's edge
     for (const houses::FieldPlot& field : fields_) {
-        glm::vec2 low = field.outline_m.front();
-        glm::vec2 high = low;
-        for (const glm::vec2 p : field.outline_m) {
-            low = glm::min(low, p);
-            high = glm::max(high, p);
-        }
+        const auto [low, high] = houses::extent_of(field.outline_m);
         for_samples(to_edge_m, land.cell_m, low, high, [&](float& to_edge, glm::vec2 at) {
             to_edge = std::min(to_edge, std::max(kHedge_m - houses::within_m(field.outline_m, at), -4.0F));
         });

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "mesh/lots.hpp"
@@ -71,6 +72,12 @@ class Tillage {
 };
 
 }  // namespace
+
+Extent extent_of(const std::vector<glm::vec2>& outline_m) {
+    Extent extent{outline_m.front(), outline_m.front()};
+    for (const glm::vec2 p : outline_m) extent = {glm::min(extent.low_m, p), glm::max(extent.high_m, p)};
+    return extent;
+}
 
 float within_m(const std::vector<glm::vec2>& outline, glm::vec2 at) {
     float area = 0;

@@ -22,6 +22,12 @@ struct FieldPlot {
 std::vector<FieldPlot> lay_fields(const scene::Land& land, const Settled& settled,
                                   const scene::LandParameters& parameters, base::Seed seed);
 
+// The corners of the box about an outline, which is not empty: the least and the most of both.
+struct Extent {
+    glm::vec2 low_m, high_m;
+};
+Extent extent_of(const std::vector<glm::vec2>& outline_m);
+
 // How far within a convex outline, either way round; less than 0 outside.
 float within_m(const std::vector<glm::vec2>& outline, glm::vec2 at);
 

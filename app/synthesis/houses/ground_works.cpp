@@ -40,16 +40,6 @@ void for_samples(scene::Land& land, glm::vec2 at, float reach_m, const Visit& vi
             visit(h.at(x, y), land.cell_m * (glm::vec2{static_cast<float>(x), static_cast<float>(y)} - half));
 }
 
-// The surface of the lake or river whose sample is nearest, or of the sea, which is 0; the ground may lie above it.
-float water_beside_m(const scene::Land& land, glm::vec2 at_m) {
-    const mesh::Field& water = land.water_m;
-    if (water.samples.empty()) return 0;
-    const float half = 0.5F * static_cast<float>(water.columns - 1);
-    const int column = static_cast<int>(std::lround(at_m.x / land.cell_m + half));
-    const int row = static_cast<int>(std::lround(at_m.y / land.cell_m + half));
-    return water.is_inside(column, row) ? std::max(0.0F, water.at(column, row)) : 0.0F;
-}
-
 // Across a lane the ground is level, along it even.
 void level_lane(scene::Land& land, const Lane& lane) {
     std::vector<float> heights;
@@ -115,7 +105,7 @@ void level_ground(scene::Land& land, Settled& settled) {
         house.foot_m.y = sum + 0.3F * (high - sum);
         // Ground that is made level must not sink below the water beside it.
         for (const glm::vec2 p : outline_m(building, house, kPadRoom_m + land.cell_m))
-            house.foot_m.y = std::max(house.foot_m.y, water_beside_m(land, p) + kOverWater_m);
+            house.foot_m.y = std::max(house.foot_m.y, scene::water_surface_m(land, p) + kOverWater_m);
         if (house.foot_m.y > land.snow_line_m) house.roof_tint *= kSnow / roof_colour(building);
     }
     level_pads(land, settlement);

@@ -46,12 +46,7 @@ class Canvas {
 };
 
 void paint_field(const Canvas& canvas, const FieldPlot& field, base::Seed seed) {
-    glm::vec2 low = field.outline_m.front();
-    glm::vec2 high = low;
-    for (const glm::vec2 p : field.outline_m) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
+    const auto [low, high] = extent_of(field.outline_m);
     const glm::vec2 across{-field.along.y, field.along.x};
     canvas.paint(low, high, [&](std::uint8_t* pixel, glm::vec2 at, int x, int y) {
         const float in = within_m(field.outline_m, at);
