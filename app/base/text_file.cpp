@@ -33,6 +33,7 @@ bool looks_like_utf16(std::string_view bytes) {
     return bytes.size() % 2 == 0 && most > 0 && std::min(nuls[0], nuls[1]) == 0 && 4 * most >= start.size();
 }
 
+// Windows ends a line by CR LF; a tool that did so twice leaves CR CR LF. Elsewhere a CR is a character of its line.
 void make_line_ends_ours(std::string& text) {
     const bool has_line_feeds = text.find('\n') != std::string::npos;
     if (!has_line_feeds) {
@@ -40,8 +41,11 @@ void make_line_ends_ours(std::string& text) {
         return;
     }
     std::size_t to = 0;
-    for (std::size_t from = 0; from < text.size(); ++from)
-        if (text[from] != '\r' || from + 1 == text.size() || text[from + 1] != '\n') text[to++] = text[from];
+    for (const char c : text) {
+        if (c == '\n')
+            while (to > 0 && text[to - 1] == '\r') --to;
+        text[to++] = c;
+    }
     text.resize(to);
 }
 
@@ -78,7 +82,7 @@ std::string text_from(std::string bytes, std::string_view source, const TextLimi
                                      limits.bytes));
     if (const std::string trouble = trouble_of_encoding(bytes); !trouble.empty())
         throw InputError(fmt::format("{}: {}", source, trouble));
-    if (std::string_view(bytes).starts_with(kOwnMark)) bytes.erase(0, kOwnMark.size());
+    while (std::string_view(bytes).starts_with(kOwnMark)) bytes.erase(0, kOwnMark.size());
     make_line_ends_ours(bytes);
     std::size_t number = 0;
     for (std::size_t begin = 0; begin < bytes.size();) {

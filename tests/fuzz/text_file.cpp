@@ -17,6 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     try {
         const std::string text = text_from(given, "fuzz", kLimits);
         if (text.find('\0') != std::string::npos || text.find("\r\n") != std::string::npos) std::abort();
+        if (text_from(text, "fuzz", kLimits) != text) std::abort();
     } catch (const InputError& error) {
         const std::string_view what = error.what();
         if (!what.starts_with("fuzz:") || what.find('\n') != std::string_view::npos) std::abort();
