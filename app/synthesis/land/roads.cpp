@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <queue>
@@ -315,7 +316,8 @@ std::optional<std::int32_t> before_the_viewer(const Nodes& nodes, float side) {
 std::vector<std::int32_t> joined(std::vector<std::int32_t> back, const std::vector<std::int32_t>& on) {
     if (back.empty() || on.empty()) return {};
     std::ranges::reverse(back);
-    back.insert(back.end(), on.begin() + 1, on.end());
+    back.pop_back();
+    std::ranges::copy(on, std::back_inserter(back));
     return back;
 }
 
