@@ -236,13 +236,14 @@ def hears_boards_as_they_are_sold(machine):
     machine.sh('cp /root/usual.toml /etc/quadrat/quadrat.toml && sync')
 
 
-def last_visit(machine):
-    return int(re.findall(r'taking up visit (\d+) at', machine.said())[-1])
-
-
-def last_shown(machine, visit):
-    """That visit, and the round that was last seen of it."""
-    return visit, int(re.findall(r'the four of round (\d+) are on the screen', machine.said())[-1])
+def last_shown(machine):
+    """The visit and the round last seen. One that cannot be taken up, for other settings, is followed by the next."""
+    visit = round_shown = 0
+    for taken, number, begun in re.findall(r'taking up visit (\d+) at|the four of round (\d+) are on|info (a visit begins)',
+                                           machine.said()):
+        visit = int(taken) if taken else visit + bool(begun)
+        round_shown = int(number) if number else round_shown
+    return visit, round_shown
 
 
 def one_day(disk):
@@ -260,7 +261,7 @@ def one_day(disk):
         hangs(machine)
         loses_its_screen(machine)
         hears_boards_as_they_are_sold(machine)
-        return last_shown(machine, last_visit(machine))
+        return last_shown(machine)
 
 
 def one_evening(machine, shown, chance):
@@ -278,7 +279,7 @@ def one_evening(machine, shown, chance):
         machine.press_and_let_go(hid, chance.randrange(4))
         time.sleep(chance.uniform(0.1, GUARD_S))
     machine.cut_power()
-    return last_shown(machine, visit)
+    return last_shown(machine)
 
 
 def power_cuts(disk, shown):
