@@ -39,18 +39,28 @@ ShaderName compiled(GLenum stage, const shaders::Source& source) {
         fmt::format("shader {}: this GPU's driver refuses it: {}", source.name, with_file_names(log, source)));
 }
 
+// Mesa writes "1:2(7): error", NVIDIA "1(2) : error": file 1, line 2.
+std::string with_file_name(const std::string& line, const shaders::Source& source) {
+    const char* const last = line.data() + line.size();
+    std::size_t file = 0, number = 0;
+    const auto [end, error] = std::from_chars(line.data(), last, file);
+    if (error != std::errc{} || end == last || file >= source.files.size()) return line;
+    if (*end == ':') return std::string{source.files[file]} + end;
+    const auto [close, trouble] = std::from_chars(end + 1, last, number);
+    const bool is_nvidias = *end == '(' && trouble == std::errc{} && close != last && *close == ')';
+    if (!is_nvidias) return line;
+    const std::string_view rest = std::string_view(close + 1, static_cast<std::size_t>(last - close - 1));
+    return fmt::format("{}:{}{}", source.files[file], number, rest.starts_with(" :") ? rest.substr(1) : rest);
+}
+
 }  // namespace
 
 std::string with_file_names(std::string_view driver_log, const shaders::Source& source) {
     std::string named;
     std::istringstream lines{std::string{driver_log}};
     for (std::string line; std::getline(lines, line);) {
-        std::size_t file = 0;
-        const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), file);
-        const bool names_a_file =
-            error == std::errc{} && end != line.data() + line.size() && *end == ':' && file < source.files.size();
         if (!named.empty()) named += '\n';
-        named += names_a_file ? std::string{source.files[file]} + end : line;
+        named += with_file_name(line, source);
     }
     return named;
 }

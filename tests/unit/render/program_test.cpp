@@ -109,6 +109,13 @@ TEST(ShaderLog, KeepsLinesThatNameNoFile) {
               "shaders/a.frag:3(7): error: x\nlinking failed\n7:1: y");
 }
 
+TEST(ShaderLog, NamesTheFileInNvidiasWordsToo) {
+    static constexpr std::string_view kFiles[] = {"shaders/a.frag", "shaders/b.glsl"};
+    const shaders::Source source{"a.frag", "", kFiles};
+    EXPECT_EQ(with_file_names("1(2) : error C1503: undefined variable \"y\"\n0(x) : error\n1(2\n2(3) : x", source),
+              "shaders/b.glsl:2: error C1503: undefined variable \"y\"\n0(x) : error\n1(2\n2(3) : x");
+}
+
 TEST(ShaderSources, HoldEveryIncludeInPlace) {
     EXPECT_GE(shaders::sources().size(), 10U);
     for (const shaders::Source& source : shaders::sources()) {
