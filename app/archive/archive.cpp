@@ -134,6 +134,13 @@ std::vector<Generation> last_generations_of(const Connection& connection) {
     return last;
 }
 
+std::optional<std::int64_t> open_visit_of(const Connection& connection) {
+    Statement rows =
+        connection.prepare("SELECT id FROM visit WHERE id=(SELECT max(id) FROM visit) AND ended_ms IS NULL");
+    if (!rows.step()) return std::nullopt;
+    return rows.integer(0);
+}
+
 Archive::Archive(Connection connection, const Retention& retention)
     : connection_(std::move(connection)),
       retention_(retention),

@@ -43,6 +43,9 @@ std::uint64_t digest_of(const genome::Offer& offer);
 // that cannot be read are passed over. Throws SqliteError.
 std::vector<Generation> last_generations_of(const Connection& connection);
 
+// The newest visit, if it has not ended: it is under way, or was interrupted and may be taken up. Throws SqliteError.
+std::optional<std::int64_t> open_visit_of(const Connection& connection);
+
 // How much is kept; the oldest goes first, a few at a time. A visit of six rounds takes about 1 kB.
 struct Retention {
     int visits = 200'000;     // with their generations and answers

@@ -69,6 +69,11 @@ std::vector<Generation> last_generations_in(const std::filesystem::path& directo
     return named_in_errors(file, [&] { return read_from(file, last_generations_of); });
 }
 
+std::optional<std::int64_t> open_visit_in(const std::filesystem::path& directory) {
+    const std::filesystem::path file = state_file_in(directory);
+    return named_in_errors(file, [&] { return read_from(file, open_visit_of); });
+}
+
 int forget_word_answers_in(const std::filesystem::path& directory) {
     const std::filesystem::path file = state_file_in(directory);
     return named_in_errors(file, [&] {

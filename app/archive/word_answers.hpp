@@ -13,6 +13,9 @@ WordAnswers word_answers_in(const std::filesystem::path& directory);
 // As last_generations_of(), of the state file of a directory. Throws as above.
 std::vector<Generation> last_generations_in(const std::filesystem::path& directory);
 
+// As open_visit_of(), likewise.
+std::optional<std::int64_t> open_visit_in(const std::filesystem::path& directory);
+
 // Deletes all of them, while no exhibit uses the directory; how many there were. Throws as above.
 int forget_word_answers_in(const std::filesystem::path& directory);
 

@@ -92,6 +92,7 @@ std::vector<std::string> site_files() {
             "words.json",
             "words.previous.json",
             "taste.json",
+            "taste.previous.json",
             "buttons.map",
             "desk.passphrase",
             "earlier/landscape-1.png",

@@ -2,6 +2,7 @@
 #include "kiosk/past_visits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "archive/state_file.hpp"
@@ -46,11 +47,13 @@ bool is_of_sliders(const archive::Generation& last) {
 class Rearing {
   public:
     explicit Rearing(const std::filesystem::path& folder)
-        : words_(site_words(folder)), before_(previous_site_words(folder)), taste_(site_taste(folder)) {}
+        : words_(site_words(folder)),
+          before_(previous_site_words(folder)),
+          tastes_{site_taste(folder), previous_site_taste(folder), {}} {}
 
     std::optional<BredAgain> bred(const archive::Generation& last) const {
         try {
-            for (const breeding::Taste& taste : {taste_, breeding::Taste{}}) {
+            for (const breeding::Taste& taste : tastes_) {
                 if (auto visit = bred_again(last, words_.map, taste)) return visit;
                 if (!before_) continue;
                 if (auto visit = bred_again(last, before_->map, taste)) return visit;
@@ -63,7 +66,7 @@ class Rearing {
   private:
     SiteWords words_;
     std::optional<SiteWords> before_;
-    breeding::Taste taste_;
+    std::array<breeding::Taste, 3> tastes_;
 };
 
 }  // namespace
@@ -86,9 +89,10 @@ PastVisits past_visits_in(const std::filesystem::path& folder) {
 std::vector<EndedVisit> ended_visits_in(const std::filesystem::path& folder, std::int64_t after, std::size_t most) {
     const Rearing rearing(folder);
     std::vector<EndedVisit> ended;
+    const auto open = archive::open_visit_in(folder);
     const auto all = archive::last_generations_in(folder);
     for (auto last = all.rbegin(); last != all.rend() && last->visit > after && ended.size() < most; ++last) {
-        if (is_of_sliders(*last)) continue;
+        if (is_of_sliders(*last) || last->visit == open) continue;
         const auto visit = rearing.bred(*last);
         if (!visit) continue;
         EndedVisit& one = ended.emplace_back();
@@ -102,7 +106,8 @@ std::vector<EndedVisit> ended_visits_in(const std::filesystem::path& folder, std
 
 std::int64_t last_visit_in(const std::filesystem::path& folder) {
     if (!std::filesystem::exists(folder / archive::kStateFile)) return 0;
-    const auto all = archive::last_generations_in(folder);
+    auto all = archive::last_generations_in(folder);
+    if (!all.empty() && archive::open_visit_in(folder) == all.back().visit) all.pop_back();
     return all.empty() ? 0 : all.back().visit;
 }
 

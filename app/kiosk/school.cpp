@@ -16,6 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargest = 64U << 20U;
+constexpr const char* kTaste = "taste.json";
+constexpr const char* kTasteBefore = "taste.previous.json";
 
 fs::path words_file(const fs::path& folder) { return folder / "words.json"; }
 fs::path previous_file(const fs::path& folder) { return folder / "words.previous.json"; }
@@ -75,8 +77,19 @@ std::optional<breeding::Taste> learnt_taste(const fs::path& folder) {
 
 }  // namespace
 
+breeding::Taste previous_site_taste(const fs::path& folder) {
+    try {
+        const fs::path file = folder / kTasteBefore;
+        std::error_code ignored;
+        if (!fs::exists(file, ignored)) return {};
+        return breeding::taste_from(base::read_text(file, base::kJsonLimits), file.string());
+    } catch (const base::InputError&) {
+        return {};
+    }
+}
+
 breeding::Taste site_taste(const fs::path& folder) {
-    const fs::path file = folder / "taste.json";
+    const fs::path file = folder / kTaste;
     std::error_code ignored;
     if (!fs::exists(file, ignored)) return {};
     try {
@@ -88,7 +101,8 @@ breeding::Taste site_taste(const fs::path& folder) {
 }
 
 void keep_site_taste(const fs::path& folder, const breeding::Taste& taste) {
-    base::write_file(folder / "taste.json", to_json(taste));
+    base::write_file(folder / kTasteBefore, to_json(site_taste(folder)));
+    base::write_file(folder / kTaste, to_json(taste));
 }
 
 breeding::Taste counted_taste(const fs::path& folder) {
@@ -141,6 +155,10 @@ std::optional<breeding::WordMap> School::map_before() const {
     const auto before = previous_site_words(folder_);
     if (!before) return std::nullopt;
     return before->map;
+}
+
+breeding::Taste School::taste_before() const {
+    return of_taste_ == OfTaste::Learn ? previous_site_taste(folder_) : breeding::Taste{};
 }
 
 void School::begin(archive::WordAnswers answers) {

@@ -31,6 +31,8 @@ void keep_site_words(const std::filesystem::path& folder, const breeding::Lesson
 // What the site's visitors ended up with: taste.json. Nothing where there is no such file, and also, said in one line
 // of the log, where it cannot be read.
 breeding::Taste site_taste(const std::filesystem::path& folder);
+// The one before: taste.previous.json. None, in silence, where there is no such file.
+breeding::Taste previous_site_taste(const std::filesystem::path& folder);
 void keep_site_taste(const std::filesystem::path& folder, const breeding::Taste& taste);
 
 // The same with the visits since, the newest kMostVisits of them: bred again, as they were bred by this taste. Throws
@@ -52,10 +54,11 @@ class School {
           taste_(of_taste == OfTaste::Learn ? site_taste(folder_) : breeding::Taste{}) {}
     ~School() = default;  // waits for the lesson under way
 
-    // The map as it is now, and the one before, by which a visit may have begun. From the thread that takes.
+    // Map and taste as they are now, and the ones before, by which a visit may have begun. From the thread that takes.
     const breeding::WordMap& map() const { return known_.map; }
     std::optional<breeding::WordMap> map_before() const;
     const breeding::Taste& taste() const { return taste_; }  // none where it is ignored
+    breeding::Taste taste_before() const;                    // likewise
 
     // Begins to train on these answers and the curator's lessons; from any thread. One that is under way goes on
     // instead. What is refused, and why, is logged; what is taken is kept on disk.

@@ -116,7 +116,8 @@ class Show {
                          const genome::Pick& answers) const;
     bool take_up(base::Instant now);
     bool resume(const archive::Generation& kept, base::Instant now);
-    std::string why_not_resumed(const archive::Generation& kept, const breeding::WordMap& map);
+    std::string why_not_resumed(const archive::Generation& kept, const breeding::WordMap& map,
+                                const breeding::Taste& taste);
     std::vector<genome::WordId> words_to_ask() const;
     void study();
     void study_at_night();

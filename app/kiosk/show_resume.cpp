@@ -26,11 +26,13 @@ bool Show::take_up(base::Instant now) {
 }
 
 // What is wrong; "" when the session is the one that was interrupted.
-std::string Show::why_not_resumed(const archive::Generation& kept, const breeding::WordMap& map) {
+std::string Show::why_not_resumed(const archive::Generation& kept, const breeding::WordMap& map,
+                                  const breeding::Taste& taste) {
     session_.reset();
     try {
         breeding::BreederOptions options = breeder_options_;
         options.map = map;
+        options.taste = taste;
         breeding::Breeder breeder(options);
         if (breeder.name() != kept.breeder)
             return fmt::format("the breeder is {} now, and was {}", breeder.name(), kept.breeder);
@@ -54,10 +56,15 @@ std::string Show::why_not_resumed(const archive::Generation& kept, const breedin
 }
 
 bool Show::resume(const archive::Generation& kept, base::Instant now) {
-    std::string why_not = why_not_resumed(kept, school_->map());
-    // The visit may have begun before the last lesson.
-    if (const auto before = why_not.empty() ? std::nullopt : school_->map_before())
-        if (why_not_resumed(kept, *before).empty()) why_not.clear();
+    std::string why_not = why_not_resumed(kept, school_->map(), school_->taste());
+    // The visit may have begun before the last lesson, which changed one of them or both.
+    const auto resumes = [&](const breeding::WordMap& map, const breeding::Taste& taste) {
+        if (!why_not.empty() && why_not_resumed(kept, map, taste).empty()) why_not.clear();
+    };
+    const breeding::WordMap map_before = school_->map_before().value_or(school_->map());
+    resumes(school_->map(), school_->taste_before());
+    resumes(map_before, school_->taste());
+    resumes(map_before, school_->taste_before());
     if (!why_not.empty()) {
         base::log::warn("the interrupted visit is not taken up: {}", why_not);
         return false;

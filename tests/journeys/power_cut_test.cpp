@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The plug is pulled: whatever the moment, the exhibit opens again, with the generation that it showed last.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -59,6 +60,24 @@ TEST(PowerCut, TheExhibitGoesOnWithTheGenerationItLastShowed) {
         // One more may have been kept already, on its way to the screen.
         EXPECT_GE(std::stoi(match[1]), shown);
         EXPECT_LE(std::stoi(match[1]), shown + 1);
+    }
+}
+
+// An exhibit learns from visits when it starts; one that was interrupted has not ended, however often it is.
+TEST(PowerCut, TwiceInOneVisitItGoesOnAllTheSame) {
+    const TemporaryFolder folder;
+    folder.write("small.toml", "[picture]\nland_samples = 129\n[visit]\nrounds = 2\n");
+    folder.write("visit.script", "at 100ms press A\nafter 350ms press B\nafter 350ms press C\nwait 600s\n");
+    Process first(exhibit_command(), folder.path());
+    wait_for(first, folder / "stderr.txt", "picture generation-02");
+    first.kill(SIGKILL);
+    ASSERT_GE(last_round_shown(first.wait().err), 2);
+    for (int start = 0; start < 2; ++start) {
+        folder.write("visit.script", "wait 600s\n");
+        Process again(exhibit_command(), folder.path());
+        wait_for(again, folder / "stderr.txt", "the four of round");
+        again.kill(SIGKILL);
+        EXPECT_THAT(again.wait().err, testing::HasSubstr("taking up visit 1 at round")) << "start " << start;
     }
 }
 

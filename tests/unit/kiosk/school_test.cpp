@@ -6,7 +6,9 @@
 
 #include <set>
 
+#include "archive/word_answers.hpp"
 #include "genome/speech.hpp"
+#include "kiosk/past_visits.hpp"
 #include "kiosk/show.hpp"
 #include "support/process.hpp"
 
@@ -235,6 +237,48 @@ TEST_F(ShowAtNight, GoesOnWithAnInterruptedVisitThatBeganWithTheMapOfBefore) {
     testing::internal::GetCapturedStdout();
     EXPECT_EQ(show->state().screen, exhibit::Screen::Ask);
     EXPECT_EQ(show->state().question, Aspect::Land);
+}
+
+TEST_F(ShowAtNight, GoesOnWithAVisitHoweverOftenItIsInterruptedForItHasTaughtNothingYet) {
+    auto show = opened();
+    press(*show, exhibit::Choice::A);
+    press(*show, exhibit::Choice::C);
+    for (int start = 0; start < 3; ++start) {
+        show.reset();  // the plug is pulled
+        EXPECT_EQ(last_visit_in(folder_.path()), 0);
+        EXPECT_EQ(counted_taste(folder_.path()), breeding::Taste{});
+        keep_site_taste(folder_.path(), counted_taste(folder_.path()));
+        show = opened();
+        EXPECT_EQ(show->state().screen, exhibit::Screen::Ask) << start;
+        EXPECT_EQ(show->state().question, Aspect::Land) << start;
+    }
+}
+
+TEST_F(ShowAtNight, GoesOnWithAnInterruptedVisitThatBeganWithTheTasteOfBefore) {
+    auto show = opened();
+    press(*show, exhibit::Choice::A);
+    press(*show, exhibit::Choice::C);
+    show.reset();  // the plug is pulled
+    breeding::Taste taste;
+    for (const Aspect aspect : genome::kAspects)
+        taste.chosen[aspect][breeding::default_word_map().atlas(aspect).names.front()] = 200;
+    keep_site_taste(folder_.path(), taste);
+    EXPECT_EQ(previous_site_taste(folder_.path()), breeding::Taste{});
+    show = opened();
+    EXPECT_EQ(show->state().screen, exhibit::Screen::Ask);
+    EXPECT_EQ(show->state().question, Aspect::Land);
+}
+
+TEST_F(ShowAtNight, AVisitIsOpenUntilItEndsOrAnotherBegins) {
+    {
+        archive::Archive archive = archive::Archive::open(folder_.path(), kNoon).archive;
+        ASSERT_EQ(archive.begin_visit(kNoon).visit, 1);
+        EXPECT_EQ(archive::open_visit_in(folder_.path()), 1);
+        ASSERT_EQ(archive.begin_visit(kNoon).visit, 2);
+        EXPECT_EQ(archive::open_visit_in(folder_.path()), 2);
+        ASSERT_EQ(archive.end_visit(2, exhibit::Ending::Finished, 6, kNoon), std::nullopt);
+    }
+    EXPECT_EQ(archive::open_visit_in(folder_.path()), std::nullopt);
 }
 
 TEST_F(ShowAtNight, SlidersAreTurnedTakenBackAndTakenUpAfterAPowerCut) {
