@@ -39,6 +39,7 @@ class Exhibit {
         ::_exit(127);
     }
     ~Exhibit() {
+        if (child_ <= 0) return;  // -1 would be all processes there are
         ::kill(child_, SIGKILL);
         ::waitpid(child_, nullptr, 0);
     }
