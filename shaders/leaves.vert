@@ -14,8 +14,10 @@ layout(location = 4) in vec4 leaf_normal;
 layout(location = 5) in vec4 root_colour_shade;  // rgb: square root of the colour; a: light through the own crown
 layout(location = 6) in vec2 blade;  // from the midrib to the rim, from the foot to the tip
 
+layout(location = 0) uniform float foliage;  // 1: its picture is of many leaves, 0: of one
+
 out vec3 shown;
-out vec2 on_blade;
+out vec3 on_blade;
 
 // A share of the blades stands for all of them, each enlarged; those about to leave shrink first, so none pops.
 float blade_scale(float grown) {
@@ -25,7 +27,11 @@ float blade_scale(float grown) {
 }
 
 void main() {
-    on_blade = blade;
+    // A blade that stands for many shows many; where one picture takes the other's place neither shows.
+    float times = 1.0 / half_tint_enlarged.a;
+    vec3 own = vec3(blade, clamp(3.0 - 1.78 * times, 0.0, 1.0));
+    vec3 many = vec3(blade * (0.2 * times) + rank * vec2(37.0, 11.0), clamp(1.5 * times - 2.53, 0.0, 1.0));
+    on_blade = mix(own, many, foliage);
     float grown = unfolded(age_sway.x);
     vec3 in_plant_m = site_m * grown + corner_m * blade_scale(grown);
     float flutter = 0.012 * sin(view.eye_seconds.w * 4.3 + dot(site_m, vec3(17.0, 11.0, 13.0)));

@@ -30,7 +30,9 @@ void main() {
     // A little of the light comes round the limb, as on rough bark; the foot stands in its neighbours' shade.
     float facing = max(dot(normal, view.to_sun.xyz) * 0.85 + 0.15, 0.0);
     float foot = min(0.55 + 3.0 * position_m.y * bark.w, 1.0);
-    vec3 light = view.sunlight.rgb * (facing * wind_sun_through.z) + ambient_on(normal) * foot;
+    // A low sun's colour is nearly bark's own: all of it on a trunk in the open would be gaudy.
+    vec3 sun = mix(view.sunlight.rgb, vec3(dot(view.sunlight.rgb, vec3(0.2126, 0.7152, 0.0722))), 0.4);
+    vec3 light = sun * (facing * wind_sun_through.z) + ambient_on(normal) * foot;
     shown = encode(bark.rgb * half_tint_enlarged.rgb * 2.0 * light) * (1.0 - air.a);
     veil = air.rgb * air.a;
     on_bark = bark_tile;

@@ -102,6 +102,7 @@ scene::Flora tree() {
     species.masses.push_back(std::move(mass));
     species.bark = picture(4);
     species.leaf = picture(1);
+    species.foliage = picture(1);
     scene::Flora flora;
     flora.species.push_back(std::move(species));
     return flora;

@@ -68,6 +68,7 @@ struct CrownMass {
 // lightness, 128 the bark's own colour; channel 3 unused.
 // Leaf pictures: one channel, lightness, 128 a blade's own colour and the mean of all, so that a blade too small to
 // show its veins keeps that; columns from the midrib to the rim, rows from the foot to the tip.
+// Foliage pictures: one channel, tileable, the same of many leaves over one another, for what stands for so many.
 
 // The storey of a stand that a kind of plant belongs to; planting differs by it.
 enum class Storey { Tree, Shrub, Herb };
@@ -81,6 +82,7 @@ struct Species {
     glm::vec3 bark_colour{0.25F, 0.18F, 0.12F};  // linear
     mesh::Image bark;                            // four channels, tileable: see above; may be empty: plain
     mesh::Image leaf;                            // one channel, see above; may be empty: plain
+    mesh::Image foliage;                         // the same
     float bark_tile_m = 0.8F;                    // one tile of it, on the limb
     float height_m = 10;
     float crown_radius_m = 3;

@@ -18,6 +18,9 @@
 namespace quadrat::render::passes {
 namespace {
 
+constexpr std::size_t kOfMany_percent = 36;  // of its blades: so enlarged, each shows many (shaders/leaves.vert)
+constexpr float kFoliageTiles = 2.4F;        // to a plant's height: a leaf of the picture stands for several
+
 struct WoodPlace {
     glm::vec3 position_m;
     std::uint16_t to_coarser_m[3];  // half floats
@@ -228,6 +231,7 @@ void add_pictures(gl::Slices& slices, SpeciesOnGpu& species, const std::shared_p
     shape.wrap_s = gl::Wrap::Repeat;
     shape.wrap_t = gl::Wrap::Repeat;
     gl::add_picture(slices, species.bark, picture(from.bark, 4), shape);
+    gl::add_picture(slices, species.foliage, picture(from.foliage, 1), shape);
 }
 
 void add_species(gl::Slices& slices, FloraOnGpu& flora, std::size_t index,
@@ -279,7 +283,7 @@ void add_flora(gl::Slices& slices, FloraOnGpu& flora, const std::shared_ptr<cons
 
 PlantsPass::PlantsPass()
     : wood_("wood.vert", "wood.frag"),
-      masses_("crown.vert", "lit.frag"),
+      masses_("crown.vert", "leaves.frag"),
       leaves_("leaves.vert", "leaves.frag"),
       plain_leaves_("leaves.vert", "lit.frag"),
       wood_vertices_{{0,
@@ -324,7 +328,8 @@ PlantsPass::PlantsPass()
 
 gl::Work PlantsPass::draw_mass(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
     const MassOnGpu& mass = species.masses[batch.level];
-    glUniform1f(0, species.height_m);
+    glUniform2f(0, species.height_m, kFoliageTiles / species.height_m);
+    species.foliage.bind(0);
     mass_vertices_.feed(0, mass.places.name());
     mass_vertices_.feed(1, mass.surfaces.name());
     mass_vertices_.feed(2, instances, batch.first * sizeof(Instance));
@@ -346,7 +351,11 @@ gl::Work PlantsPass::draw_wood(const SpeciesOnGpu& species, const Batch& batch, 
 }
 
 gl::Work PlantsPass::draw_leaves(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
-    if (!batch.is_plain) species.leaf.bind(0);
+    const bool stands_for_many = batch.blades * 100 < kOfMany_percent * species.blades;
+    if (!batch.is_plain) {
+        (stands_for_many ? species.foliage : species.leaf).bind(0);
+        glUniform1f(0, stands_for_many ? 1.0F : 0.0F);
+    }
     leaf_vertices_.feed(0, species.leaf_places.name());
     leaf_vertices_.feed(1, species.leaf_surfaces.name());
     leaf_vertices_.feed(2, instances, batch.first * sizeof(Instance));

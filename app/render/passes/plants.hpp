@@ -42,6 +42,7 @@ struct SpeciesOnGpu {
     std::size_t indices_per_plain_blade = 0;
     gl::Texture2D bark;
     gl::Texture2D leaf;
+    gl::Texture2D foliage;
     glm::vec3 bark_colour{0.2F};
     float height_m = 1;
 };

@@ -14,7 +14,7 @@ namespace quadrat::synthesis::trees {
 namespace {
 
 constexpr std::size_t kFewestTriangles = 8;  // of a mass that has a fringe
-constexpr float kCovers = 1.15F;             // of the mass, by area
+constexpr float kCovers = 0.7F;              // of the mass, by area
 constexpr float kLength = 1.5F;              // of a spray, to the square root of its area, and so its width
 constexpr float kWidth = 4.0F / 3;
 constexpr float kReach = 1.0F;  // of the mass, from the root

@@ -23,7 +23,6 @@ namespace {
 
 constexpr int kAcross = 13;                // samples over a crown's longest side
 constexpr int kRim = 3;                    // and beside it, for the blur
-constexpr float kDense = 0.50F;            // leaf area in a cell, in areas of the cell's side, where the mass begins
 constexpr std::size_t kFewestInside = 10;  // samples; less is no mass
 constexpr std::size_t kFinest = 130;       // vertices
 constexpr std::size_t kCoarsest = 7;
@@ -50,7 +49,7 @@ struct Sample {
 
 class Density {
   public:
-    explicit Density(const scene::Leaves& leaves) {
+    Density(const scene::Leaves& leaves, float dense) : dense_(dense) {
         glm::vec3 low = leaves.vertices.front().site_m;
         glm::vec3 high = low;
         for (const scene::Leaves::Vertex& v : leaves.vertices) {
@@ -73,11 +72,11 @@ class Density {
     float area_m2(bool is_inside_only) const {
         float sum = 0;
         for (const Sample& sample : samples_)
-            if (!is_inside_only || sample.area_m2 > kDense * cell_m_ * cell_m_) sum += sample.area_m2;
+            if (!is_inside_only || sample.area_m2 > dense_ * cell_m_ * cell_m_) sum += sample.area_m2;
         return sum;
     }
     const Sample& at(glm::ivec3 i) const { return samples_[index(i)]; }
-    float over(glm::ivec3 i) const { return at(i).area_m2 / (cell_m_ * cell_m_) / kDense - 1; }
+    float over(glm::ivec3 i) const { return at(i).area_m2 / (cell_m_ * cell_m_) / dense_ - 1; }
     glm::vec3 place_m(glm::vec3 in_samples) const { return origin_m_ + in_samples * cell_m_; }
     // Of the eight about a place, by how near they are.
     Sample between(glm::vec3 at_m) const {
@@ -147,6 +146,7 @@ class Density {
     }
 
     glm::ivec3 size_{0};
+    float dense_;
     glm::vec3 origin_m_{0};
     float cell_m_ = 1;
     std::vector<Sample> samples_;
@@ -325,9 +325,9 @@ void add_fewer_clumps(std::vector<scene::CrownMass>& masses) {
 
 }  // namespace
 
-std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves) {
+std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves, float dense) {
     if (leaves.blades == 0) return {};
-    const Density density(leaves);
+    const Density density(leaves, dense);
     std::size_t inside = 0;
     const mesh::SparseField field = field_of(density, inside);
     if (inside < kFewestInside) return {};

@@ -6,8 +6,12 @@
 
 namespace quadrat::synthesis::trees {
 
-// The crown these leaves make, from afar: the surface within which they hide about two thirds of what lies behind, as a
-// progressive mesh of some hundred triangles and coarser ones. None where the crown is nowhere so dense.
-std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves);
+inline constexpr float kDenseCrown = 0.5F;  // leaf area in a cell of a crown, in areas of the cell's side
+inline constexpr float kThinCrown = 0.16F;  // of what is seen from above and close to the ground, which hides more
+
+// The crown these leaves make, from afar: the surface within which they are so dense, as a progressive mesh of some
+// hundred triangles and coarser ones. In a dense crown they hide about two thirds of what lies behind. None where the
+// crown is nowhere so dense.
+std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves, float dense = kDenseCrown);
 
 }  // namespace quadrat::synthesis::trees

@@ -14,4 +14,8 @@ Venation venation(LeafKind kind);
 // patches of a living leaf.
 mesh::Image leaf_picture(LeafKind kind, base::Seed seed);
 
+// The picture that scene::Species wants of its foliage: leaves of this kind over and over one another, each as light as
+// it happens to lie, and the dark between them.
+mesh::Image foliage_picture(LeafKind kind, base::Seed seed);
+
 }  // namespace quadrat::synthesis::trees

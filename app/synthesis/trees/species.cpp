@@ -111,6 +111,7 @@ scene::Species make_species(const Form& f, base::Seed seed) {
     const Bark bark = k.own_bark.value_or(static_cast<Bark>(f.bark_kind));
     species.bark = bark_picture(bark_relief(bark, seed.child("bark"), kBarkSide), f.bark_depth);
     if (species.leaves.blades > 0) species.leaf = leaf_picture(f.leaf, seed.child("leaf"));
+    if (species.leaves.blades > 0) species.foliage = foliage_picture(f.leaf, seed.child("leaf"));
     species.bark_tile_m = f.bark_tile_m * std::clamp(species.trunk_radius_m / 0.28F, 0.5F, 1.6F);
     species.lowest_m = k.lowest_m;
     species.is_tender = k.is_tender;

@@ -62,49 +62,51 @@ void add_spike(scene::Leaves& leaves, const BladeShape& b, const scene::Leaves::
     ++leaves.blades;
 }
 
-// Stems from one root that fork once, by the golden angle.
+// From a root or a fork, first up and then outward to its tip, with places for leaves along its outer part.
+int add_shoot(TreeSkeleton& skeleton, const glm::vec3& from, const glm::vec3& tip, float radius_m, int parent) {
+    Limb limb;
+    limb.order = parent < 0 ? 0 : 1;
+    limb.parent = parent;
+    limb.parent_node = parent < 0 ? 0 : 1;
+    const float length_m = glm::length(tip - from);
+    const glm::vec3 middle = glm::mix(from, tip, 0.5F) + glm::vec3{0, 0.1F * length_m, 0};
+    limb.nodes = {{from, radius_m, 0, 0}, {middle, 0.7F * radius_m, 0, 0}, {tip, 0.35F * radius_m, 0, 0}};
+    const int index = static_cast<int>(skeleton.limbs.size());
+    for (const float share : {0.35F, 0.6F, 0.8F, 1.0F}) {
+        const bool is_outer = share > 0.5F;
+        const glm::vec3& begin = is_outer ? middle : from;
+        const glm::vec3& end = is_outer ? tip : middle;
+        Site site;
+        site.at_m = glm::mix(begin, end, 2 * share - (is_outer ? 1.0F : 0.0F));
+        site.along = glm::normalize(end - begin);
+        site.out = glm::normalize(glm::cross(site.along, glm::vec3{0.3F, 0.2F, 0.9F}));
+        site.limb = index;
+        site.node = is_outer ? 1 : 0;
+        skeleton.sites.push_back(site);
+    }
+    skeleton.limbs.push_back(std::move(limb));
+    return index;
+}
+
+// Stems from one root, by the golden angle, that fork once; all tips lie on a dome that reaches the ground.
 TreeSkeleton shrub_skeleton(const ShrubOptions& o, base::Seed seed) {
     TreeSkeleton skeleton;
     base::RandomStream random{seed.child("stems")};
-    constexpr int kStems = 6;
+    constexpr int kStems = 10;
     const float h = o.height_m;
-    const auto add = [&](const glm::vec3& from, const glm::vec3& along, float length_m, float radius_m, int parent,
-                         int node) {
-        Limb limb;
-        limb.order = parent < 0 ? 0 : 1;
-        limb.parent = parent;
-        limb.parent_node = node;
-        const glm::vec3 bowed = glm::normalize(along + glm::vec3{0, 0.35F, 0});
-        const glm::vec3 middle = from + 0.5F * length_m * along;
-        limb.nodes = {{from, radius_m, 0, 0},
-                      {middle, 0.7F * radius_m, 0, 0},
-                      {middle + 0.5F * length_m * bowed, 0.35F * radius_m, 0, 0}};
-        const int index = static_cast<int>(skeleton.limbs.size());
-        for (int k = 1; k < 3; ++k) {
-            for (const float back : {0.0F, 0.25F}) {
-                Site site;
-                site.at_m = limb.nodes[k].at_m - back * length_m * along;
-                site.along = along;
-                site.out = glm::normalize(glm::cross(along, glm::vec3{0.3F, 0.2F, 0.9F}));
-                site.limb = index;
-                site.node = std::max(k - (back > 0 ? 1 : 0), 0);
-                skeleton.sites.push_back(site);
-            }
-        }
-        skeleton.limbs.push_back(std::move(limb));
-        return index;
+    const glm::vec3 dome_m{0.5F * h * (0.45F + 0.6F * o.width), 0.86F * h, 0};
+    const auto on_dome = [&](float bearing_rad, float steep, float reach) {
+        const float flat = std::sqrt(1 - steep * steep);
+        return reach * (flat * dome_m.x * flat_direction(bearing_rad) + glm::vec3{0, steep * dome_m.y, 0});
     };
     for (int i = 0; i < kStems; ++i) {
         const float bearing = kGoldenAngle_rad * static_cast<float>(i) + random.between(-0.4F, 0.4F);
-        const float lean = i == 0 ? 0.15F : o.width * random.between(0.5F, 1.0F);
-        const glm::vec3 along = glm::normalize(flat_direction(bearing) * lean + glm::vec3{0, 1, 0});
-        const float length_m = h * random.between(0.45F, 0.68F);
-        const int stem = add({0, -0.04F * h, 0}, along, length_m, 0.026F * h, -1, 0);
-        for (const float side : {-1.0F, 1.0F}) {
-            const glm::vec3 fork =
-                glm::normalize(along + 0.55F * side * flat_direction(bearing + 1.57F) + glm::vec3{0, 0.15F, 0});
-            add(skeleton.limbs[stem].nodes[1].at_m, fork, 0.6F * length_m, 0.014F * h, stem, 1);
-        }
+        const float steep = 1 - (static_cast<float>(i) + 0.4F) / static_cast<float>(kStems);
+        const glm::vec3 tip = on_dome(bearing, steep, random.between(0.8F, 1.05F));
+        const int stem = add_shoot(skeleton, {0, -0.04F * h, 0}, tip, 0.024F * h, -1);
+        const float aside = random.between(0.5F, 0.9F) * (i % 2 == 0 ? 1.0F : -1.0F);
+        const glm::vec3 beside = on_dome(bearing + aside, 0.85F * steep + 0.05F, random.between(0.75F, 1.0F));
+        add_shoot(skeleton, skeleton.limbs[static_cast<std::size_t>(stem)].nodes[1].at_m, beside, 0.013F * h, stem);
     }
     measure(skeleton);
     return skeleton;
@@ -280,9 +282,10 @@ scene::Species shrub(const ShrubOptions& o, base::Seed seed) {
     foliage.colours.second = o.second;
     foliage.colours.blossom = o.blossom;
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
-    species.masses = crown_masses(species.leaves);
+    species.masses = crown_masses(species.leaves, kThinCrown);
     add_fringe(species.masses);
     species.leaf = leaf_picture(foliage.kind, seed.child("leaf"));
+    species.foliage = foliage_picture(foliage.kind, seed.child("leaf"));
     species.bark_colour = o.bark;
     species.height_m = o.height_m;
     species.crown_radius_m = 0.55F * o.height_m * (0.4F + 0.6F * o.width);

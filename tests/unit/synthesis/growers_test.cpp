@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
@@ -14,6 +15,7 @@
 #include "synthesis/trees/leaf_picture.hpp"
 #include "synthesis/trees/phyllotaxis.hpp"
 #include "synthesis/trees/turtle.hpp"
+#include "synthesis/trees/undergrowth.hpp"
 #include "synthesis/trees/weber_penn.hpp"
 
 namespace quadrat::synthesis::trees {
@@ -263,6 +265,58 @@ TEST(LeafPicture, HasVeinsAndTheBladesOwnColourOnTheWhole) {
         EXPECT_GT(*picture.pixel(0, 24), *picture.pixel(9, 24)) << k;
         EXPECT_EQ(picture, leaf_picture(static_cast<LeafKind>(k), base::Seed{3}));
         EXPECT_NE(picture, leaf_picture(static_cast<LeafKind>(k), base::Seed{4}));
+    }
+}
+
+double mean_step(const mesh::Image& picture, int to_column) {
+    double sum = 0;
+    for (int y = 0; y < picture.height; ++y)
+        sum +=
+            std::abs(*picture.pixel(to_column, y) - *picture.pixel((to_column + picture.width - 1) % picture.width, y));
+    return sum / picture.height;
+}
+
+TEST(FoliagePicture, IsOfLeavesOverOneAnotherThatGoOnAtItsSides) {
+    for (int k = 0; k < kLeafKinds; ++k) {
+        const mesh::Image picture = foliage_picture(static_cast<LeafKind>(k), base::Seed{3});
+        double mean = 0;
+        double square = 0;
+        for (const std::uint8_t byte : picture.bytes) {
+            mean += byte;
+            square += byte * byte;
+        }
+        mean /= static_cast<double>(picture.bytes.size());
+        EXPECT_NEAR(mean, 128, 2) << k;
+        EXPECT_GT(std::sqrt(square / static_cast<double>(picture.bytes.size()) - mean * mean), 16) << k;
+        double usual = 0;
+        for (int x = 1; x < picture.width; ++x) usual = std::max(usual, mean_step(picture, x));
+        EXPECT_LE(mean_step(picture, 0), 1.2 * usual) << k;
+        EXPECT_EQ(picture, foliage_picture(static_cast<LeafKind>(k), base::Seed{3}));
+        EXPECT_NE(picture, foliage_picture(static_cast<LeafKind>(k), base::Seed{4}));
+    }
+}
+
+// A bush is a dome with leaves near the ground, near by and as a mass from afar.
+TEST(Shrub, IsADomeThatReachesTheGround) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        ShrubOptions options;
+        options.height_m = 1.6F;
+        options.width = seed % 2 == 0 ? 1.0F : 0.5F;
+        const scene::Species species = shrub(options, base::Seed{seed});
+        int low = 0;
+        for (const scene::Leaves::Vertex& v : species.leaves.vertices) low += v.site_m.y < 0.3F * options.height_m;
+        EXPECT_GT(low, static_cast<int>(species.leaves.vertices.size()) / 8) << seed;
+        ASSERT_FALSE(species.masses.empty()) << seed;
+        const scene::CrownMass& mass = species.masses.front();
+        EXPECT_GT(mass.share, 0.7F) << seed;
+        float lowest_m = 9, widest_m = 0;
+        for (std::size_t i = 0; i < mass.mesh.positions_m.size() - 3 * mass.sprays; ++i) {
+            const glm::vec3& p = mass.mesh.positions_m[i];
+            lowest_m = std::min(lowest_m, p.y);
+            widest_m = std::max(widest_m, std::hypot(p.x, p.z));
+        }
+        EXPECT_LT(lowest_m, 0.25F * options.height_m) << seed;
+        EXPECT_GT(widest_m, 0.3F * options.height_m) << seed;
     }
 }
 
