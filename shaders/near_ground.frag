@@ -14,6 +14,8 @@ in float clear;
 layout(location = 0) out vec4 pixel;
 
 void main() {
-    float rough = clear + dot(texture(grain, over_grain).rg - 0.5, grains);
+    // At two sizes: tufts, and at one's feet what lies between them.
+    vec2 both = texture(grain, over_grain).rg + texture(grain, over_grain.yx * 4.7).rg;
+    float rough = clear + dot(both - 1.0, grains);
     pixel = vec4(texture(ground, over_land, -0.8).rgb * rough + veil, 1.0);
 }

@@ -25,6 +25,6 @@ void main() {
     vec3 sky = texture(picture, vec2(mirrored.x, slope * mirror.ripple.x + mirrored.y)).rgb;
     float share = mirrored.z + exp2(slope * mirror.ripple.y + glitter);
     float foam = max(white - deep * 13.0, 0.0) * view.mirrored.w;
-    // The bed shows through where it is near. The target clamps.
-    pixel = vec4(sky * share + before + foam, deep * 1.4 + (0.25 + foam));
+    // The bed shows through where it is near, and at the very shore there is only a film. The target clamps.
+    pixel = vec4(sky * share + before + foam, deep * 1.4 + (min(deep * 14.0, 0.25) + foam));
 }

@@ -109,7 +109,7 @@ passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, f
     b.sunlight = {sky.sunlight * left, kept_shown};
     b.ambient = sky.ambient.linear();
     for (glm::vec4& row : b.ambient) row *= left;
-    b.scales = {1 / air.side_m, 1 / air.grain_tile_m, 0.5F * passes::kGrain, air.lamps};
+    b.scales = {1 / air.side_m, 1 / air.grain_tile_m, 0.5F * passes::kNearGrain, air.lamps};
     b.haze_colour = {shown(sky.haze_colour, left), kLog2E / sky.haze_distance_m};
     b.haze_sunward = {shown(sky.haze_sunward, left), kLog2E / sky.haze_height_m};
     const scene::Mist& mist = sky.mist;

@@ -20,7 +20,13 @@ struct Affinity {
 };
 constexpr std::array<Affinity, 3> kTreesWithLand{
     {{WordId::tropical, WordId::cold, -1.0}, {WordId::leafy, WordId::green, 0.7}, {WordId::leafy, WordId::wet, 0.3}}};
-constexpr std::array<Affinity, 2> kLandWithSky{{{WordId::cold, WordId::warm, -0.6}, {WordId::wet, WordId::misty, 0.3}}};
+// Grey land under a grey sky is grey all over: what is barren or cold has the colours and the light of the sky.
+constexpr std::array<Affinity, 6> kLandWithSky{{{WordId::cold, WordId::warm, -0.3},
+                                                {WordId::wet, WordId::misty, 0.3},
+                                                {WordId::green, WordId::misty, 0.5},
+                                                {WordId::green, WordId::cloudy, 0.35},
+                                                {WordId::cold, WordId::misty, -0.4},
+                                                {WordId::cold, WordId::vivid, 0.4}}};
 
 double accord(std::span<const Affinity> affinities, const genome::Description& one, const genome::Description& other) {
     double sum = 0;

@@ -50,7 +50,7 @@ GroundLook look_of(const scene::LandParameters& p, const Palette& palette) {
     look.scree = material(palette.scree, 0.2F, 0.7F);
     look.rock_dark = material(palette.rock_dark, 0, 1);
     look.rock_light = material(palette.rock_light, 0, 1);
-    look.mud = material(scene::shifted_colour(palette.soil, 0.72F, 0.8F), 0.25F, 0);
+    look.mud = material(scene::shifted_colour(palette.soil, 0.72F, 0.8F), 0.6F, 0.25F);
     look.sand = material(palette.sand, 0.25F, 0.35F);
     look.gravel = material(scene::mix_colours(palette.sand, palette.scree, 0.5F), 0.3F, 0.35F);
     look.snow = material(palette.snow, 0.2F, 0.1F);

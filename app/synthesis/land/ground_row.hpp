@@ -127,7 +127,7 @@ struct GroundKernel {
         m.a = m.a * deeper;
         m.b = m.b * deeper;
         const auto put = [i](float* values, F x) { x.store_unaligned(values + i); };
-        put(row.soft, F(255.0F) * unit(m.soft * (F(1.0F) - F(0.5F) * wet)) + F(0.5F));
+        put(row.soft, F(255.0F) * unit(m.soft * (F(1.0F) - F(0.25F) * wet)) + F(0.5F));
         put(row.hard, F(255.0F) * unit(m.hard) + F(0.5F));
         // scene::linear_from_oklab.
         const F l_ = m.l + F(0.3963377774F) * m.a + F(0.2158037573F) * m.b;
