@@ -34,6 +34,7 @@ constexpr float kLateTakes = 0.85F;     // a late frame, of that room
 constexpr float kLateTakesNow = 0.95F;  // of the level
 constexpr float kLeastByOnes = 0.8F;    // of the level that was chosen last
 constexpr float kRoomGrows = 0.0018F;   // octaves a second: it comes back within minutes
+constexpr int kHiccup = 3;              // times as long as it was meant to take: no twentieth of detail saves that
 constexpr float kMuchRoom = 0.6F;       // of that room: a frame drawn so early leaves room for much more detail
 
 const char* in_words(int periods) {
@@ -112,7 +113,7 @@ void DetailGovernor::frame(const FrameTold& told) {
         late_took_ = std::max(late_took_, told.took);
         begin_calm(told.now);
         room_ = std::max(room_ * kLateTakes, kLeastRoom);
-        if (told.used > room_) yield_a_little(told);
+        if (told.used > room_ && told.took < kHiccup * told.period * periods_) yield_a_little(told);
     }
     ++frames_calm_;
     // What it would have used with all the detail that is aimed at: about half of a frame's time follows the level.

@@ -254,6 +254,19 @@ TEST(Governor, DrawsLessWhileLandscapesGrowWhereSingleFramesComeLateThen) {
     EXPECT_GT(alone.least / alone.most, 1.2F * later.least / later.most) << "it comes back";
 }
 
+// A fast GPU whose driver pauses for four periods when other landscapes come: less detail would not shorten that.
+TEST(Governor, AHiccupTakesNothing) {
+    DetailGovernor governor({1, 1});
+    int frame = 0;
+    for (Instant now{0}; now < 10min; ++frame) {
+        const bool is_late = frame % 360 == 90;
+        const Instant took = is_late ? 4 * kPeriod : kPeriod;
+        now += took;
+        governor.frame({now, took, kPeriod, is_late ? 1.0F : 0.4F, false});
+    }
+    EXPECT_EQ(governor.settled(), 1);
+}
+
 TEST(Governor, SingleFramesTakeLittleHoweverManyAndNothingWhereDrawingWasInTime) {
     for (const float used : {0.4F, 1.0F}) {
         DetailGovernor governor({1, 0.9F});
