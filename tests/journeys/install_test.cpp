@@ -33,10 +33,10 @@ class Machine {
         fs::create_symlink("/usr/lib/systemd/system/graphical.target",
                            folder_ / "root/etc/systemd/system/default.target");
     }
-    Ended install(std::vector<std::string> arguments = {}) const {
+    Ended install(std::vector<std::string> arguments = {}, const std::string& input = {}) const {
         std::vector<std::string> command{QUADRAT_SOURCE_DIR "/deploy/install", "--root", "root"};
         command.insert(command.end(), arguments.begin(), arguments.end());
-        return run(command, folder_);
+        return run(command, folder_, input);
     }
     Ended install_program(std::vector<std::string> more = {}) const {
         more.insert(more.end(), {"--binary", QUADRAT_BINARY});
@@ -124,6 +124,50 @@ TEST(Install, GoesToItsEndOnAMachineThatIsNoRaspberryPi) {
     EXPECT_THAT(ended.out, HasSubstr("\nDone. "));
     EXPECT_EQ(machine.install_program().out, "Everything is as it should be.\n");
     ASSERT_TRUE(succeeds(machine.install({"--remove"})));
+    EXPECT_EQ(machine.files(), before);
+}
+
+TEST(Install, KeepsThePassphraseOfTheStaffsPageThatItIsHanded) {
+    const Machine machine;
+    const std::vector<std::string> how{"--passphrase-fd", "0", "--binary", QUADRAT_BINARY};
+    const Ended ended = machine.install(how, "a sentence of staff\n");
+    ASSERT_TRUE(succeeds(ended));
+    EXPECT_THAT(ended.out, HasSubstr("keep the passphrase"));
+    EXPECT_THAT(ended.out, HasSubstr("systemctl enable --now quadrat-desk"));
+    EXPECT_THAT(ended.out + ended.err, Not(HasSubstr("sentence of staff")));
+    EXPECT_THAT(machine.file("var/lib/quadrat/desk.passphrase"), testing::StartsWith("scrypt$"));
+    for (const auto& [name, text] : machine.files()) EXPECT_THAT(text, Not(HasSubstr("a sentence of staff"))) << name;
+    const auto kept = machine.files();
+    ASSERT_TRUE(succeeds(machine.install_program()));
+    EXPECT_EQ(machine.files(), kept) << "what is kept is not asked for again";
+}
+
+TEST(Install, SaysThatThePageHasNoPassphraseWhereNobodyCanTypeOne) {
+    const Machine machine;
+    const Ended ended = machine.install_program();
+    ASSERT_TRUE(succeeds(ended));
+    EXPECT_THAT(ended.out, HasSubstr("has no passphrase yet"));
+    EXPECT_THAT(ended.out, HasSubstr("sudo quadrat desk --set-passphrase"));
+    EXPECT_FALSE(machine.files().contains("var/lib/quadrat/desk.passphrase"));
+}
+
+TEST(Install, APassphraseThatCannotBeKeptIsRefusedBeforeAnythingIsDone) {
+    const Machine machine;
+    const auto before = machine.files();
+    struct Wrong {
+        const char* descriptor;
+        const char* input;
+        const char* says;
+    };
+    for (const Wrong& wrong : {Wrong{"0", "short\n", "at least 10"}, Wrong{"0", "", "nothing can be read"},
+                               Wrong{"77", "", "nothing can be read"}, Wrong{"x", "", "is no number"},
+                               Wrong{"", "", "needs a file descriptor"}}) {
+        const Ended ended =
+            machine.install({"--passphrase-fd", wrong.descriptor, "--binary", QUADRAT_BINARY}, wrong.input);
+        EXPECT_EQ(ended.status, 2) << wrong.descriptor;
+        EXPECT_THAT(ended.err, HasSubstr(wrong.says));
+    }
+    EXPECT_EQ(machine.install({"--remove", "--passphrase-fd", "0"}, "a sentence of staff\n").status, 2);
     EXPECT_EQ(machine.files(), before);
 }
 
