@@ -38,9 +38,12 @@ std::string line_of(sd_journal* journal) {
 
 }  // namespace
 
-std::vector<std::string> last_journal_lines(const std::string& unit, std::size_t most) {
+std::vector<std::string> last_journal_lines(const std::string& unit, std::size_t most,
+                                            const std::filesystem::path& folder) {
     sd_journal* opened = nullptr;
-    if (sd_journal_open(&opened, SD_JOURNAL_LOCAL_ONLY | SD_JOURNAL_SYSTEM) < 0) return {};
+    const int status = folder.empty() ? sd_journal_open(&opened, SD_JOURNAL_LOCAL_ONLY | SD_JOURNAL_SYSTEM)
+                                      : sd_journal_open_directory(&opened, folder.c_str(), 0);
+    if (status < 0) return {};
     const std::unique_ptr<sd_journal, Close> journal(opened);
     // The service manager speaks of the unit under another name.
     const std::string own = "_SYSTEMD_UNIT=" + unit;
