@@ -120,8 +120,8 @@ std::string doctor_page(const View& view, const std::vector<Finding>& found) {
 }
 
 std::string backup_page(const View& view, const Preview* preview) {
+    if (preview != nullptr) return page(view, "restore", title(view, "restore") + preview_of(view, *preview));
     std::string body = title(view, "backup");
-    if (preview != nullptr) return page(view, "backup", body + preview_of(view, *preview));
     body += fmt::format("<p>{}</p>\n<p><a class=\"button\" href=\"/backup.tar.xz\">{}</a></p>\n",
                         escaped(view.say("backup.explained")), escaped(view.say("backup.take")));
     body += fmt::format(

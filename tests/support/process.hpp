@@ -82,7 +82,10 @@ class Process {
     Process& operator=(const Process&) = delete;
 
     pid_t id() const { return child_; }
-    void kill(int signal) const { ::kill(child_, signal); }
+    // Never all processes there are, which is what -1 means.
+    void kill(int signal) const {
+        if (child_ > 0) ::kill(child_, signal);
+    }
     bool is_running() {
         int status = 0;
         if (child_ > 0 && ::waitpid(child_, &status, WNOHANG) == child_) note(status);
