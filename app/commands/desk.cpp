@@ -146,11 +146,13 @@ int serve(const Options& options) {
 
 void add_desk(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("desk",
-                                           "A page for staff in any browser, until told to stop: how the exhibit is, "
-                                           "what it shows, stand-by and restart,\n"
-                                           "the doctor, what visitors did, a backup. It listens where the settings say "
-                                           "so ([desk]), and asks for a passphrase");
+    CLI::App* command =
+        app.add_subcommand("desk",
+                           "A page for staff in any browser, in six languages, until told to stop: how the "
+                           "exhibit is, what it shows, its buttons\n"
+                           "and lamps, stand-by, restart, safe mode, faults, the log, the doctor, what "
+                           "visitors did, a backup and its restore.\n"
+                           "It listens where the settings say so ([desk]), and asks for a passphrase");
     command->add_option("--config", options->configuration, "The site's settings; [desk] says where it listens")
         ->default_str("none: nothing listens");
     command->add_flag("--service", options->is_service,
