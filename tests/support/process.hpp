@@ -81,7 +81,6 @@ class Process {
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
-    pid_t id() const { return child_; }
     // Never all processes there are, which is what -1 means.
     void kill(int signal) const {
         if (child_ > 0) ::kill(child_, signal);
@@ -100,6 +99,7 @@ class Process {
         ended_.err = contents_of(folder_ / "stderr.txt");
         return ended_;
     }
+    pid_t id() const { return child_; }  // -1 once it has ended
 
   private:
     void redirect(const char* name, int flags, int to) const {
