@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "desk/desk.hpp"
 
-#include <fcntl.h>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/random.h>
 #include <sys/stat.h>
@@ -15,37 +13,25 @@
 #include <filesystem>
 #include <iostream>
 
-#include "archive/visit_rows.hpp"
-#include "backup/backup.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
-#include "base/owned.hpp"
-#include "benches/scratch.hpp"
 #include "commands/commands.hpp"
-#include "commands/examine.hpp"
-#include "commands/visits.hpp"
+#include "commands/desk_sources.hpp"
+#include "desk/pages.hpp"
 #include "desk/passphrase.hpp"
 #include "desk/server.hpp"
 #include "machine/machine.hpp"
-#include "machine/version.hpp"
-#include "report/writers.hpp"
 #include "site/settings.hpp"
 #include "site/state_folder.hpp"
-#include "staff/presence.hpp"
-#include "staff/watch.hpp"
 
 namespace quadrat::commands {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kPassphraseFile = "desk.passphrase";
-constexpr const char* kNotes = "desk.log";  // what was done, and by whom
-constexpr std::uintmax_t kMostNotes = 256 * 1024;
-
 struct Options {
-    std::string configuration, state, runtime;
+    std::string configuration, state, runtime, log;
     bool is_service = false;
     bool sets_passphrase = false;
 };
@@ -104,95 +90,6 @@ int set_passphrase(const Options& options) {
     return 0;
 }
 
-// A line each; the file before it is kept as well.
-void note_in(const fs::path& folder, const std::string& what) {
-    base::log::info("desk: {}", what);
-    const fs::path file = folder / kNotes;
-    std::error_code ignored;
-    if (fs::file_size(file, ignored) > kMostNotes && !ignored) fs::rename(file, file.string() + ".1", ignored);
-    const base::OwnedDescriptor notes(::open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0600));
-    const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    const std::string line = fmt::format("{:%Y-%m-%d %H:%M:%S} UTC {}\n", fmt::gmtime(now), what);
-    if (notes.get() < 0 || ::write(notes.get(), line.data(), line.size()) != static_cast<ssize_t>(line.size()))
-        base::log::warn("desk: what was done could not be noted in {}", file.string());
-}
-
-std::optional<std::string> read_if_there(const fs::path& file, std::size_t most) {
-    std::error_code error;
-    if (!fs::is_regular_file(file, error)) return std::nullopt;
-    try {
-        return base::read_file(file, most);
-    } catch (const base::InputError&) {
-        return std::nullopt;  // it went away meanwhile
-    }
-}
-
-// What the exhibit drew in the last seconds. Whoever asks gets what lies there, and has the next one made.
-std::optional<std::string> glance(const fs::path& runtime) {
-    if (!staff::is_exhibit_present(runtime)) return std::nullopt;
-    constexpr std::chrono::seconds kOld{10};
-    const fs::path file = runtime / staff::kGlance;
-    std::error_code error;
-    if (!fs::exists(runtime / staff::kGlanceAsked, error)) base::write_file(runtime / staff::kGlanceAsked, "");
-    const auto written = fs::last_write_time(file, error);
-    if (error || fs::file_time_type::clock::now() - written > kOld) return std::nullopt;
-    return read_if_there(file, 16U << 20U);
-}
-
-void do_act(const fs::path& runtime, desk::Act act) {
-    // What is asked of nobody would surprise whoever starts next.
-    if (act != desk::Act::Wake && !staff::is_exhibit_present(runtime))
-        throw base::InputError("no exhibit runs here that could do that");
-    std::error_code ignored;
-    switch (act) {
-        case desk::Act::StandBy:
-            return base::write_file(runtime / staff::kStandBy, "");
-        case desk::Act::Wake:
-            fs::remove(runtime / staff::kStandBy, ignored);
-            return;
-        case desk::Act::Restart:
-            return base::write_file(runtime / staff::kRestartAsked, "");
-    }
-}
-
-std::vector<desk::Finding> findings_of(const Options& options) {
-    constexpr const char* kWords[]{"good", "doubtful", "bad"};
-    std::vector<desk::Finding> findings;
-    for (const doctor::Finding& one : examine_parts(options.configuration, options.state))
-        findings.push_back({one.subject, kWords[static_cast<std::size_t>(one.health)], one.what, one.remedy});
-    return findings;
-}
-
-std::string backup_of(const fs::path& state, const fs::path& settings) {
-    const auto now = std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now());
-    const benches::Scratch folder;
-    const fs::path file = folder.path / "quadrat-backup.tar.xz";
-    backup::write_backup({state, settings, now}, file, [](const std::string&, double) {});
-    return base::read_file(file, std::size_t{512} << 20U);
-}
-
-desk::Sources sources_for(const Options& options, const site::Configuration& configuration, const fs::path& state,
-                          const fs::path& runtime, const std::string& hash) {
-    desk::Sources sources;
-    sources.exhibit = configuration.fleet.name;
-    sources.version = std::string(machine::version());
-    // What an exhibit said that has ended since lies there too.
-    sources.health = [runtime]() -> std::optional<std::string> {
-        if (!staff::is_exhibit_present(runtime)) return std::nullopt;
-        return read_if_there(runtime / "health.json", 1U << 20U);
-    };
-    sources.picture = [runtime] { return glance(runtime); };
-    sources.examine = [options] { return findings_of(options); };
-    sources.report = [state, title = configuration.fleet.name] {
-        return report::html_of(count_visits(state, {}), heading_of(title.empty() ? "Visitors of the exhibit" : title));
-    };
-    sources.backup = [state, file = fs::path(options.configuration)] { return backup_of(state, file); };
-    sources.act = [runtime](desk::Act act) { do_act(runtime, act); };
-    sources.note = [state](const std::string& what) { note_in(state, what); };
-    sources.is_passphrase = [hash](const std::string& passphrase) { return desk::is_passphrase(passphrase, hash); };
-    return sources;
-}
-
 void require_safe(const site::Configuration::Desk& desk, const base::ListenAddress& address) {
     if (desk.certificate.empty() != desk.key.empty())
         throw base::InputError("desk.certificate and desk.key go together");
@@ -215,13 +112,13 @@ int serve(const Options& options) {
     }
     const base::ListenAddress address = base::parse_listen_address(wanted.listen);
     require_safe(wanted, address);
-    const auto hash = read_if_there(state / kPassphraseFile, 1024);
-    if (!hash)
+    if (std::error_code error; !fs::is_regular_file(state / kPassphraseFile, error))
         throw base::InputError(fmt::format("{}: there is no passphrase yet: quadrat desk --set-passphrase",
                                            (state / kPassphraseFile).string()));
     const fs::path runtime = options.runtime.empty() ? machine::runtime_folder(state) : fs::path(options.runtime);
-    desk::Desk desk(sources_for(options, settings.configuration, state, runtime, hash->substr(0, hash->find('\n'))),
-                    random_bytes, !wanted.certificate.empty());
+    desk::Desk desk(
+        desk_sources({options.configuration, options.state, state, runtime, options.log}, settings.configuration),
+        random_bytes, !wanted.certificate.empty());
     // Taken by this thread alone, below; the server's inherits that it does not hear them.
     sigset_t ends{};
     ::sigemptyset(&ends);
@@ -229,14 +126,16 @@ int serve(const Options& options) {
     ::sigaddset(&ends, SIGINT);
     ::pthread_sigmask(SIG_BLOCK, &ends, nullptr);
     ::signal(SIGPIPE, SIG_IGN);
-    const auto begun = std::chrono::steady_clock::now();
     const desk::ServerOptions how{address,
                                   wanted.certificate.empty() ? "" : base::read_file(wanted.certificate, 1U << 16U),
-                                  wanted.key.empty() ? "" : base::read_file(wanted.key, 1U << 16U)};
-    const desk::Server server(how, [&](const desk::Request& request) {
-        return desk.answer(request,
-                           std::chrono::duration_cast<desk::Instant>(std::chrono::steady_clock::now() - begun));
-    });
+                                  wanted.key.empty() ? "" : base::read_file(wanted.key, 1U << 16U),
+                                  state / kBroughtFile, std::size_t{desk::kMostUpload_MB} << 20U};
+    const auto since_begin = [begun = std::chrono::steady_clock::now()] {
+        return std::chrono::duration_cast<desk::Instant>(std::chrono::steady_clock::now() - begun);
+    };
+    const desk::Server server(how,
+                              {[&](const desk::Request& request) { return desk.answer(request, since_begin()); },
+                               [&](const desk::Request& request) { return desk.takes_file(request, since_begin()); }});
     base::log::info("desk: listens on {}://{}", how.certificate.empty() ? "http" : "https", base::to_text(address));
     int signal = 0;
     ::sigwait(&ends, &signal);
@@ -247,11 +146,13 @@ int serve(const Options& options) {
 
 void add_desk(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("desk",
-                                           "A page for staff in any browser, until told to stop: how the exhibit is, "
-                                           "what it shows, stand-by and restart,\n"
-                                           "the doctor, what visitors did, a backup. It listens where the settings say "
-                                           "so ([desk]), and asks for a passphrase");
+    CLI::App* command =
+        app.add_subcommand("desk",
+                           "A page for staff in any browser, in six languages, until told to stop: how the "
+                           "exhibit is, what it shows, its buttons\n"
+                           "and lamps, stand-by, restart, safe mode, faults, the log, the doctor, what "
+                           "visitors did, a backup and its restore.\n"
+                           "It listens where the settings say so ([desk]), and asks for a passphrase");
     command->add_option("--config", options->configuration, "The site's settings; [desk] says where it listens")
         ->default_str("none: nothing listens");
     command->add_flag("--service", options->is_service,
@@ -260,6 +161,10 @@ void add_desk(CLI::App& app, Action& chosen) {
         ->default_str("the service's, else ~/.local/state/quadrat");
     command->add_option("--runtime", options->runtime, "Where the exhibit writes its health, as /run/quadrat")
         ->default_str("the service's, else the state folder");
+    command
+        ->add_option("--log", options->log,
+                     "The log of an exhibit that was started by hand, as run --log-file names it")
+        ->default_str("the service's journal");
     command->add_flag(
         "--set-passphrase", options->sets_passphrase,
         "Instead: ask for the passphrase of the staff, or read it from standard input, and keep its hash in\n"

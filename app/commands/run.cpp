@@ -159,7 +159,10 @@ void adjust(const Options& options, staff::Mode mode, site::Configuration& confi
 void climb(staff::Ladder& ladder) {
     const staff::Rung& rung = ladder.rung();
     if (rung.mode == staff::Mode::Usual) return;
-    base::log::error("safe mode: {} failures in ten minutes; low detail, no pictures are kept", rung.failures);
+    if (rung.is_wished)
+        base::log::info("safe mode: as staff wish; low detail, no pictures are kept");
+    else
+        base::log::error("safe mode: {} failures in ten minutes; low detail, no pictures are kept", rung.failures);
     if (rung.remedy == staff::Remedy::Reboot) {
         if (ladder.note_reboot()) {
             base::log::error("safe mode: it goes on failing; asking for a reboot");
@@ -208,7 +211,8 @@ Opened open_with(site::Settings settings, const Options& options, staff::Mode mo
 site::Settings settings_for(const Options& options, const fs::path& state, const staff::Rung& rung) {
     if (!is_service(options)) return site::settings_for_people(options.configuration);
     site::Settings settings = site::settings_for_service(options.configuration, state);
-    return rung.mode == staff::Mode::Safe ? site::safe_settings(std::move(settings), state, rung.failures) : settings;
+    return rung.failures >= staff::kFailuresToSafety ? site::safe_settings(std::move(settings), state, rung.failures)
+                                                     : settings;
 }
 
 // For a service, settings that cannot be opened give way to others until some can.
@@ -330,6 +334,9 @@ int run(const Options& options) {
     const backup::ExhibitsHold hold = backup::hold_state_for_the_exhibit(state, starter, stop_flag());
     if (hold.was_stopped) return 0;
     staff::Ladder ladder(service_folder(), state, machine::uptime());
+    std::error_code ignored;
+    if (fs::remove(machine::runtime_folder(state) / staff::kUsualAsked, ignored)) ladder.forgive();
+    if (fs::exists(machine::runtime_folder(state) / staff::kSafeMode, ignored)) ladder.keep_safe();
     try {
         return exhibit_until_the_end(options, ladder, state);
     } catch (const base::InputError&) {

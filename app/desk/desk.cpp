@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "base/error.hpp"
+#include "desk/embedded_texts.hpp"
 #include "desk/pages.hpp"
 #include "desk/passphrase.hpp"
 
@@ -13,22 +16,44 @@ namespace quadrat::desk {
 namespace {
 
 constexpr const char* kCookie = "quadrat-desk";
+constexpr const char* kLanguageCookie = "quadrat-desk-language";
+constexpr const char* kHtml = "text/html; charset=utf-8";
 // Nothing but our own files; the report brings its style within itself, and no script.
 constexpr const char* kPagePolicy =
     "default-src 'none'; img-src 'self' blob:; style-src 'self'; script-src 'self'; connect-src 'self'; form-action "
     "'self'; "
     "frame-ancestors 'none'; base-uri 'none'";
-constexpr const char* kReportPolicy = "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'none'; sandbox";
+constexpr const char* kReportPolicy =
+    "default-src 'none'; style-src 'unsafe-inline'; form-action 'none'; frame-ancestors 'none'; base-uri 'none'";
+constexpr std::string_view kFaultPictures = "/faults/";
 
 struct NamedAct {
-    const char* name;
+    std::string_view name;
     Act act;
-    const char* done;  // as a page says it
 };
-constexpr std::array kActs{
-    NamedAct{"standby", Act::StandBy, "The exhibit goes on stand-by as soon as its visitor is through."},
-    NamedAct{"wake", Act::Wake, "The exhibit wakes."},
-    NamedAct{"restart", Act::Restart, "The exhibit starts anew. It is back within a few seconds."}};
+constexpr std::array kActs{NamedAct{"lamps", Act::TestLamps}, NamedAct{"standby", Act::StandBy},
+                           NamedAct{"wake", Act::Wake},       NamedAct{"restart", Act::Restart},
+                           NamedAct{"safe", Act::SafeMode},   NamedAct{"usual", Act::UsualMode}};
+
+// What there is, and what it takes.
+struct Place {
+    std::string_view path;
+    bool takes_forms;
+};
+constexpr std::array kPlaces{Place{"/", false},
+                             Place{"/login", true},
+                             Place{"/logout", true},
+                             Place{"/act", true},
+                             Place{"/restore", true},
+                             Place{"/faults", false},
+                             Place{"/log", false},
+                             Place{"/doctor", false},
+                             Place{"/report", false},
+                             Place{"/backup", false},
+                             Place{"/backup.tar.xz", false},
+                             Place{"/health.json", false},
+                             Place{"/picture.png", false},
+                             Place{"/screenshot.png", false}};
 
 std::string value_in(const Fields& fields, const std::string& name) {
     const auto found = fields.find(name);
@@ -39,6 +64,14 @@ Answer redirected(const std::string& to) {
     return {303, "text/plain; charset=utf-8", "See " + to + "\n", {{"Location", to}}};
 }
 
+Answer download(const std::string& type, std::string bytes, const std::string& name) {
+    return {200,
+            type,
+            std::move(bytes),
+            {{"Content-Security-Policy", kPagePolicy},
+             {"Content-Disposition", fmt::format("attachment; filename=\"{}\"", name)}}};
+}
+
 // A form that another site's page sends brings that site's name.
 bool is_from_elsewhere(const Request& request) {
     const std::string origin = value_in(request.headers, "origin");
@@ -47,33 +80,66 @@ bool is_from_elsewhere(const Request& request) {
     return slashes == std::string::npos || origin.substr(slashes + 3) != value_in(request.headers, "host");
 }
 
-bool is_known(const std::string& path) {
-    for (const char* known : {"/", "/login", "/logout", "/act", "/doctor", "/health.json", "/picture.png", "/report",
-                              "/backup.tar.xz", "/desk.css", "/desk.js"})
-        if (path == known) return true;
-    return false;
+const Place* place_at(const std::string& path) {
+    static constexpr Place kFaultPicture{"", false};
+    if (path.starts_with(kFaultPictures)) return &kFaultPicture;
+    const auto* found = std::ranges::find(kPlaces, std::string_view(path), &Place::path);
+    return found == kPlaces.end() ? nullptr : found;
 }
 
-bool takes_forms(const std::string& path) { return path == "/login" || path == "/logout" || path == "/act"; }
+// What a page loads; whoever has no session any more is not led to a page there.
+bool is_part_of_page(const std::string& path) { return path.ends_with(".png") || path == "/health.json"; }
+
+// As a link of ours asks for, else as was chosen before, else as the browser wishes.
+const Texts& language_for(const Request& request) {
+    for (const std::string& code : {request.method == "POST" ? "" : value_in(request.form, "language"),
+                                    cookie_of(value_in(request.headers, "cookie"), kLanguageCookie)})
+        if (const Texts* chosen = language_of(code)) return *chosen;
+    return preferred_language(value_in(request.headers, "accept-language"));
+}
+
+Answer html(std::string page, int status = 200) { return {status, kHtml, std::move(page), {}}; }
+
+Answer web_file(const std::string& path) {
+    const bool is_script = path == "/desk.js";
+    return {200,
+            is_script ? "text/javascript; charset=utf-8" : "text/css; charset=utf-8",
+            std::string(web_files()[is_script ? 0 : 1].text),
+            {}};
+}
 
 }  // namespace
 
 Answer Desk::answer(const Request& request, Instant now) {
+    const auto trouble = [&](int status, const char* words) {
+        return html(trouble_page({sources_, language_for(request), "/", "", ""}, "", words), status);
+    };
     Answer answer;
     try {
-        answer = route(request, now);
+        answer = request.refusal == 0 ? route(request, now) : trouble(request.refusal, request.trouble.c_str());
     } catch (const base::InputError& error) {
-        answer = {503, "text/html; charset=utf-8", trouble_page(sources_, 503, error.what()), {}};
+        answer = trouble(503, error.what());
     } catch (const std::exception& error) {
-        answer = {500, "text/html; charset=utf-8", trouble_page(sources_, 500, error.what()), {}};
+        answer = trouble(500, error.what());
     }
     const bool has_policy = !answer.headers.empty() && answer.headers.front().first == "Content-Security-Policy";
     if (!has_policy) answer.headers.emplace_back("Content-Security-Policy", kPagePolicy);
+    const Texts* chosen = request.method == "GET" ? language_of(value_in(request.form, "language")) : nullptr;
+    if (chosen != nullptr)
+        answer.headers.emplace_back("Set-Cookie",
+                                    fmt::format("{}={}; Path=/; SameSite=Strict; Max-Age=31536000{}", kLanguageCookie,
+                                                chosen->code(), is_encrypted_ ? "; Secure" : ""));
     answer.headers.emplace_back("Cache-Control", "no-store");
     answer.headers.emplace_back("X-Content-Type-Options", "nosniff");
     answer.headers.emplace_back("X-Frame-Options", "DENY");
-    answer.headers.emplace_back("Referrer-Policy", "no-referrer");
+    // Not "no-referrer": of such pages browsers send forms with the origin "null".
+    answer.headers.emplace_back("Referrer-Policy", "same-origin");
     return answer;
+}
+
+bool Desk::takes_file(const Request& request, Instant now) {
+    return request.method == "POST" && request.path == "/restore" && !is_from_elsewhere(request) &&
+           sessions_.find(cookie_of(value_in(request.headers, "cookie"), kCookie), now) != nullptr;
 }
 
 std::string Desk::cookie(const std::string& value, long seconds) const {
@@ -81,58 +147,51 @@ std::string Desk::cookie(const std::string& value, long seconds) const {
                        is_encrypted_ ? "; Secure" : "");
 }
 
+Answer Desk::refuse(const Request& request, int status, const char* why) const {
+    return html(trouble_page({sources_, language_for(request), "/", "", ""}, why, ""), status);
+}
+
 Answer Desk::route(const Request& request, Instant now) {
-    const auto refuse = [this](int status, const std::string& why) {
-        return Answer{status, "text/html; charset=utf-8", trouble_page(sources_, status, why), {}};
-    };
-    if (!is_known(request.path)) return refuse(404, "There is no such page.");
+    if (request.path == "/desk.css" || request.path == "/desk.js") return web_file(request.path);
+    const Place* place = place_at(request.path);
+    if (place == nullptr) return refuse(request, 404, "trouble.page");
     const bool is_post = request.method == "POST";
-    if (!is_post && request.method != "GET" && request.method != "HEAD") {
-        Answer answer = refuse(405, "A page is read, or a form is sent.");
-        answer.headers.emplace_back("Allow", takes_forms(request.path) ? "GET, HEAD, POST" : "GET, HEAD");
+    if (is_post ? !place->takes_forms : request.method != "GET" && request.method != "HEAD") {
+        Answer answer = refuse(request, 405, is_post ? "trouble.form" : "trouble.method");
+        answer.headers.emplace_back("Allow", place->takes_forms ? "GET, HEAD, POST" : "GET, HEAD");
         return answer;
     }
-    if (is_post && !takes_forms(request.path)) {
-        Answer answer = refuse(405, "There is no form here.");
-        answer.headers.emplace_back("Allow", "GET, HEAD");
-        return answer;
-    }
-    if (is_post && is_from_elsewhere(request)) return refuse(403, "This form was sent by a page of another site.");
-    if (request.path == "/desk.css") return {200, "text/css; charset=utf-8", kStyle, {}};
-    if (request.path == "/desk.js") return {200, "text/javascript; charset=utf-8", kScript, {}};
+    if (is_post && is_from_elsewhere(request)) return refuse(request, 403, "trouble.elsewhere");
     if (request.path == "/login") return log_in(request, now);
 
     const std::string own = cookie_of(value_in(request.headers, "cookie"), kCookie);
     const Sessions::Session* session = sessions_.find(own, now);
-    if (session == nullptr) {
-        // What the script asks for is not led to a page.
-        if (request.path == "/health.json" || request.path == "/picture.png") return refuse(401, "Log in first.");
-        return redirected("/login");
-    }
+    if (session == nullptr)
+        return is_part_of_page(request.path) ? refuse(request, 401, "trouble.login") : redirected("/login");
     if (!is_post) return page_of(request, *session);
     if (!are_same_secrets(value_in(request.form, "token"), session->form_token))
-        return refuse(403, "This form is not one of this session: load the page again.");
+        return refuse(request, 403, "trouble.token");
     if (request.path == "/act") return carry_out(request);
-    sessions_.end(own);
-    sources_.note(fmt::format("{} logged out", request.peer));
-    Answer answer = redirected("/login");
-    answer.headers.emplace_back("Set-Cookie", cookie("", 0));
-    return answer;
+    if (request.path == "/restore") return look_into(request);
+    return log_out(request);
 }
 
 Answer Desk::log_in(const Request& request, Instant now) {
-    if (request.method != "POST") return {200, "text/html; charset=utf-8", login_page(sources_, ""), {}};
+    const View view{sources_, language_for(request), "/login", "", ""};
+    if (request.method != "POST") {
+        const bool is_restored = value_in(request.form, "done") == "restore";
+        return html(login_page({sources_, view.say, "/login", "", is_restored ? view.say("restore.done") : ""}, ""));
+    }
     if (const auto wait = sessions_.wait_of(request.peer, now)) {
-        const long seconds = static_cast<long>((wait->count() + 999) / 1000);
-        return {429,
-                "text/html; charset=utf-8",
-                login_page(sources_, fmt::format("Too many wrong passphrases: try again in {} s.", seconds)),
-                {{"Retry-After", std::to_string(seconds)}}};
+        const std::string seconds = std::to_string((wait->count() + 999) / 1000);
+        Answer answer = html(login_page(view, view.say("login.wait", {seconds})), 429);
+        answer.headers.emplace_back("Retry-After", seconds);
+        return answer;
     }
     if (!sources_.is_passphrase(value_in(request.form, "passphrase"))) {
         sessions_.failed(request.peer, now);
         sources_.note(fmt::format("{} gave a wrong passphrase", request.peer));
-        return {403, "text/html; charset=utf-8", login_page(sources_, "That is not the passphrase."), {}};
+        return html(login_page(view, view.say("login.wrong")), 403);
     }
     sources_.note(fmt::format("{} logged in", request.peer));
     Answer answer = redirected("/");
@@ -140,45 +199,106 @@ Answer Desk::log_in(const Request& request, Instant now) {
     return answer;
 }
 
+Answer Desk::log_out(const Request& request) {
+    sessions_.end(cookie_of(value_in(request.headers, "cookie"), kCookie));
+    sources_.note(fmt::format("{} logged out", request.peer));
+    Answer answer = redirected("/login");
+    answer.headers.emplace_back("Set-Cookie", cookie("", 0));
+    return answer;
+}
+
 Answer Desk::carry_out(const Request& request) {
     const std::string name = value_in(request.form, "act");
-    for (const NamedAct& known : kActs) {
-        if (name != known.name) continue;
-        sources_.act(known.act);
-        sources_.note(fmt::format("{} asked for {}", request.peer, known.name));
-        return redirected(fmt::format("/?done={}", known.name));
+    if (name == "restore")
+        return restore(request,
+                       value_in(request.form, "who") == "clone" ? Identity::OfTheMachine : Identity::OfTheBackup);
+    if (name == "drop") {
+        sources_.drop();
+        preview_.reset();
+        sources_.note(fmt::format("{} left a backup unused", request.peer));
+        return redirected("/backup?done=drop");
     }
-    return {400, "text/html; charset=utf-8", trouble_page(sources_, 400, "Nobody here knows how to do that."), {}};
+    const auto* known = std::ranges::find(kActs, std::string_view(name), &NamedAct::name);
+    if (known == kActs.end()) return refuse(request, 400, "trouble.act");
+    try {
+        sources_.act(known->act);
+    } catch (const std::exception& error) {
+        sources_.note(fmt::format("{} asked for {}, in vain: {}", request.peer, known->name, error.what()));
+        throw;
+    }
+    sources_.note(fmt::format("{} asked for {}", request.peer, known->name));
+    return redirected(fmt::format("/?done={}", known->name));
+}
+
+Answer Desk::look_into(const Request& request) {
+    if (request.brought.empty()) return refuse(request, 400, "restore.none");
+    preview_.reset();
+    sources_.note(fmt::format("{} brought a backup to look into", request.peer));
+    preview_ = sources_.preview(request.brought);
+    return redirected("/backup");
+}
+
+// Whoever has a session has it by the passphrase that was replaced.
+Answer Desk::restore(const Request& request, Identity identity) {
+    if (!preview_) return refuse(request, 400, "restore.none");
+    const std::string what = fmt::format("the backup of {}, made at {}{}", preview_->host, preview_->made_at,
+                                         identity == Identity::OfTheMachine ? ", as another machine" : "");
+    try {
+        sources_.restore(identity);
+    } catch (const std::exception& error) {
+        sources_.note(fmt::format("{} asked for a restore of {}, in vain: {}", request.peer, what, error.what()));
+        throw;
+    }
+    sources_.note(fmt::format("{} restored {}", request.peer, what));
+    preview_.reset();
+    sessions_.end_all();
+    return redirected("/login?done=restore");
+}
+
+// What is no page, for whoever has a session.
+std::optional<Answer> Desk::file_of(const Request& request) {
+    if (request.path == "/health.json") {
+        auto health = sources_.health();
+        if (!health) return Answer{503, "application/json", "{\"verdict\": \"none\"}\n", {}};
+        return Answer{200, "application/json", std::move(*health), {}};
+    }
+    if (request.path == "/picture.png" || request.path.starts_with(kFaultPictures)) {
+        auto picture = request.path == "/picture.png"
+                           ? sources_.picture()
+                           : sources_.fault_picture(request.path.substr(kFaultPictures.size()));
+        if (picture) return Answer{200, "image/png", std::move(*picture), {}};
+        const bool is_fault = request.path != "/picture.png";
+        return refuse(request, is_fault ? 404 : 503, is_fault ? "trouble.page" : "trouble.picture");
+    }
+    if (request.path == "/report")
+        return Answer{200,
+                      kHtml,
+                      sources_.report(language_for(request)("nav.back")),
+                      {{"Content-Security-Policy", kReportPolicy}}};
+    if (request.path == "/screenshot.png") {
+        sources_.note(fmt::format("{} took a picture of the screen", request.peer));
+        return download("image/png", sources_.full_picture(), "quadrat.png");
+    }
+    if (request.path == "/backup.tar.xz") {
+        sources_.note(fmt::format("{} took a backup", request.peer));
+        return download("application/x-xz", sources_.backup(), "quadrat-backup.tar.xz");
+    }
+    return std::nullopt;
 }
 
 Answer Desk::page_of(const Request& request, const Sessions::Session& session) {
-    if (request.path == "/health.json") {
-        auto health = sources_.health();
-        if (!health) return {503, "application/json", "{\"verdict\": \"none\"}\n", {}};
-        return {200, "application/json", std::move(*health), {}};
-    }
-    if (request.path == "/picture.png") {
-        auto picture = sources_.picture();
-        if (!picture) return {503, "text/plain; charset=utf-8", "There is no picture yet.\n", {}};
-        return {200, "image/png", std::move(*picture), {}};
-    }
-    if (request.path == "/report")
-        return {200, "text/html; charset=utf-8", sources_.report(), {{"Content-Security-Policy", kReportPolicy}}};
-    if (request.path == "/backup.tar.xz") {
-        sources_.note(fmt::format("{} took a backup", request.peer));
-        return {200,
-                "application/x-xz",
-                sources_.backup(),
-                {{"Content-Security-Policy", kPagePolicy},
-                 {"Content-Disposition", "attachment; filename=\"quadrat-backup.tar.xz\""}}};
-    }
-    if (request.path == "/doctor")
-        return {200, "text/html; charset=utf-8", doctor_page(sources_, sources_.examine()), {}};
-    if (request.path != "/") return redirected("/");
-    std::string done;
-    for (const NamedAct& known : kActs)
-        if (value_in(request.form, "done") == known.name) done = known.done;
-    return {200, "text/html; charset=utf-8", exhibit_page(sources_, sources_.health(), session.form_token, done), {}};
+    if (auto file = file_of(request)) return std::move(*file);
+    View view{sources_, language_for(request), request.path, session.form_token, ""};
+    const std::string done = value_in(request.form, "done");
+    if (std::ranges::find(kActs, std::string_view(done), &NamedAct::name) != kActs.end())
+        view.done = view.say("act." + done + ".done");
+    if (done == "drop") view.done = view.say("restore.dropped");
+    if (request.path == "/") return html(exhibit_page(view, sources_.health()));
+    if (request.path == "/faults") return html(faults_page(view, sources_.faults()));
+    if (request.path == "/log") return html(log_page(view, sources_.log(), sources_.notes()));
+    if (request.path == "/doctor") return html(doctor_page(view, sources_.examine()));
+    if (request.path == "/backup") return html(backup_page(view, preview_ ? &*preview_ : nullptr));
+    return redirected("/");  // where forms are sent to
 }
 
 }  // namespace quadrat::desk

@@ -2,6 +2,7 @@
 // The room `desk`: a page for those who look after the exhibit. It speaks HTTP, knows who has logged in, and says what
 // they see. What it tells and does is handed in: nothing here knows the exhibit.
 #pragma once
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,11 +15,15 @@ namespace quadrat::desk {
 using Fields = std::map<std::string, std::string>;
 
 struct Request {
-    std::string method;  // "GET"
-    std::string path;    // "/doctor", without a query
-    Fields headers;      // by names in small letters
-    Fields form;         // of a POST; of a GET its query
-    std::string peer;    // the address it came from
+    std::string method;                  // "GET"
+    std::string path;                    // "/doctor", without a query
+    Fields headers;                      // by names in small letters
+    Fields form;                         // of a POST; of a GET its query
+    std::string peer;                    // the address it came from
+    std::filesystem::path brought = {};  // a file that came with a form, gone when it was answered; "" for none
+    // Why what came cannot be used, with the status that says so; 0 where it can.
+    int refusal = 0;
+    std::string trouble = {};
 };
 
 struct Answer {

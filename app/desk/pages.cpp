@@ -3,263 +3,144 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
 #include "base/markup.hpp"
+#include "desk/frame.hpp"
 
 namespace quadrat::desk {
 namespace {
 
 using base::escaped;
-using Json = nlohmann::json;
 
-std::string name_of(const Sources& sources) { return escaped(sources.exhibit.empty() ? "Quadrat" : sources.exhibit); }
+std::string title(const View& view, const char* key) { return fmt::format("<h1>{}</h1>\n", escaped(view.say(key))); }
 
-std::string page(const Sources& sources, const std::string& title, const std::string& body, bool has_script = false) {
-    return fmt::format(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{} · {}</title>\n"
-        "<link rel=\"stylesheet\" href=\"/desk.css\">\n{}</head>\n<body>\n<main>\n{}</main>\n</body>\n</html>\n",
-        escaped(title), name_of(sources), has_script ? "<script src=\"/desk.js\" defer></script>\n" : "", body);
+// Lines as a terminal shows them. Whoever has no mouse scrolls it too.
+std::string lines_of(const View& view, const std::vector<std::string>& lines, const char* key) {
+    if (lines.empty()) return fmt::format("<p class=\"hint\">{}</p>\n", escaped(view.say("log.none")));
+    std::string html = fmt::format("<pre tabindex=\"0\" role=\"region\" aria-label=\"{}\" lang=\"en\" dir=\"ltr\">",
+                                   escaped(view.say(key)));
+    for (auto line = lines.rbegin(); line != lines.rend(); ++line) html += escaped(*line) + "\n";
+    return html + "</pre>\n";
 }
 
-std::string heading(const Sources& sources, const std::string& here) {
-    std::string html = fmt::format("<header>\n<h1>{}</h1>\n<nav aria-label=\"Pages\">\n", name_of(sources));
-    const std::pair<const char*, const char*> pages[]{
-        {"/", "Exhibit"}, {"/doctor", "Doctor"}, {"/report", "Visitors"}, {"/backup.tar.xz", "Backup"}};
-    for (const auto& [path, label] : pages)
-        html += fmt::format("<a href=\"{}\"{}>{}</a>\n", path, path == here ? " aria-current=\"page\"" : "", label);
-    return html + "</nav>\n</header>\n";
+std::string bytes_text(const View& view, const std::optional<std::uint64_t>& bytes) {
+    return escaped(bytes ? view.say("restore.bytes", {std::to_string(*bytes)}) : view.say("restore.missing"));
 }
 
-// A form of one button.
-std::string button(const char* path, const std::string& token, const char* act, const char* label,
-                   const char* explained) {
-    return fmt::format(
-        "<form method=\"post\" action=\"{}\"><input type=\"hidden\" name=\"token\" value=\"{}\">"
-        "<input type=\"hidden\" name=\"act\" value=\"{}\"><button>{}</button><small>{}</small></form>\n",
-        path, token, act, label, explained);
-}
-
-// What another program wrote may lack anything.
-std::string text_in(const Json& json, const char* name) {
-    const auto found = json.find(name);
-    if (found == json.end() || found->is_null()) return "";
-    return found->is_string() ? found->get<std::string>() : found->dump();
-}
-
-double number_in(const Json& json, const char* name) {
-    const auto found = json.find(name);
-    return found != json.end() && found->is_number() ? found->get<double>() : 0;
-}
-
-bool is_in(const Json& json, const char* name) {
-    const auto found = json.find(name);
-    return found != json.end() && found->is_boolean() && found->get<bool>();
-}
-
-// Of another type, or missing: an empty one.
-Json object_in(const Json& json, const char* name) {
-    const auto found = json.find(name);
-    return found != json.end() && found->is_object() ? *found : Json::object();
-}
-
-std::string fact(const char* id, const char* name, const std::string& value) {
-    return fmt::format("<div><dt>{}</dt><dd id=\"{}\">{}</dd></div>\n", name, id, escaped(value));
-}
-
-std::string running_text(double seconds) {
-    const auto minutes = static_cast<long>(seconds / 60);
-    if (minutes < 60) return fmt::format("{} min", minutes);
-    if (minutes < 48 * 60) return fmt::format("{} h {} min", minutes / 60, minutes % 60);
-    return fmt::format("{} days", minutes / 1440);
-}
-
-const char* verdict_text(const std::string& verdict) {
-    if (verdict == "good") return "All is well";
-    if (verdict == "doubtful") return "Something is doubtful";
-    if (verdict == "bad") return "Something is wrong";
-    return "The exhibit says nothing";
-}
-
-std::string facts_of(const Json& health) {
-    const Json frames = object_in(health, "frames");
-    const Json buttons = object_in(health, "buttons");
-    std::string html = "<dl>\n";
-    html += fact("opening", "open", text_in(health, "opening"));
-    html += fact("screen", "screen", text_in(health, "screen"));
-    html += fact("frames", "frames a second", fmt::format("{:.0f}", number_in(frames, "per_second")));
-    html += fact("late", "late frames",
-                 fmt::format("{:.0f} of {:.0f}", number_in(frames, "late"), number_in(frames, "shown")));
-    html += fact("detail", "detail", fmt::format("{:.0f} %", 100 * number_in(health, "alpha")));
-    html += fact("temperature", "temperature",
-                 health.contains("temperature_c") ? fmt::format("{:.0f} °C", number_in(health, "temperature_c")) : "–");
-    html += fact("presses", "presses", fmt::format("{:.0f}", number_in(buttons, "presses")));
-    html += fact("visits", "visits since the start", fmt::format("{:.0f}", number_in(health, "visits")));
-    html += fact("running", "running", running_text(number_in(health, "running_s")));
-    html += fact("display", "GPU and mode", text_in(health, "display"));
-    return html + "</dl>\n";
-}
-
-std::string faults_of(const Json& health) {
-    std::string rows;
-    for (const char* list : {"faults", "earlier_faults"}) {
-        const auto lines = health.find(list);
-        if (lines == health.end() || !lines->is_array()) continue;
-        std::string some;
-        for (const Json& line : *lines)
-            if (line.is_string()) some.insert(0, "<li>" + escaped(line.get<std::string>()) + "</li>\n");
-        rows += some;
-    }
-    return rows.empty() ? "<p>No fault since the start.</p>\n" : "<ol class=\"faults\" reversed>\n" + rows + "</ol>\n";
+std::string preview_of(const View& view, const Preview& preview) {
+    std::string html =
+        fmt::format("<section class=\"preview\">\n<h2>{}</h2>\n<dl>\n", escaped(view.say("restore.preview")));
+    const std::pair<const char*, std::string> facts[]{
+        {"restore.made", preview.made_at}, {"restore.host", preview.host}, {"restore.program", preview.program}};
+    for (const auto& [key, value] : facts)
+        html += fmt::format("<div><dt>{}</dt><dd dir=\"auto\">{}</dd></div>\n", escaped(view.say(key)), escaped(value));
+    html += fmt::format(
+        "</dl>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">\n<table>\n"
+        "<thead><tr><th scope=\"col\">{}</th><th scope=\"col\">{}</th><th scope=\"col\">{}</th></tr>"
+        "</thead>\n<tbody>\n",
+        escaped(view.say("restore.preview")), escaped(view.say("restore.name")), escaped(view.say("restore.here")),
+        escaped(view.say("restore.there")));
+    for (const Preview::File& file : preview.files)
+        html += fmt::format("<tr><th scope=\"row\" dir=\"ltr\">{}</th><td>{}</td><td>{}</td></tr>\n",
+                            escaped(file.name), bytes_text(view, file.here), bytes_text(view, file.there));
+    html += fmt::format("</tbody>\n</table>\n</div>\n<p>{}</p>\n", escaped(view.say("restore.kept")));
+    html += fmt::format(
+        "<form method=\"post\" action=\"/act\" class=\"stack\">{}<fieldset><legend>{}</legend>\n"
+        "<label><input type=\"radio\" name=\"who\" value=\"same\" checked> {}</label>\n"
+        "<label><input type=\"radio\" name=\"who\" value=\"clone\"> {}</label>\n</fieldset>\n"
+        "<div class=\"row\"><button name=\"act\" value=\"drop\">{}</button>\n"
+        "<button name=\"act\" value=\"restore\" class=\"grave\">{}</button></div>\n</form>\n</section>\n",
+        token_field(view), escaped(view.say("restore.who")), escaped(view.say("restore.same")),
+        escaped(view.say("restore.clone")), escaped(view.say("restore.drop")), escaped(view.say("restore.confirm")));
+    return html;
 }
 
 }  // namespace
 
-std::string login_page(const Sources& sources, const std::string& trouble) {
-    return page(
-        sources, "Log in",
-        fmt::format(
-            "<h1>{}</h1>\n<form class=\"login\" method=\"post\" action=\"/login\">\n"
-            "{}<label for=\"passphrase\">Passphrase of the staff</label>\n"
-            "<input id=\"passphrase\" name=\"passphrase\" type=\"password\" maxlength=\"256\" required "
-            "autofocus autocomplete=\"current-password\"{}>\n<button>Log in</button>\n</form>\n",
-            name_of(sources),
-            trouble.empty() ? "" : "<p id=\"trouble\" class=\"bad\" role=\"alert\">" + escaped(trouble) + "</p>\n",
-            trouble.empty() ? "" : " aria-describedby=\"trouble\""));
+std::string login_page(const View& view, const std::string& trouble) {
+    const std::string told =
+        trouble.empty() ? "" : fmt::format("<p id=\"trouble\" class=\"bad\" role=\"alert\">{}</p>\n", escaped(trouble));
+    return page(view, "login.title",
+                title(view, "login.title") +
+                    fmt::format("<form class=\"stack\" method=\"post\" action=\"/login\">\n{}"
+                                "<label for=\"passphrase\">{}</label>\n"
+                                "<input id=\"passphrase\" name=\"passphrase\" type=\"password\" maxlength=\"256\" "
+                                "required autofocus autocomplete=\"current-password\"{}>\n<button>{}</button>\n"
+                                "</form>\n",
+                                told, escaped(view.say("login.label")),
+                                trouble.empty() ? "" : " aria-describedby=\"trouble\" aria-invalid=\"true\"",
+                                escaped(view.say("login.title"))));
 }
 
-std::string exhibit_page(const Sources& sources, const std::optional<std::string>& health_text,
-                         const std::string& form_token, const std::string& done) {
-    const Json health = Json::parse(health_text.value_or(""), nullptr, false);
-    const bool is_told = health.is_object();
-    const std::string verdict = is_told ? text_in(health, "verdict") : "none";
-    const bool stands_by = is_told && is_in(health, "standing_by");
-    std::string body = heading(sources, "/");
-    if (!done.empty()) body += "<p class=\"done\" role=\"status\">" + escaped(done) + "</p>\n";
-    body += fmt::format("<p id=\"verdict\" class=\"verdict {}\" role=\"status\">{}</p>\n", escaped(verdict),
-                        verdict_text(verdict));
-    if (!is_told)
-        body += "<p>No exhibit runs here, or it has just started. <a href=\"/doctor\">Ask the doctor</a>.</p>\n";
-    if (verdict == "doubtful" || verdict == "bad")
-        body += "<p><a href=\"/doctor\">The doctor</a> says what mends it.</p>\n";
-    body +=
-        "<figure><img id=\"picture\" src=\"/picture.png\" width=\"854\" height=\"480\" alt=\"What the screen shows "
-        "just now\"><figcaption id=\"pictured\">What the screen shows. Load the page again for a new picture, where "
-        "it does not come by itself.</figcaption></figure>\n";
-    if (is_told) body += facts_of(health);
-    body += "<section aria-label=\"Acts\" class=\"acts\">\n";
-    body += stands_by
-                ? button("/act", form_token, "wake", "Wake", "Visitors may come again")
-                : button("/act", form_token, "standby", "Stand-by", "The screen goes dark until it is woken here");
-    body += button("/act", form_token, "restart", "Restart", "A visit that is under way is taken up again");
-    body += button("/logout", form_token, "", "Log out", "");
-    body += "</section>\n<h2>Last faults</h2>\n";
-    if (is_told) body += faults_of(health);
-    body += fmt::format("<footer>quadrat {}</footer>\n", escaped(sources.version));
-    return page(sources, verdict_text(verdict), body, true);
+std::string faults_page(const View& view, const std::vector<Fault>& faults) {
+    std::string body = title(view, "faults");
+    if (faults.empty()) return page(view, "faults", body + "<p>" + escaped(view.say("faults.none")) + "</p>\n");
+    body += "<ol class=\"faults\">\n";
+    for (const Fault& fault : faults) {
+        body += fmt::format("<li>\n<p><time dir=\"ltr\">{}</time> {}</p>\n", escaped(fault.first),
+                            program_words(view, fault.text));
+        if (fault.count > 1)
+            body += fmt::format("<p class=\"hint\">{}</p>\n",
+                                escaped(view.say("faults.often", {std::to_string(fault.count), fault.last})));
+        if (!fault.picture.empty())
+            body += fmt::format(
+                "<a href=\"/faults/{0}\"><img src=\"/faults/{0}\" width=\"320\" height=\"180\" loading=\"lazy\" "
+                "alt=\"{1}\"></a>\n",
+                escaped(fault.picture), escaped(view.say("faults.picture")));
+        body += "</li>\n";
+    }
+    return page(view, "faults", body + "</ol>\n");
 }
 
-std::string doctor_page(const Sources& sources, const std::vector<Finding>& findings) {
-    std::string body = heading(sources, "/doctor") + "<h2>What the doctor finds</h2>\n<ul class=\"findings\">\n";
-    for (const Finding& finding : findings)
-        body += fmt::format("<li class=\"{0}\"><b>{1}</b> <span class=\"word\">{0}</span> {2}{3}</li>\n",
-                            escaped(finding.verdict), escaped(finding.subject), escaped(finding.what),
-                            finding.remedy.empty() ? "" : "<br><em>" + escaped(finding.remedy) + "</em>");
-    return page(sources, "Doctor", body + "</ul>\n");
+std::string log_page(const View& view, const std::vector<std::string>& lines, const std::vector<std::string>& notes) {
+    std::string body = title(view, "log");
+    if (!lines.empty())
+        body += fmt::format("<p class=\"hint\">{}</p>\n",
+                            escaped(view.say("log.explained", {std::to_string(lines.size())})));
+    body += lines_of(view, lines, "log");
+    body += fmt::format("<h2>{}</h2>\n", escaped(view.say("log.desk")));
+    return page(view, "log", body + lines_of(view, notes, "log.desk"));
 }
 
-std::string trouble_page(const Sources& sources, int status, const std::string& trouble) {
-    return page(sources, std::to_string(status),
-                fmt::format("<h1>{}</h1>\n<p role=\"alert\">{}</p>\n<p><a href=\"/\">To the exhibit</a></p>\n", status,
-                            escaped(trouble)));
+std::string doctor_page(const View& view, const std::vector<Finding>& found) {
+    std::string body = title(view, "doctor") + "<ul class=\"findings\">\n";
+    std::vector<Finding> findings = found;
+    const auto ease = [](const Finding& one) { return one.verdict == "bad" ? 0 : one.verdict == "doubtful" ? 1 : 2; };
+    std::ranges::stable_sort(findings, {}, ease);
+    for (const Finding& finding : findings) {
+        const std::string& word = view.say("doctor." + finding.verdict);
+        body += fmt::format(
+            "<li class=\"{}\"><p><b>{}</b> <span class=\"word\">{}</span></p>\n<p>{}</p>\n{}</li>\n",
+            escaped(finding.verdict), program_words(view, finding.subject),
+            escaped(word.empty() ? finding.verdict : word), program_words(view, finding.what),
+            finding.remedy.empty() ? "" : "<p class=\"remedy\">" + program_words(view, finding.remedy) + "</p>\n");
+    }
+    return page(view, "doctor", body + "</ul>\n");
 }
 
-const char* const kStyle =
-    R"(:root { color-scheme: light dark; --paper: #fff; --ink: #1c2126; --quiet: #56606a; --rule: #d9dee3;
-        --mark: #24548f; --good: #1b6b3a; --doubtful: #8a5a00; --bad: #b3261e; }
-@media (prefers-color-scheme: dark) {
-  :root { --paper: #14171a; --ink: #e3e7ea; --quiet: #a3adb7; --rule: #333a41; --mark: #8db7ec; --good: #7fd6a0;
-          --doubtful: #f0c060; --bad: #ff9a92; }
-}
-body { margin: 0; background: var(--paper); color: var(--ink); font: 16px/1.45 system-ui, sans-serif; }
-main { max-width: 56rem; margin: 0 auto; padding: 1rem; }
-h1 { margin: 0; font-size: 1.4rem; }
-h2 { font-size: 1.1rem; margin: 1.5rem 0 .4rem; }
-header { display: flex; flex-wrap: wrap; gap: .5rem 1.5rem; align-items: baseline; border-bottom: 1px solid var(--rule);
-         padding-bottom: .6rem; }
-nav { display: flex; flex-wrap: wrap; gap: .25rem 1rem; }
-a { color: var(--mark); padding: .4rem 0; }
-a[aria-current] { color: var(--ink); font-weight: 600; text-decoration: none; }
-.verdict { font-size: 1.5rem; font-weight: 600; margin: 1rem 0 .5rem; }
-.verdict::before { content: "●"; margin-right: .5rem; }
-.good, .done { color: var(--good); }
-.doubtful { color: var(--doubtful); }
-.bad, .none { color: var(--bad); }
-figure { margin: 0; }
-figure img { display: block; width: 100%; height: auto; background: #000; color: #ccc; }
-figcaption, small, footer { color: var(--quiet); font-size: .87rem; }
-dl { display: grid; grid-template-columns: repeat(auto-fit, minmax(11rem, 1fr)); gap: .6rem 1.2rem; }
-dt { color: var(--quiet); font-size: .87rem; }
-dd { margin: 0; font-variant-numeric: tabular-nums; overflow-wrap: anywhere; }
-.acts { display: flex; flex-wrap: wrap; gap: 1rem; }
-.acts form { display: flex; flex-direction: column; gap: .25rem; max-width: 15rem; }
-button, input { font: inherit; color: inherit; background: transparent; border: 2px solid var(--mark); border-radius: .3rem;
-                padding: .6rem 1rem; min-height: 2.75rem; }
-button { cursor: pointer; color: var(--mark); font-weight: 600; }
-:focus-visible { outline: 3px solid var(--mark); outline-offset: 2px; }
-.login { display: flex; flex-direction: column; gap: .6rem; max-width: 22rem; margin-top: 1.5rem; }
-.findings { list-style: none; padding: 0; }
-.findings li { color: inherit; border-left: .3rem solid var(--quiet); padding: .3rem 0 .3rem .8rem; margin: 0 0 .6rem; }
-.findings .good { border-color: var(--good); }
-.findings .doubtful { border-color: var(--doubtful); }
-.findings .bad { border-color: var(--bad); }
-.word { color: var(--quiet); }
-.faults { padding-left: 2rem; }
-footer { margin-top: 2rem; }
-)";
-
-const char* const kScript = R"('use strict';
-// Keeps the page as the exhibit is; without this script it is loaded again by hand.
-const at = (id) => document.getElementById(id);
-const words = { good: 'All is well', doubtful: 'Something is doubtful', bad: 'Something is wrong' };
-const say = (id, text) => { const place = at(id); if (place && place.textContent !== text) place.textContent = text; };
-
-async function look() {
-  let health = { verdict: 'none' };
-  try {
-    const answer = await fetch('/health.json');
-    if (answer.status === 401) { location.assign('/login'); return; }
-    if (answer.ok) health = await answer.json();
-  } catch (trouble) { health = { verdict: 'none' }; }
-  at('verdict').className = 'verdict ' + health.verdict;
-  say('verdict', words[health.verdict] || 'The exhibit says nothing');
-  if (!health.frames) return;
-  say('opening', health.opening);
-  say('screen', health.screen);
-  say('frames', health.frames.per_second.toFixed(0));
-  say('late', health.frames.late + ' of ' + health.frames.shown);
-  say('detail', (100 * health.alpha).toFixed(0) + ' %');
-  if (health.temperature_c !== undefined) say('temperature', health.temperature_c.toFixed(0) + ' °C');
-  say('presses', String(health.buttons.presses));
-  say('visits', String(health.visits));
+std::string backup_page(const View& view, const Preview* preview) {
+    if (preview != nullptr) return page(view, "restore", title(view, "restore") + preview_of(view, *preview));
+    std::string body = title(view, "backup");
+    body += fmt::format("<p>{}</p>\n<p><a class=\"button\" href=\"/backup.tar.xz\">{}</a></p>\n",
+                        escaped(view.say("backup.explained")), escaped(view.say("backup.take")));
+    body += fmt::format(
+        "<section>\n<h2>{}</h2>\n<p>{}</p>\n"
+        "<form class=\"stack\" method=\"post\" action=\"/restore\" enctype=\"multipart/form-data\">{}"
+        "<label for=\"file\">{}</label>\n<input id=\"file\" name=\"file\" type=\"file\" accept=\".xz\" required>\n"
+        "<button>{}</button>\n</form>\n</section>\n",
+        escaped(view.say("restore")), escaped(view.say("restore.explained")), token_field(view),
+        escaped(view.say("restore.file", {std::to_string(kMostUpload_MB)})), escaped(view.say("restore.look")));
+    return page(view, "backup", body);
 }
 
-let shown = '';
-async function picture() {
-  try {
-    const answer = await fetch('/picture.png');
-    if (!answer.ok) return;
-    const fresh = URL.createObjectURL(await answer.blob());
-    at('picture').src = fresh;
-    if (shown) URL.revokeObjectURL(shown);
-    shown = fresh;
-    say('pictured', 'What the screen shows, at ' + new Date().toLocaleTimeString());
-  } catch (trouble) { say('pictured', 'No picture comes: ' + trouble.message); }
+std::string trouble_page(const View& view, const std::string& why, const std::string& words) {
+    std::string told;
+    if (!why.empty()) told = escaped(view.say(why));
+    if (!words.empty()) told = program_words(view, words);
+    return page(view, "trouble.title",
+                title(view, "trouble.title") + fmt::format("<p role=\"alert\">{}</p>\n<p><a href=\"/\">{}</a></p>\n",
+                                                           told, escaped(view.say("trouble.back"))));
 }
-
-// Nobody looks at a page that is hidden.
-setInterval(() => { if (!document.hidden) { look(); picture(); } }, 2000);
-)";
 
 }  // namespace quadrat::desk

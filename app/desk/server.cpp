@@ -8,45 +8,15 @@
 
 #include <cctype>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <vector>
 
 #include "base/error.hpp"
+#include "desk/incoming.hpp"
 
 namespace quadrat::desk {
 namespace {
-
-constexpr std::size_t kMostForm = 4096;
-
-// What has come of a request so far.
-struct Pending {
-    std::string form;
-    bool is_too_long = false;
-};
-
-MHD_Result keep_header(void* to, MHD_ValueKind, const char* name, const char* value) {
-    std::string small;
-    for (const char* c = name; *c != '\0'; ++c)
-        small += static_cast<char>(std::tolower(static_cast<unsigned char>(*c)));
-    static_cast<Fields*>(to)->emplace(std::move(small), value == nullptr ? "" : value);
-    return MHD_YES;
-}
-
-MHD_Result keep_argument(void* to, MHD_ValueKind, const char* name, const char* value) {
-    static_cast<Fields*>(to)->emplace(name, value == nullptr ? "" : value);
-    return MHD_YES;
-}
-
-std::string peer_of(MHD_Connection* connection) {
-    const MHD_ConnectionInfo* info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CLIENT_ADDRESS);
-    if (info == nullptr || info->client_addr == nullptr) return "?";
-    char text[INET6_ADDRSTRLEN] = "?";
-    if (info->client_addr->sa_family == AF_INET)
-        ::inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(info->client_addr)->sin_addr, text, sizeof text);
-    if (info->client_addr->sa_family == AF_INET6)
-        ::inet_ntop(AF_INET6, &reinterpret_cast<const sockaddr_in6*>(info->client_addr)->sin6_addr, text, sizeof text);
-    return text;
-}
 
 MHD_Result send(MHD_Connection* connection, Answer& answer) {
     MHD_Response* response =
@@ -59,46 +29,40 @@ MHD_Result send(MHD_Connection* connection, Answer& answer) {
     return sent;
 }
 
-Answer answer_of(const std::function<Answer(const Request&)>& respond, MHD_Connection* connection, const char* url,
-                 const char* method, const Pending& pending) {
-    const auto plain = [](int status, const char* text) {
-        return Answer{status, "text/plain; charset=utf-8", text, {}};
-    };
-    if (pending.is_too_long) return plain(413, "The form is too long.\n");
-    Request request;
-    request.method = method;
-    request.path = url;
-    request.peer = peer_of(connection);
-    MHD_get_connection_values(connection, MHD_HEADER_KIND, keep_header, &request.headers);
-    auto form = fields_of(pending.form);
-    if (!form) return plain(400, "The form is not well-formed.\n");
-    request.form = std::move(*form);
-    if (request.method != "POST")
-        MHD_get_connection_values(connection, MHD_GET_ARGUMENT_KIND, keep_argument, &request.form);
-    return respond(request);
-}
-
-MHD_Result handle(void* respond, MHD_Connection* connection, const char* url, const char* method, const char*,
+MHD_Result handle(void* inbox, MHD_Connection* connection, const char* url, const char* method, const char*,
                   const char* upload, std::size_t* upload_size, void** state) {
     if (*state == nullptr) {
-        *state = new Pending;
+        *state = new Incoming(*static_cast<Inbox*>(inbox), connection, method, url);
         return MHD_YES;
     }
-    Pending& pending = *static_cast<Pending*>(*state);
+    Incoming& incoming = *static_cast<Incoming*>(*state);
     if (*upload_size > 0) {
-        pending.is_too_long = pending.is_too_long || pending.form.size() + *upload_size > kMostForm;
-        if (!pending.is_too_long) pending.form.append(upload, *upload_size);
+        incoming.take(upload, *upload_size);
         *upload_size = 0;
         return MHD_YES;
     }
-    Answer answer =
-        answer_of(*static_cast<std::function<Answer(const Request&)>*>(respond), connection, url, method, pending);
+    Answer answer = incoming.answer();
     return send(connection, answer);
 }
 
 void forget(void*, MHD_Connection*, void** state, MHD_RequestTerminationCode) {
-    delete static_cast<Pending*>(*state);
+    delete static_cast<Incoming*>(*state);
     *state = nullptr;
+}
+
+// A path with a zero byte would end there: what says one stays as it was written, and names nothing.
+std::size_t unescape(void*, MHD_Connection*, char* text) {
+    char* to = text;
+    for (const char* from = text; *from != '\0'; ++to) {
+        unsigned value = 0;
+        const bool is_escape = from[0] == '%' && std::isxdigit(static_cast<unsigned char>(from[1])) != 0 &&
+                               std::isxdigit(static_cast<unsigned char>(from[2])) != 0;
+        if (is_escape) std::from_chars(from + 1, from + 3, value, 16);
+        *to = value == 0 ? *from : static_cast<char>(value);
+        from += value == 0 ? 1 : 3;
+    }
+    *to = '\0';
+    return static_cast<std::size_t>(to - text);
 }
 
 // libmicrohttpd tells of faults by a text of its own: the exhibit's log is ours.
@@ -122,13 +86,14 @@ sockaddr_storage bound_to(const base::ListenAddress& address) {
 
 void Server::Stop::operator()(MHD_Daemon* daemon) const { MHD_stop_daemon(daemon); }
 
-Server::Server(const ServerOptions& options, std::function<Answer(const Request&)> respond)
-    : respond_(std::move(respond)) {
+Server::Server(const ServerOptions& options, Answerer answerer)
+    : inbox_(std::make_unique<Inbox>(Inbox{std::move(answerer), options.brought, options.most_brought})) {
     const sockaddr_storage address = bound_to(options.address);
     unsigned flags = MHD_USE_AUTO_INTERNAL_THREAD | MHD_USE_ERROR_LOG;
     if (address.ss_family == AF_INET6) flags |= MHD_USE_IPv6;
     std::vector<MHD_OptionItem> more{
         {MHD_OPTION_EXTERNAL_LOGGER, reinterpret_cast<std::intptr_t>(&say_nothing), nullptr},
+        {MHD_OPTION_UNESCAPE_CALLBACK, reinterpret_cast<std::intptr_t>(&unescape), nullptr},
         {MHD_OPTION_SOCK_ADDR, 0, const_cast<sockaddr_storage*>(&address)},
         {MHD_OPTION_CONNECTION_LIMIT, 64, nullptr},
         {MHD_OPTION_PER_IP_CONNECTION_LIMIT, 16, nullptr},
@@ -144,7 +109,7 @@ Server::Server(const ServerOptions& options, std::function<Answer(const Request&
     more.push_back({MHD_OPTION_END, 0, nullptr});
     errno = 0;
     daemon_.reset(MHD_start_daemon(flags, static_cast<std::uint16_t>(options.address.port), nullptr, nullptr, &handle,
-                                   &respond_, MHD_OPTION_ARRAY, more.data(), MHD_OPTION_END));
+                                   inbox_.get(), MHD_OPTION_ARRAY, more.data(), MHD_OPTION_END));
     if (daemon_) return;
     const std::string why = errno == 0 ? "the certificate and its key are no pair" : std::strerror(errno);
     throw base::InputError(fmt::format("the desk cannot listen on {}: {}", base::to_text(options.address), why));

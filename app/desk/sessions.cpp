@@ -16,7 +16,7 @@ std::string Sessions::begin(Instant now) {
     if (sessions_.size() >= kMost)
         sessions_.erase(
             std::ranges::min_element(sessions_, {}, [](const auto& session) { return session.second.asked; }));
-    const std::string cookie = hexadecimal(random_(kTokenBytes));
+    std::string cookie = hexadecimal(random_(kTokenBytes));
     sessions_[cookie] = {now, now, hexadecimal(random_(kTokenBytes))};
     return cookie;
 }

@@ -35,6 +35,7 @@ class Sessions {
     // The session of a cookie, and that it was asked for now; null where there is none, or no longer.
     const Session* find(const std::string& cookie, Instant now);
     void end(const std::string& cookie) { sessions_.erase(cookie); }
+    void end_all() { sessions_.clear(); }
 
     // How long an address has to wait before another try; nothing: it may try.
     std::optional<Instant> wait_of(const std::string& peer, Instant now);

@@ -48,7 +48,11 @@ std::vector<Finding> findings_in(const json& health) {
     const auto add = [&](Health how, std::string what, std::string remedy) {
         findings.push_back({"service", how, std::move(what), std::move(remedy)});
     };
-    if (text_in(health, "mode") == "safe")
+    const auto wished = health.find("safe_as_wished");
+    if (wished != health.end() && *wished == true)
+        add(Health::Doubtful, "it runs in safe mode, as staff wish",
+            "leave it: \"Usual mode\" on the staff's page, or rm /run/quadrat/safe-mode and systemctl restart quadrat");
+    else if (text_in(health, "mode") == "safe")
         add(Health::Doubtful, "it runs in safe mode: it failed three times within ten minutes",
             "see why: journalctl -u quadrat -p err -n 50; leave safe mode: systemctl restart quadrat, after ten "
             "minutes");

@@ -24,6 +24,7 @@ using firmware_io::Motion;
 constexpr std::size_t kUploadBytes = 4U << 20U;
 constexpr std::chrono::nanoseconds kUsualPeriod{16'666'667};  // where the display has none
 constexpr std::chrono::seconds kLongestFrame{1};
+constexpr int kWholeWidth = 1 << 15;  // pixels, or whatever the frame has less
 
 class Loop {
   public:
@@ -143,8 +144,18 @@ class Loop {
         if (parts_.keepsakes != nullptr && shows_earlier_landscapes()) over.backdrop = parts_.keepsakes->at(now);
         drawn_ = theatre_.draw(moment_of(parts_.show, now), canvas, over);
         if (parts_.caretaker == nullptr) return;
-        if (const std::string file = parts_.caretaker->take_picture_wish(); !file.empty())
+        take_picture(parts_.caretaker->take_picture_wish());
+    }
+
+    // What is asked for from afar comes without a wait; a fault is kept as it was just now.
+    void take_picture(const std::string& file) {
+        const bool is_from_afar = file == staff::kGlance || file == staff::kPicture;
+        // Where none can be begun yet, it is wished for again.
+        if (is_from_afar && theatre_.begin_glimpse(file == staff::kGlance ? staff::kGlanceWidth : kWholeWidth))
+            glimpsed_ = file;
+        else if (!file.empty() && !is_from_afar)
             parts_.caretaker->keep_picture(theatre_.read_back(), file);
+        if (auto glimpse = theatre_.take_glimpse()) parts_.caretaker->keep_picture(std::move(*glimpse), glimpsed_);
     }
 
     // Waits no longer for the GPU than leaves time to hand the frame over. Nothing: it is not through by then.
@@ -256,6 +267,7 @@ class Loop {
     std::optional<display::Presented> presented_;  // the last frame; nothing before it
     render::Drawn drawn_;                          // last
     display::Power power_ = display::Power::On;
+    std::string glimpsed_;         // the file of the picture that is on its way
     bool has_given_back_ = false;  // what the first landscapes took, once they were there
     bool wants_to_quit_ = false;
     std::optional<base::Instant> remembered_at_;

@@ -33,6 +33,11 @@ std::string number(std::int64_t value) {
     return digits;
 }
 
+// "1 day", "12 days".
+std::string counted(std::int64_t value, const char* noun) {
+    return fmt::format("{} {}{}", number(value), noun, value == 1 ? "" : "s");
+}
+
 std::string figure(const std::string& svg, const std::string& caption) {
     return "<figure>" + svg + "<figcaption>" + caption + "</figcaption></figure>\n";
 }
@@ -45,10 +50,10 @@ std::string cards_of(const Counts& counts) {
     const DayCount& all = counts.all;
     const auto open_days = std::ranges::count_if(counts.days, [](const DayCount& day) { return day.visits > 0; });
     std::string html = "<ul class=\"cards\">\n";
-    html += card(number(all.visits), "visits");
+    html += card(number(all.visits), all.visits == 1 ? "visit" : "visits");
     html += card(
         fmt::format("{:.0f}", open_days == 0 ? 0.0 : static_cast<double>(all.visits) / static_cast<double>(open_days)),
-        fmt::format("a day, on {} days with visits", number(open_days)));
+        fmt::format("a day, on {} with visits", counted(open_days, "day")));
     const Share finished = share_of(all.finished, all.visits);
     html += card(fmt::format("{:.0f} %", 100 * finished.value),
                  fmt::format("went on to the end (interval of 95 %: {:.0f} to {:.0f})", 100 * finished.low,
@@ -215,7 +220,7 @@ std::string starts_html(const Counts& counts) {
     std::vector<const DayCount*> often;
     for (const DayCount& day : counts.days)
         if (day.starts > 2) often.push_back(&day);
-    std::string html = fmt::format("<h2>The exhibit</h2>\n<p>It was started {} times. ", number(counts.all.starts));
+    std::string html = fmt::format("<h2>The exhibit</h2>\n<p>It was started {}. ", counted(counts.all.starts, "time"));
     if (often.empty()) return html + "No day saw more than two starts.</p>\n";
     std::ranges::stable_sort(often, std::greater<>{}, &DayCount::starts);
     html += fmt::format("On {} days it was started more than twice; those days are worth a look at its log:</p>\n<p>",
@@ -257,10 +262,11 @@ std::string html_of(const Counts& counts, const Heading& heading) {
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
         "content=\"width=device-width, initial-scale=1\">\n<title>{0}, "
         "{1}</title>\n<style>{2}</style>\n</head>\n<body>\n"
-        "<main>\n<h1>{0}</h1>\n<p>{1}. Counted {3} by quadrat {4}. Nothing here tells who a visitor "
+        "<main>\n{6}<h1>{0}</h1>\n<p>{1}. Counted {3} by quadrat {4}. Nothing here tells who a visitor "
         "was.</p>\n{5}</main>\n"
         "</body>\n</html>\n",
-        title, span, kPageStyle, base::escaped(heading.made_at), base::escaped(heading.version), body_of(counts));
+        title, span, kPageStyle, base::escaped(heading.made_at), base::escaped(heading.version), body_of(counts),
+        heading.back.empty() ? "" : "<p><a href=\"/\">" + base::escaped(heading.back) + "</a></p>\n");
 }
 
 }  // namespace quadrat::report

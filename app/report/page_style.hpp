@@ -76,6 +76,8 @@ figcaption { color: var(--quiet); font-size: .87em; margin-top: .3rem; }
 .key.other { background: var(--pale); }
 details { margin: .6rem 0 0; }
 summary { color: var(--quiet); cursor: pointer; font-size: .87em; }
+a { color: var(--mark); }
+:focus-visible { outline: 3px solid var(--mark); outline-offset: 2px; }
 @media print {
   @page { margin: 15mm; }
   body { font-size: 9.5pt; }

@@ -20,6 +20,8 @@ using namespace std::chrono_literals;
 
 constexpr base::Instant kLookEvery = 500ms;
 constexpr base::Instant kReportEvery = 60s;
+constexpr base::Instant kAnswerEvery = 900ms;  // whoever asks for a picture or for health, and however often
+constexpr base::Instant kLampTest = 12s;
 constexpr base::Instant kFirstReport = 3s;  // after the first frame: then there is something to tell
 constexpr base::Instant kRememberEvery = 1h;
 constexpr base::Instant kServiceEvery = 250ms;  // the service screen's figures
@@ -72,7 +74,8 @@ Orders Caretaker::look(Panel& panel, const VisitNow& visit, base::Instant now) {
     watch_faults(now);
     keep_proved_settings(now);
     const bool has_news = has_looked_ && shown_since_ && now >= *shown_since_ + kFirstReport;
-    const bool is_reporting = has_news && is_due(reported_at_, kReportEvery, now);
+    const bool is_asked = std::exchange(seen_.is_health_asked, false) && is_due(told_at_, kAnswerEvery, now);
+    const bool is_reporting = has_news && (is_due(reported_at_, kReportEvery, now) || is_asked);
     const bool is_drawing =
         (service_.is_open(now) || figures_ != Figures::None) && is_due(drawn_at_, kServiceEvery, now);
     if (is_reporting || is_drawing) vitals_ = vitals(panel, visit, now);
@@ -102,6 +105,7 @@ void Caretaker::look_outside(base::Instant now) {
         // A look that nobody has taken up yet may have seen what this one does not see any more.
         if (fresh_ && !seen.settings) seen.settings = std::move(fresh_->settings);
         if (fresh_ && fresh_->is_restart_asked) seen.is_restart_asked = true;
+        if (fresh_ && fresh_->is_lamp_test_asked) seen.is_lamp_test_asked = true;
         fresh_ = std::move(seen);
     });
 }
@@ -118,6 +122,10 @@ bool Caretaker::take_over(Seen seen) {
     if (seen_.is_picture_asked) answer_picture_wish();
     if (seen_.is_glance_asked) answer_glance_wish();
     if (seen_.is_restart_asked) carry_out(StaffWish::Restart);
+    if (seen_.is_lamp_test_asked) {
+        base::log::info("staff: the lamps are tested");
+        tests_lamps_until_ = looked_at_.value_or(base::Instant{0}) + kLampTest;
+    }
     auto changed = std::exchange(seen_.settings, std::nullopt);
     return changed && take_over(std::move(*changed));
 }
@@ -166,6 +174,7 @@ void Caretaker::tell_clock(const site::WallClock& wall) {
 
 // A dark screen draws nothing that a picture could be taken of.
 void Caretaker::answer_picture_wish() {
+    if (!is_due(pictured_at_, kAnswerEvery, *looked_at_)) return;  // the next look finds it again
     if (curtain_ != site::Curtain::Dark || board_) {
         if (picture_wishes_.empty()) picture_wishes_.emplace_back(kPicture);
         return;
@@ -178,6 +187,7 @@ void Caretaker::answer_picture_wish() {
 }
 
 void Caretaker::answer_glance_wish() {
+    if (!is_due(pictured_at_, kAnswerEvery, *looked_at_)) return;
     if (curtain_ != site::Curtain::Dark || board_) {
         if (picture_wishes_.empty()) picture_wishes_.emplace_back(kGlance);
         return;
@@ -239,6 +249,7 @@ void Caretaker::framed(const display::Presented& presented, base::Instant now, c
 }
 
 std::optional<firmware_io::Lamps> Caretaker::lamps(base::Instant now) const {
+    if (tests_lamps_until_ && now < *tests_lamps_until_) return lamp_test(now);
     if (board_ && board_->cover == stage::Board::Cover::All) return service_.lamps(now);
     if (curtain_ != site::Curtain::Open) return firmware_io::Lamps{};
     return std::nullopt;
@@ -288,6 +299,7 @@ Vitals Caretaker::vitals(const Panel& panel, const VisitNow& visit, base::Instan
     Vitals vitals;
     vitals.version = machine::version();
     vitals.mode = parts_.ladder.rung().mode;
+    vitals.is_safe_as_wished = parts_.ladder.rung().is_wished;
     vitals.failures = parts_.ladder.rung().failures;
     vitals.running = std::chrono::duration_cast<std::chrono::seconds>(now);
     vitals.machine = seen_.machine;
@@ -313,6 +325,8 @@ Vitals Caretaker::vitals(const Panel& panel, const VisitNow& visit, base::Instan
     vitals.findings = panel.health().findings();
     vitals.ailments = panel.health().counts();
     for (std::size_t i = 0; i < vitals.is_closed.size(); ++i) vitals.is_closed[i] = panel.contacts()[i].is_closed;
+    vitals.presses_of = panel.presses_of();
+    vitals.tests_lamps = (tests_lamps_until_ && now < *tests_lamps_until_) || service_.is_testing_lamps();
     vitals.visits = visit.visits_ended;
     vitals.state_trouble = visit.state_trouble;
     vitals.free_mb = seen_.free_mb;
@@ -325,6 +339,8 @@ Vitals Caretaker::vitals(const Panel& panel, const VisitNow& visit, base::Instan
 void Caretaker::report(base::Instant) {
     errands_.send([runtime = parts_.runtime, json = to_json(vitals_), metrics = to_prometheus(vitals_)] {
         write_quietly(runtime / "health.json", json);
+        std::error_code ignored;
+        std::filesystem::remove(runtime / kHealthAsked, ignored);
         write_quietly(runtime / "quadrat.prom", metrics);
         machine::let_go_of_compilers();
     });
@@ -336,7 +352,7 @@ void Caretaker::climb(bool has_visitor, base::Instant now) {
     if (parts_.ladder.rung().mode == Mode::Safe && has_visitor) return;
     is_good_ = true;
     errands_.send([&ladder = parts_.ladder] { ladder.note_good_run(); });
-    if (parts_.ladder.rung().mode == Mode::Safe) {
+    if (parts_.ladder.rung().mode == Mode::Safe && !parts_.ladder.rung().is_wished) {
         base::log::info("safe mode: an hour went well; starting again as usual");
         wants_restart_ = true;
     }

@@ -117,6 +117,8 @@ class Caretaker {
     std::optional<base::Instant> faulted_at_;  // when a picture of a fault was last kept
     int fault_pictures_ = 0;
     std::optional<base::Instant> looked_at_, shown_since_, reported_at_, remembered_at_, drawn_at_;
+    std::optional<base::Instant> told_at_, pictured_at_;  // to who asked from afar
+    std::optional<base::Instant> tests_lamps_until_;
     bool has_looked_ = false;
     DrawnWith drawn_{1, 1, 1, 1, 1, 0, 0, 0};  // the last frame
     enum class Figures { None, Shown, WithWires } figures_ = Figures::None;

@@ -85,6 +85,17 @@ void Ladder::note_good_run() {
     if (std::exchange(reboots_, 0) > 0) write(reboots_file_, "0\n");
 }
 
+void Ladder::keep_safe() {
+    rung_.mode = Mode::Safe;
+    rung_.is_wished = true;
+}
+
+void Ladder::forgive() {
+    starts_.erase(starts_.begin(), starts_.end() - 1);
+    rung_ = {};
+    write_starts();
+}
+
 void Ladder::note_end() {
     starts_.back().has_ended_well = true;
     write_starts();

@@ -27,7 +27,8 @@ enum class Remedy { None, Reboot };
 struct Rung {
     Mode mode = Mode::Usual;
     Remedy remedy = Remedy::None;
-    int failures = 0;  // in the last ten minutes
+    int failures = 0;        // in the last ten minutes
+    bool is_wished = false;  // safe mode, by staff
 };
 
 inline constexpr Seconds kLadderSpan{600};
@@ -54,6 +55,8 @@ class Ladder {
     bool note_reboot();
     void note_good_run();  // forgets the reboots
     void note_end();       // this run ended well
+    void keep_safe();      // as staff wish it, whatever failed
+    void forgive();        // forgets what failed before this start
 
   private:
     bool write_starts() const;

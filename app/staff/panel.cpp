@@ -68,6 +68,7 @@ std::vector<ButtonEdge> Panel::poll(Instant now) {
     for (const ButtonEdge& edge : heard) {
         if (edge.motion == Motion::Up) continue;
         ++presses_;
+        ++presses_of_[index_of(edge.button)];
         pressed_at_[index_of(edge.button)] = edge.at;
     }
     tell();

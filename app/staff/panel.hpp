@@ -31,6 +31,8 @@ class Panel {
     const firmware_io::SourceStatus& status() const { return status_; }
     const firmware_io::Contacts& contacts() const { return buttons_.contacts(); }
     std::uint64_t presses() const { return presses_; }  // that were heard
+    // Of each button, in the order of kButtons.
+    const std::array<std::uint64_t, firmware_io::kButtons.size()>& presses_of() const { return presses_of_; }
 
   private:
     void time_chord(const std::vector<firmware_io::ButtonEdge>& edges, firmware_io::Instant now);
@@ -47,6 +49,7 @@ class Panel {
     bool is_chord_told_ = false;
     bool is_chord_due_ = false;
     std::uint64_t presses_ = 0;
+    std::array<std::uint64_t, firmware_io::kButtons.size()> presses_of_{};
 };
 
 // What a panel remembers across a power cut, as one line of text; what is not of that form is as good as nothing.

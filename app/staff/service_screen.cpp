@@ -128,8 +128,11 @@ std::optional<StaffWish> ServiceScreen::press(Button button, Instant now) {
 }
 
 firmware_io::Lamps ServiceScreen::lamps(Instant now) const {
+    return is_testing_lamps_ ? lamp_test(now) : firmware_io::Lamps{};
+}
+
+firmware_io::Lamps lamp_test(Instant now) {
     firmware_io::Lamps lamps{};
-    if (!is_testing_lamps_) return lamps;
     constexpr Instant kEach = std::chrono::milliseconds{500};
     const auto turn = static_cast<std::size_t>((now / kEach) % (lamps.size() + 1));
     if (turn == lamps.size())

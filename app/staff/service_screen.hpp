@@ -14,6 +14,9 @@ namespace quadrat::staff {
 // How it draws just now, for whoever develops: frames, detail, triangles, GPU.
 stage::Board figures_board(const Vitals& vitals, bool has_wires);
 
+// Each lamp in turn, then all of them.
+firmware_io::Lamps lamp_test(firmware_io::Instant now);
+
 enum class StaffWish { Picture, Restart, ShutDown };
 
 // What staff see after the chord, and what they can do there: A tests the lamps, B restarts the exhibit, C takes a
@@ -30,7 +33,6 @@ class ServiceScreen {
     std::optional<StaffWish> press(firmware_io::Button button, Instant now);
 
     bool is_testing_lamps() const { return is_testing_lamps_; }
-    // Each lamp in turn, then all of them.
     firmware_io::Lamps lamps(Instant now) const;
 
     stage::Board board(const Vitals& vitals, Instant now) const;

@@ -111,6 +111,7 @@ std::string to_json(const Vitals& vitals) {
     json["version"] = vitals.version;
     json["name"] = vitals.machine.name;
     json["mode"] = vitals.mode == Mode::Safe ? "safe" : "usual";
+    json["safe_as_wished"] = vitals.is_safe_as_wished;
     json["failures_10min"] = vitals.failures;
     json["running_s"] = vitals.running.count();
     json["display"] = vitals.display;
@@ -134,6 +135,12 @@ std::string to_json(const Vitals& vitals) {
     json["buttons"] = {{"present", vitals.buttons.presence == Presence::Present},
                        {"reason", vitals.buttons.reason},
                        {"presses", vitals.presses}};
+    json["buttons"]["tests_lamps"] = vitals.tests_lamps;
+    auto& each = json["buttons"]["each"] = nlohmann::json::array();
+    for (const auto button : firmware_io::kButtons)
+        each.push_back({{"button", name_of(button)},
+                        {"closed", vitals.is_closed[index_of(button)]},
+                        {"presses", vitals.presses_of[index_of(button)]}});
     auto& findings = json["buttons"]["findings"] = nlohmann::json::array();
     for (const auto& finding : vitals.findings)
         findings.push_back({{"button", name_of(finding.button)}, {"is", name_of(finding.ailment)}});

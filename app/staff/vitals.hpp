@@ -35,7 +35,8 @@ class FrameCount {
 struct Vitals {
     std::string version;
     Mode mode = Mode::Usual;
-    int failures = 0;  // of the last ten minutes
+    bool is_safe_as_wished = false;  // by staff, not for failures
+    int failures = 0;                // of the last ten minutes
     std::chrono::seconds running{0};
     machine::MachineFacts machine;
     std::string display;         // GPU, driver and mode
@@ -59,6 +60,8 @@ struct Vitals {
     std::vector<firmware_io::Finding> findings;
     firmware_io::AilmentCounts ailments{};
     std::array<bool, firmware_io::kButtons.size()> is_closed{};
+    std::array<std::uint64_t, firmware_io::kButtons.size()> presses_of{};
+    bool tests_lamps = false;
     int visits = 0;
     std::string state_trouble;  // "" while everything is kept
     std::optional<double> free_mb;

@@ -54,6 +54,8 @@ Seen Watch::look() {
     seen.is_glance_asked = fs::exists(runtime_ / kGlanceAsked, ignored);
     seen.stands_by = fs::exists(runtime_ / kStandBy, ignored);
     seen.is_restart_asked = fs::remove(runtime_ / kRestartAsked, ignored);
+    seen.is_health_asked = fs::exists(runtime_ / kHealthAsked, ignored);
+    seen.is_lamp_test_asked = fs::remove(runtime_ / kLampTestAsked, ignored);
     if (!configuration_file_.empty()) seen.settings = changed_settings();
     return seen;
 }

@@ -26,6 +26,8 @@ struct Seen {
     bool is_glance_asked = false;
     bool stands_by = false;
     bool is_restart_asked = false;
+    bool is_health_asked = false;
+    bool is_lamp_test_asked = false;
     std::optional<Changed> settings;
     std::vector<std::string> earlier_faults;  // of the runs before this one, oldest first
 };
@@ -70,6 +72,14 @@ inline constexpr int kGlanceWidth = 854;
 inline constexpr const char* kStandBy = "standby";
 // The exhibit takes this file away, ends, and is started anew by whoever started it.
 inline constexpr const char* kRestartAsked = "restart.asked";
+// Who looks at the exhibit from afar makes this file, and finds health.json of that moment when it is gone.
+inline constexpr const char* kHealthAsked = "health.asked";
+// The lamps are tested for a while, whatever the visit does.
+inline constexpr const char* kLampTestAsked = "lamps.asked";
+// While this file is there, each start is in safe mode, as staff wish.
+inline constexpr const char* kSafeMode = "safe-mode";
+// The next start forgets the failures before it, and takes this file away.
+inline constexpr const char* kUsualAsked = "usual.asked";
 // What the machine should do, in one word: reboot or poweroff. A unit with the right to it watches this file.
 inline constexpr const char* kPowerAsked = "power.asked";
 

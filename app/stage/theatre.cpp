@@ -15,6 +15,7 @@ void Theatre::enter(const display::Canvas& canvas) {
     ahead_.clear();
     uploaded_ahead_.clear();
     uploaded_.clear();
+    glimpse_.reset();
     stage_.reset();
     renderer_.reset();
     is_rehearsed_ = false;
@@ -22,6 +23,7 @@ void Theatre::enter(const display::Canvas& canvas) {
     if (context_ == 0) return;
     renderer_ = std::make_unique<render::Renderer>(render::ground_named(configuration_.picture.ground));
     stage_ = std::make_unique<Stage>(*renderer_, configuration_);
+    glimpse_ = std::make_unique<render::Glimpse>();
 }
 
 template <typename Upload>
@@ -188,6 +190,12 @@ mesh::Image Theatre::read_back() {
     if (!has_gpu() || drawn_.size.x == 0) return {};
     return renderer_->read_pixels(drawn_);
 }
+
+bool Theatre::begin_glimpse(int most_width) {
+    return has_gpu() && drawn_.size.x > 0 && glimpse_->begin(drawn_, most_width);
+}
+
+std::optional<mesh::Image> Theatre::take_glimpse() { return has_gpu() ? glimpse_->take() : std::nullopt; }
 
 mesh::Image Theatre::photograph(const nursery::Act& act, const pictures::Picture& picture,
                                 const display::Canvas& canvas) {

@@ -13,6 +13,7 @@
 #include "nursery/act.hpp"
 #include "nursery/growing.hpp"
 #include "pictures/album.hpp"
+#include "render/glimpse.hpp"
 #include "render/renderer.hpp"
 #include "stage/gpu_benchmark.hpp"
 #include "stage/stage.hpp"
@@ -69,6 +70,10 @@ class Theatre {
     render::Drawn draw(const Moment& moment, const display::Canvas& canvas, const Over& over);
     // What was drawn last, as the panel has it; an empty image where nothing was.
     mesh::Image read_back();
+    // The same at most so wide, without waiting for it: asked for here, it comes some frames later. False: nothing was
+    // begun.
+    bool begin_glimpse(int most_width);
+    std::optional<mesh::Image> take_glimpse();  // once a frame
     // To draw with; what is configured, until somebody governs. Pictures that are kept have what is configured.
     void set_detail(const render::Detail& detail) { detail_ = detail; }
     render::Detail detail() const { return detail_.value_or(render::Detail{}); }
@@ -95,6 +100,7 @@ class Theatre {
     std::uint32_t context_ = 0;
     std::unique_ptr<render::Renderer> renderer_;
     std::unique_ptr<Stage> stage_;
+    std::unique_ptr<render::Glimpse> glimpse_;
     bool is_rehearsed_ = false;
     std::optional<render::Detail> detail_;
     render::Frame drawn_;  // last, without its views and signs

@@ -2,6 +2,9 @@
 // deploy/install on the root of a machine that is only a folder: nothing of ours stays behind, and nothing is done
 // twice.
 #include <gmock/gmock.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <map>
 
@@ -33,11 +36,15 @@ class Machine {
         fs::create_symlink("/usr/lib/systemd/system/graphical.target",
                            folder_ / "root/etc/systemd/system/default.target");
     }
-    Ended install(std::vector<std::string> arguments = {}) const {
-        std::vector<std::string> command{QUADRAT_SOURCE_DIR "/deploy/install", "--root", "root"};
-        command.insert(command.end(), arguments.begin(), arguments.end());
-        return run(command, folder_);
+    Ended install(std::vector<std::string> arguments = {}, const std::string& input = {}) const {
+        return run(command(std::move(arguments)), folder_, input);
     }
+    std::vector<std::string> command(std::vector<std::string> arguments) const {
+        const std::vector<std::string> install{QUADRAT_SOURCE_DIR "/deploy/install", "--root", "root"};
+        arguments.insert(arguments.begin(), install.begin(), install.end());
+        return arguments;
+    }
+    const fs::path& folder() const { return folder_.path(); }
     Ended install_program(std::vector<std::string> more = {}) const {
         more.insert(more.end(), {"--binary", QUADRAT_BINARY});
         return install(more);
@@ -124,6 +131,119 @@ TEST(Install, GoesToItsEndOnAMachineThatIsNoRaspberryPi) {
     EXPECT_THAT(ended.out, HasSubstr("\nDone. "));
     EXPECT_EQ(machine.install_program().out, "Everything is as it should be.\n");
     ASSERT_TRUE(succeeds(machine.install({"--remove"})));
+    EXPECT_EQ(machine.files(), before);
+}
+
+TEST(Install, KeepsThePassphraseOfTheStaffsPageThatItIsHanded) {
+    const Machine machine;
+    const std::vector<std::string> how{"--passphrase-fd", "0", "--binary", QUADRAT_BINARY};
+    const Ended ended = machine.install(how, "a sentence of staff\n");
+    ASSERT_TRUE(succeeds(ended));
+    EXPECT_THAT(ended.out, HasSubstr("keep the passphrase"));
+    EXPECT_THAT(ended.out, HasSubstr("systemctl enable --now quadrat-desk"));
+    EXPECT_THAT(ended.out + ended.err, Not(HasSubstr("sentence of staff")));
+    EXPECT_THAT(machine.file("var/lib/quadrat/desk.passphrase"), testing::StartsWith("scrypt$"));
+    for (const auto& [name, text] : machine.files()) EXPECT_THAT(text, Not(HasSubstr("a sentence of staff"))) << name;
+    const auto kept = machine.files();
+    ASSERT_TRUE(succeeds(machine.install_program()));
+    EXPECT_EQ(machine.files(), kept) << "what is kept is not asked for again";
+}
+
+// A program at a terminal, where somebody types when it asks.
+class Typist {
+  public:
+    Typist(const std::vector<std::string>& command, const fs::path& folder) {
+        child_ = ::forkpty(&terminal_, nullptr, nullptr, nullptr);
+        if (child_ != 0) return;
+        if (::chdir(folder.c_str()) != 0) ::_exit(126);
+        std::vector<char*> arguments;
+        for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+        arguments.push_back(nullptr);
+        ::execvp(arguments[0], arguments.data());
+        ::_exit(127);
+    }
+    ~Typist() { ::close(terminal_); }
+    Typist(const Typist&) = delete;
+    Typist& operator=(const Typist&) = delete;
+
+    // Once it has asked for this; an echo would come into what it said.
+    void answer(const std::string& question, const std::string& line) {
+        const std::size_t from = said_.size();
+        while (said_.find(question, from) == std::string::npos) ASSERT_TRUE(listen()) << question << ": " << said_;
+        const std::string typed = line + "\n";
+        ASSERT_EQ(::write(terminal_, typed.data(), typed.size()), static_cast<ssize_t>(typed.size()));
+    }
+    std::string said_to_the_end() {
+        while (listen()) continue;
+        int status = 0;
+        ::waitpid(child_, &status, 0);
+        EXPECT_EQ(status, 0) << said_;
+        return said_;
+    }
+
+  private:
+    bool listen() {
+        char some[4096];
+        const ssize_t got = ::read(terminal_, some, sizeof some);
+        if (got > 0) said_.append(some, static_cast<std::size_t>(got));
+        return got > 0;
+    }
+    int terminal_ = -1;
+    pid_t child_ = -1;
+    std::string said_;
+};
+
+TEST(Install, AsksForThePassphraseTwiceAndShowsNothingOfIt) {
+    const Machine machine;
+    Typist typist(machine.command({"--binary", QUADRAT_BINARY}), machine.folder());
+    typist.answer("Passphrase for the staff's page", "short");
+    typist.answer("Passphrase for the staff's page", "a sentence of staff");
+    typist.answer("Once more", "a sentence of stuff");
+    typist.answer("Passphrase for the staff's page", "a sentence of staff");
+    typist.answer("Once more", "a sentence of staff");
+    const std::string said = typist.said_to_the_end();
+    for (const char* told : {"at least 10 characters", "the two are not the same", "keep the passphrase"})
+        EXPECT_THAT(said, HasSubstr(told));
+    EXPECT_THAT(said, Not(HasSubstr("sentence of")));
+    EXPECT_THAT(machine.file("var/lib/quadrat/desk.passphrase"), testing::StartsWith("scrypt$"));
+    Typist again(machine.command({"--binary", QUADRAT_BINARY}), machine.folder());
+    EXPECT_THAT(again.said_to_the_end(), Not(HasSubstr("Passphrase for"))) << "one is kept";
+}
+
+TEST(Install, GoesOnWithoutAPassphraseWhereNoneIsTyped) {
+    const Machine machine;
+    Typist typist(machine.command({"--binary", QUADRAT_BINARY}), machine.folder());
+    typist.answer("Passphrase for the staff's page", "");
+    EXPECT_THAT(typist.said_to_the_end(), HasSubstr("has no passphrase yet"));
+    EXPECT_FALSE(machine.files().contains("var/lib/quadrat/desk.passphrase"));
+}
+
+TEST(Install, SaysThatThePageHasNoPassphraseWhereNobodyCanTypeOne) {
+    const Machine machine;
+    const Ended ended = machine.install_program();
+    ASSERT_TRUE(succeeds(ended));
+    EXPECT_THAT(ended.out, HasSubstr("has no passphrase yet"));
+    EXPECT_THAT(ended.out, HasSubstr("sudo quadrat desk --set-passphrase"));
+    EXPECT_FALSE(machine.files().contains("var/lib/quadrat/desk.passphrase"));
+}
+
+TEST(Install, APassphraseThatCannotBeKeptIsRefusedBeforeAnythingIsDone) {
+    const Machine machine;
+    const auto before = machine.files();
+    struct Wrong {
+        const char* descriptor;
+        const char* input;
+        const char* says;
+    };
+    for (const Wrong& wrong : {Wrong{"0", "short\n", "at least 10"}, Wrong{"0", "", "nothing can be read"},
+                               Wrong{"77", "", "nothing can be read"}, Wrong{"x", "", "is no number"},
+                               Wrong{"", "", "needs a file descriptor"}}) {
+        const Ended ended =
+            machine.install({"--passphrase-fd", wrong.descriptor, "--binary", QUADRAT_BINARY}, wrong.input);
+        EXPECT_EQ(ended.status, 2) << wrong.descriptor;
+        EXPECT_THAT(ended.err, HasSubstr(wrong.says));
+    }
+    EXPECT_EQ(machine.install({"--remove", "--passphrase-fd", "0"}, "a sentence of staff\n").status, 2);
     EXPECT_EQ(machine.files(), before);
 }
 

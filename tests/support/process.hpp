@@ -99,6 +99,7 @@ class Process {
         ended_.err = contents_of(folder_ / "stderr.txt");
         return ended_;
     }
+    pid_t id() const { return child_; }  // -1 once it has ended
 
   private:
     void redirect(const char* name, int flags, int to) const {

@@ -36,12 +36,32 @@ class ADesk : public testing::Test {
         some.examine = [] {
             return std::vector<Finding>{{"screen", "bad", "no <screen>", "plug it in"}, {"gpu", "good", "fine", ""}};
         };
-        some.report = [this]() -> std::string {
+        some.report = [this](const std::string& back) -> std::string {
             if (breaks) throw std::runtime_error("a fault of ours");
-            return "<html>visits</html>";
+            return "<html>visits</html>" + back;
         };
         some.backup = []() -> std::string { throw base::InputError("no room for a backup"); };
-        some.act = [this](Act act) { acts.push_back(act); };
+        some.full_picture = [] { return std::string("large PNG"); };
+        some.faults = [] {
+            return std::vector<Fault>{
+                {"button B is <stuck>", "2026-11-26 11:00:00 UTC", "2026-11-26 12:00:00 UTC", 3, "fault-2.png"}};
+        };
+        some.fault_picture = [](const std::string& name) {
+            return name == "fault-2.png" ? std::optional<std::string>("fault PNG") : std::nullopt;
+        };
+        some.log = [] { return std::vector<std::string>{"it said <b>this</b>"}; };
+        some.notes = [this] { return notes; };
+        some.preview = [](const std::filesystem::path& brought) {
+            if (brought == "damaged") throw base::InputError("is not a backup of Quadrat");
+            return Preview{
+                "2026-11-20 10:00:00 UTC", "foyer<", "1.1", {{"quadrat.db", 1234, 99}, {"words.json", {}, 7}}};
+        };
+        some.restore = [this](Identity identity) { restored.push_back(identity); };
+        some.drop = [this] { ++dropped; };
+        some.act = [this](Act act) {
+            if (act == Act::Restart && refuses) throw base::InputError("no exhibit runs here");
+            acts.push_back(act);
+        };
         some.note = [this](const std::string& what) { notes.push_back(what); };
         some.is_passphrase = [](const std::string& passphrase) { return passphrase == "open sesame"; };
         return some;
@@ -53,7 +73,12 @@ class ADesk : public testing::Test {
         request.peer = peer;
         return desk.answer(request, now);
     }
-    Answer get(const std::string& path) { return ask({"GET", path, {}, {}, ""}); }
+    Answer get(const std::string& path, Fields query = {}) { return ask({"GET", path, {}, std::move(query), ""}); }
+    Answer bring(const std::string& file) {
+        Request request{"POST", "/restore", {}, {{"token", token()}}, ""};
+        request.brought = file;
+        return ask(std::move(request));
+    }
     Answer post(const std::string& path, Fields form, Fields headers = {}) {
         return ask({"POST", path, std::move(headers), std::move(form), ""});
     }
@@ -73,7 +98,10 @@ class ADesk : public testing::Test {
     bool breaks = false;
     std::optional<std::string> health = R"({"verdict": "doubtful", "opening": "open until 18:00", "alpha": 0.5,
         "frames": {"shown": 100, "late": 2, "per_second": 59.7}, "faults": ["button A <sticks>"]})";
+    bool refuses = false;
     std::vector<Act> acts;
+    std::vector<Identity> restored;
+    int dropped = 0;
     std::vector<std::string> notes;
     std::string cookie, peer = "10.0.0.7";
     Instant now = 1h;
@@ -87,12 +115,13 @@ class ADesk : public testing::Test {
 };
 
 TEST_F(ADesk, TellsNobodyAnythingWhoHasNotLoggedIn) {
-    for (const char* path : {"/", "/doctor", "/report", "/backup.tar.xz"}) {
+    for (const char* path : {"/", "/doctor", "/report", "/backup", "/backup.tar.xz", "/faults", "/log"}) {
         const Answer answer = get(path);
         EXPECT_EQ(answer.status, 303) << path;
         EXPECT_EQ(header_of(answer, "Location"), "/login");
     }
-    for (const char* path : {"/health.json", "/picture.png"}) EXPECT_EQ(get(path).status, 401) << path;
+    for (const char* path : {"/health.json", "/picture.png", "/screenshot.png", "/faults/fault-2.png"})
+        EXPECT_EQ(get(path).status, 401) << path;
     EXPECT_EQ(post("/act", {{"act", "restart"}}).status, 303);
     EXPECT_TRUE(acts.empty());
     cookie = "quadrat-desk=0000";
@@ -109,9 +138,14 @@ TEST_F(ADesk, ShowsHowTheExhibitIsToWhoeverHasThePassphrase) {
     EXPECT_EQ(get("/picture.png").body, "PNG");
     EXPECT_EQ(get("/picture.png").type, "image/png");
     EXPECT_EQ(get("/health.json").body, *health);
-    EXPECT_THAT(get("/doctor").body, HasSubstr("no &lt;screen&gt;<br><em>plug it in</em>"));
-    EXPECT_EQ(get("/report").body, "<html>visits</html>");
-    EXPECT_THAT(notes, ElementsAre("10.0.0.7 logged in"));
+    EXPECT_EQ(get("/screenshot.png").body, "large PNG");
+    EXPECT_THAT(header_of(get("/screenshot.png"), "Content-Disposition"), HasSubstr("attachment"));
+    EXPECT_THAT(get("/doctor").body, HasSubstr("<p>no &lt;screen&gt;</p>\n<p class=\"remedy\">plug it in</p>"));
+    EXPECT_THAT(get("/log").body, HasSubstr("it said &lt;b&gt;this&lt;/b&gt;"));
+    EXPECT_THAT(get("/log").body, HasSubstr("10.0.0.7 logged in"));
+    EXPECT_EQ(get("/report").body, "<html>visits</html>Back to the exhibit's page");
+    EXPECT_THAT(notes, ElementsAre("10.0.0.7 logged in", "10.0.0.7 took a picture of the screen",
+                                   "10.0.0.7 took a picture of the screen"));
 }
 
 TEST_F(ADesk, SaysThatNoExhibitRunsWhateverLiesThere) {
@@ -139,8 +173,129 @@ TEST_F(ADesk, ActsOnlyOnAFormOfItsOwn) {
     EXPECT_EQ(post("/act", {{"act", "restart"}, {"token", token()}}).status, 303);
     EXPECT_THAT(acts, ElementsAre(Act::StandBy, Act::Restart));
     EXPECT_THAT(notes, Contains("10.0.0.7 asked for standby"));
+    refuses = true;
+    EXPECT_EQ(post("/act", {{"act", "restart"}, {"token", token()}}).status, 503);
+    EXPECT_THAT(notes, Contains("10.0.0.7 asked for restart, in vain: no exhibit runs here"));
     EXPECT_EQ(ask({"GET", "/act", {}, {{"act", "wake"}}, ""}).status, 303) << "a link does nothing";
     EXPECT_EQ(acts.size(), 2U);
+}
+
+TEST_F(ADesk, DoesEachActThatAPageOffersAndNotesIt) {
+    health = R"({"verdict": "good", "mode": "usual", "standing_by": false})";
+    log_in();
+    const auto offers = [&](const char* act) {
+        return get("/").body.find(std::string("name=\"act\" value=\"") + act + "\"") != std::string::npos;
+    };
+    for (const char* act : {"lamps", "standby", "restart", "safe"}) EXPECT_TRUE(offers(act)) << act;
+    for (const char* act : {"wake", "usual"}) EXPECT_FALSE(offers(act)) << act;
+    health = R"({"verdict": "doubtful", "mode": "safe", "standing_by": true})";
+    for (const char* act : {"wake", "usual"}) EXPECT_TRUE(offers(act)) << act;
+    for (const char* act : {"lamps", "standby", "wake", "restart", "safe", "usual"}) {
+        const Answer answer = post("/act", {{"act", act}, {"token", token()}});
+        EXPECT_EQ(header_of(answer, "Location"), std::string("/?done=") + act);
+        EXPECT_THAT(get("/", {{"done", act}}).body, HasSubstr("class=\"done\"")) << act;
+        EXPECT_EQ(notes.back(), std::string("10.0.0.7 asked for ") + act);
+    }
+    EXPECT_THAT(acts,
+                ElementsAre(Act::TestLamps, Act::StandBy, Act::Wake, Act::Restart, Act::SafeMode, Act::UsualMode));
+    EXPECT_THAT(get("/", {{"done", "<b>"}}).body, Not(HasSubstr("class=\"done\"")));
+}
+
+TEST_F(ADesk, ShowsTheButtonsAsTheyArePressed) {
+    health = R"({"verdict": "good", "buttons": {"present": true, "tests_lamps": true, "presses": 5,
+        "findings": [{"button": "B", "is": "stuck"}], "each": [{"button": "A", "closed": true, "presses": 3},
+        {"button": "B", "closed": false, "presses": 2}, "nonsense", {"button": "<C>", "closed": 7}]}})";
+    log_in();
+    const std::string page = get("/").body;
+    EXPECT_THAT(page, HasSubstr("<li class=\"closed\"><b>A</b><span>pressed</span><small>Presses: 3</small></li>"));
+    EXPECT_THAT(page,
+                HasSubstr("<li><b>B</b><span>not pressed</span><small>Presses: 2</small><span class=\"ails\">stuck"));
+    EXPECT_THAT(page, HasSubstr("<b>&lt;C&gt;</b>"));
+    EXPECT_THAT(page, HasSubstr("The lamps are tested just now."));
+    EXPECT_THAT(page, Not(HasSubstr("The buttons are missing.")));
+    health = R"({"verdict": "bad", "buttons": {"present": false, "reason": "plug <it> in"}})";
+    EXPECT_THAT(get("/").body, HasSubstr("The buttons are missing. plug &lt;it&gt; in"));
+}
+
+TEST_F(ADesk, ListsFaultsWithTheirPicturesAndNoOtherFile) {
+    log_in();
+    EXPECT_THAT(get("/faults").body, HasSubstr("button B is &lt;stuck&gt;"));
+    EXPECT_THAT(get("/faults").body, HasSubstr("3 times, until 2026-11-26 12:00:00 UTC"));
+    EXPECT_THAT(get("/faults").body, HasSubstr("src=\"/faults/fault-2.png\""));
+    EXPECT_EQ(get("/faults/fault-2.png").body, "fault PNG");
+    for (const char* path : {"/faults/", "/faults/fault-3.png", "/faults/../desk.passphrase", "/faults/%2e%2e/x"})
+        EXPECT_EQ(get(path).status, 404) << path;
+}
+
+TEST_F(ADesk, RestoresWhatWasLookedIntoAndConfirmed) {
+    log_in();
+    EXPECT_EQ(post("/act", {{"act", "restore"}, {"token", token()}}).status, 400) << "nothing was brought";
+    EXPECT_EQ(bring("").status, 400);
+    EXPECT_EQ(bring("damaged").status, 503);
+    EXPECT_EQ(post("/act", {{"act", "restore"}, {"token", token()}}).status, 400) << "what was brought is no backup";
+    EXPECT_EQ(header_of(bring("whole"), "Location"), "/backup");
+    const std::string page = get("/backup").body;
+    for (const char* told : {"2026-11-20 10:00:00 UTC", "foyer&lt;", "<td>1234 bytes</td><td>99 bytes</td>",
+                             "<td>none</td><td>7 bytes</td>"})
+        EXPECT_THAT(page, HasSubstr(told));
+    EXPECT_TRUE(restored.empty()) << "not before it is confirmed";
+    EXPECT_EQ(post("/act", {{"act", "drop"}, {"token", token()}}).status, 303);
+    EXPECT_EQ(dropped, 1);
+    EXPECT_THAT(get("/backup").body, Not(HasSubstr("99 bytes")));
+    bring("whole");
+    const Answer done = post("/act", {{"act", "restore"}, {"who", "clone"}, {"token", token()}});
+    EXPECT_EQ(header_of(done, "Location"), "/login?done=restore");
+    EXPECT_THAT(restored, ElementsAre(Identity::OfTheMachine));
+    EXPECT_EQ(get("/").status, 303) << "everybody is logged out: the passphrase may be another";
+    EXPECT_EQ(notes.back(),
+              "10.0.0.7 restored the backup of foyer<, made at 2026-11-20 10:00:00 UTC, as another machine");
+}
+
+TEST_F(ADesk, TakesAFileFromNobodyElse) {
+    const auto may = [&](const std::string& method, const std::string& path, Fields headers) {
+        headers["host"] = "exhibit:8080";
+        if (!cookie.empty()) headers["cookie"] = cookie;
+        return desk.takes_file({method, path, std::move(headers), {}, peer}, now);
+    };
+    EXPECT_FALSE(may("POST", "/restore", {})) << "no session";
+    log_in();
+    EXPECT_TRUE(may("POST", "/restore", {}));
+    EXPECT_FALSE(may("POST", "/login", {}));
+    EXPECT_FALSE(may("PUT", "/restore", {}));
+    EXPECT_FALSE(may("POST", "/restore", {{"origin", "https://evil.example"}}));
+}
+
+TEST_F(ADesk, SpeaksTheLanguageThatIsChosenOrWished) {
+    const auto language_of_page = [](const Answer& answer) {
+        const std::size_t at = answer.body.find("<html lang=\"") + 12;
+        return answer.body.substr(at, answer.body.find('>', at) - at);
+    };
+    EXPECT_EQ(language_of_page(get("/login")), "en\" dir=\"ltr\"");
+    EXPECT_EQ(language_of_page(ask({"GET", "/login", {{"accept-language", "tlh, de-AT;q=0.8"}}, {}, ""})),
+              "de\" dir=\"ltr\"");
+    const Answer chosen = get("/login", {{"language", "ar"}});
+    EXPECT_EQ(language_of_page(chosen), "ar\" dir=\"rtl\"");
+    EXPECT_THAT(header_of(chosen, "Set-Cookie"), HasSubstr("quadrat-desk-language=ar;"));
+    cookie = "quadrat-desk-language=fr";
+    EXPECT_EQ(language_of_page(get("/login")), "fr\" dir=\"ltr\"");
+    EXPECT_EQ(header_of(get("/login", {{"language", "en\r\nX: y"}}), "Set-Cookie"), "") << "no such language";
+}
+
+TEST_F(ADesk, MarksWhatTheProgramSaysAsEnglish) {
+    log_in();
+    cookie += "; quadrat-desk-language=ar";
+    EXPECT_THAT(get("/").body, HasSubstr("<bdi lang=\"en\" dir=\"ltr\">open until 18:00</bdi>"));
+    EXPECT_THAT(get("/doctor").body, HasSubstr("<bdi lang=\"en\" dir=\"ltr\">plug it in</bdi>"));
+}
+
+TEST_F(ADesk, SaysWhyAFormCannotBeUsed) {
+    Request request{"POST", "/login", {}, {{"passphrase", "open sesame"}}, ""};
+    request.refusal = 413;
+    request.trouble = "The form is <too> long.";
+    const Answer answer = ask(request);
+    EXPECT_EQ(answer.status, 413);
+    EXPECT_THAT(answer.body, HasSubstr("The form is &lt;too&gt; long."));
+    EXPECT_TRUE(notes.empty());
 }
 
 TEST_F(ADesk, EndsASession) {
@@ -176,12 +331,14 @@ TEST_F(ADesk, LetsNobodyGuess) {
 
 TEST_F(ADesk, IsNoPlaceForOtherPagesAndNotKept) {
     log_in();
-    for (const char* path : {"/", "/login", "/doctor", "/report", "/nowhere", "/desk.css", "/desk.js"}) {
+    for (const char* path : {"/", "/login", "/doctor", "/faults", "/log", "/backup", "/report", "/nowhere", "/desk.css",
+                             "/desk.js", "/backup.tar.xz", "/faults/fault-2.png"}) {
         const Answer answer = get(path);
         EXPECT_THAT(header_of(answer, "Content-Security-Policy"), HasSubstr("default-src 'none'")) << path;
         EXPECT_THAT(header_of(answer, "Content-Security-Policy"), HasSubstr("frame-ancestors 'none'")) << path;
         EXPECT_EQ(header_of(answer, "Cache-Control"), "no-store");
         EXPECT_EQ(header_of(answer, "X-Content-Type-Options"), "nosniff");
+        EXPECT_EQ(header_of(answer, "Referrer-Policy"), "same-origin") << "else a browser hides where a form is from";
     }
     EXPECT_THAT(get("/").body, Not(HasSubstr("style=")));
     EXPECT_THAT(get("/").body, Not(HasSubstr("onclick")));

@@ -240,6 +240,14 @@ const std::vector<Broken>& broken_machines() {
              return service_that_says(m, vitals);
          },
          Health::Doubtful, "safe mode", "journalctl -u quadrat -p err"},
+        {"SafeModeThatStaffWishFor",
+         [](const tests::TemporaryFolder& m) {
+             staff::Vitals vitals;
+             vitals.mode = staff::Mode::Safe;
+             vitals.is_safe_as_wished = true;
+             return service_that_says(m, vitals);
+         },
+         Health::Doubtful, "safe mode, as staff wish", "rm /run/quadrat/safe-mode"},
         {"StuckButton",
          [](const tests::TemporaryFolder& m) {
              staff::Vitals vitals;

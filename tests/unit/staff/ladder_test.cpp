@@ -80,6 +80,22 @@ TEST(Ladder, AnOrderlyEndIsNoFailure) {
     }
 }
 
+TEST(Ladder, StaffWishForSafeModeAndForgiveWhatFailed) {
+    const tests::TemporaryFolder folder;
+    for (int i = 0; i < kFailuresToSafety; ++i) Ladder(folder.path(), folder.path(), Seconds{20 + i});
+    Ladder failing(folder.path(), folder.path(), 30s);
+    EXPECT_EQ(failing.rung().mode, Mode::Safe);
+    failing.forgive();
+    failing.note_end();
+    EXPECT_EQ(failing.rung().mode, Mode::Usual);
+    Ladder next(folder.path(), folder.path(), 40s);
+    EXPECT_EQ(next.rung().mode, Mode::Usual) << "what was forgiven is forgotten";
+    next.keep_safe();
+    EXPECT_EQ(next.rung().mode, Mode::Safe);
+    EXPECT_TRUE(next.rung().is_wished);
+    EXPECT_EQ(next.rung().failures, 0);
+}
+
 TEST(Ladder, WithoutAFolderItNeverClimbs) {
     for (int i = 0; i < 20; ++i) EXPECT_EQ(Ladder("/no/such/folder", "/no/such/folder", 20s).rung().failures, 0);
 }

@@ -50,6 +50,13 @@ struct APanel {
     }
 };
 
+TEST(Panel, CountsThePressesOfEachButton) {
+    APanel it{ScriptWriter{}.at(1s).press(Button::B).wait(1s).press(Button::B).wait(1s).press(Button::Back)};
+    it.run(6s);
+    EXPECT_EQ(it.panel.presses_of(), (std::array<std::uint64_t, kButtons.size()>{0, 2, 0, 0, 1}));
+    EXPECT_EQ(it.panel.presses(), 3U);
+}
+
 TEST(Panel, TheChordOpensOnceAndNoVisitHearsItAsALongPress) {
     APanel it{ScriptWriter{}.at(1s).chord({Button::A, Button::Back}, 20s).wait(1s).press(Button::A)};
     it.run(1s + 4900ms);
