@@ -81,7 +81,10 @@ class Process {
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
-    void kill(int signal) const { ::kill(child_, signal); }
+    // Nothing where it has ended: to kill(2) the number that stands for no child means every process there is.
+    void kill(int signal) const {
+        if (child_ > 0) ::kill(child_, signal);
+    }
     bool is_running() {
         int status = 0;
         if (child_ > 0 && ::waitpid(child_, &status, WNOHANG) == child_) note(status);
