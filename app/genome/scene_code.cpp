@@ -179,6 +179,13 @@ Recipe recipe_of_code(std::string_view text, std::string_view source, const std:
     return recipe;
 }
 
+ParameterValues rounded_for_code(const ParameterValues& values) {
+    ParameterValues rounded;
+    for (const CodeField& field : code_layouts().back())
+        if (const auto id = parameter_named(field.name)) rounded.set(*id, value_of(field, step_of(field, values[*id])));
+    return rounded;
+}
+
 std::string code_of(const Recipe& recipe) { return code_of(recipe, code_layouts()); }
 
 Recipe recipe_of_code(std::string_view text, std::string_view source) {

@@ -19,6 +19,10 @@ namespace quadrat::genome {
 // knows more parameters gives them their defaults, and leaves out what it no longer has. Nothing else is in it.
 std::string code_of(const Recipe& recipe);
 
+// What comes back of these. Rounding them is not seen, but a view that is searched for in a landscape may turn out
+// another for it: what a code is shown for grows from these, so that it draws exactly that.
+ParameterValues rounded_for_code(const ParameterValues& values);
+
 // Whether the text ends in what has the form of a code: the code alone, or an address with one behind it.
 bool has_code(std::string_view text);
 

@@ -49,6 +49,15 @@ TEST(SceneCode, ComesBackWithinHalfAStepAndItsSeedsKindsAndCountsExactly) {
     }
 }
 
+TEST(SceneCode, OfRoundedValuesIsExact) {
+    for (std::uint64_t i = 0; i < 300; ++i) {
+        Recipe recipe = random_recipe(base::Seed{i});
+        recipe.values = rounded_for_code(recipe.values);
+        ASSERT_EQ(recipe_of_code(code_of(recipe), "test"), recipe);
+        ASSERT_EQ(rounded_for_code(recipe.values), recipe.values);
+    }
+}
+
 TEST(SceneCode, KeepsTheEndsOfEveryRangeExactly) {
     for (const bool is_greatest : {false, true}) {
         Recipe recipe;
