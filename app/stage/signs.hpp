@@ -44,6 +44,9 @@ class SignWriter {
     // The same, wrapped at most_px.x, as much smaller as it takes to be no higher than most_px.y.
     Written text_within(const std::string& utf8, float size_px, bool is_bold, glm::ivec2 most_px);
 
+    // On one line, as much smaller as it takes to be no wider than that.
+    Written line_within(const std::string& utf8, float size_px, bool is_bold, int most_px);
+
     // The badge of each quarter in its upper outer corner; that of the marked one is larger.
     std::vector<render::Sign> badges(int width, int height, TextSize size = TextSize::Normal,
                                      std::optional<std::size_t> marked = {});

@@ -77,7 +77,7 @@ class Stage {
     void add_back(render::Frame& frame, const StageView& view, const render::Rect& plate);
     void add_progress(render::Frame& frame, const StageView& view, const render::Rect& plate);
     void add_labels(render::Frame& frame, const StageView& view);
-    void add_slider(render::Frame& frame, const ShownSlider& slider, int above_px);
+    void add_slider(render::Frame& frame, const ShownSlider& slider, int room_px);
 
     SignWriter writer_;
     const site::Configuration& configuration_;

@@ -23,10 +23,12 @@ void Stage::add_labels(render::Frame& frame, const StageView& view) {
     const int gap = std::max(inset / 2, mark_reach_px(size.y) + pad / 4);  // a mark has room in it
     std::array<SignWriter::Written, kQuarters> labels;
     int height = badge;
+    int widest = 0;
     for (std::size_t i = 0; i < kQuarters; ++i) {
         labels[i] =
             writer_.text_within(view.asked->labels[i], em, true, {size.x / 2 - 2 * inset - badge - 3 * pad, badge});
         height = std::max(height, labels[i].height);
+        widest = std::max(widest, badge + labels[i].width + 3 * pad);
     }
     height += 2 * pad;
     for (std::size_t i = 0; i < kQuarters; ++i) {
@@ -55,20 +57,21 @@ void Stage::add_labels(render::Frame& frame, const StageView& view) {
             add_mark(frame, around(frame, plate.place), glm::vec3(quarter(i).colour), Corners::Plain,
                      em * 0.5F + static_cast<float>(mark_reach_px(size.y)));
     }
-    if (view.asked->slider) add_slider(frame, *view.asked->slider, 2 * height + gap + 2 * inset);
+    if (view.asked->slider) add_slider(frame, *view.asked->slider, size.x - 2 * (inset + widest + gap));
 }
 
-// In the middle of the screen's lower part, above the labels: low end, groove and knob, high end.
-void Stage::add_slider(render::Frame& frame, const ShownSlider& slider, int above_px) {
+// In the middle of the screen's lower part, between the labels: low end, groove and knob, high end.
+void Stage::add_slider(render::Frame& frame, const ShownSlider& slider, int room_px) {
     const glm::ivec2 size = frame.size;
     const float em = em_px(Letters::Question, look_of(configuration_.look).size, size.y);
     const int pad = std::max(4, static_cast<int>(em * 0.6F));
-    const int groove = size.x / 4;
-    const auto low = writer_.text(slider.low, em, true, size.x / 4);
-    const auto high = writer_.text(slider.high, em, true, size.x / 4);
+    const int groove = size.x / 5;
+    const int most = (room_px - groove - 4 * pad) / 2;
+    const auto low = writer_.line_within(slider.low, em, true, most);
+    const auto high = writer_.line_within(slider.high, em, true, most);
     const int height = std::max(low.height, high.height) + pad;
     const int width = low.width + groove + high.width + 4 * pad;
-    const render::Rect plate{(size.x - width) / 2, std::max(size.y * 3 / 10, above_px), width, height};
+    const render::Rect plate{(size.x - width) / 2, size.y * 3 / 10 - height / 2, width, height};
     add_ground(frame, plate, em * 0.5F);
     const int bar = std::max(3, static_cast<int>(em / 5));
     const int left = plate.x + pad + low.width + pad;

@@ -20,7 +20,7 @@ constexpr float kSinks = 0.07F;      // of a badge, on each side, when it is pre
 constexpr float kOthersFade = 0.5F;  // the other badges meanwhile
 constexpr float kFinger = 0.36F;     // its width, of a badge
 constexpr float kFingerLength = 0.7F;
-constexpr int kCodeShare = 38;  // of the picture's height, in hundredths, at most: read from a metre and a half
+constexpr int kCodeShare = 38;  // of the picture's height, in hundredths, at most
 constexpr int kCodeLine = 9;    // and what stands below it
 
 // Back has no quarter; it is white.

@@ -190,6 +190,42 @@ TEST_F(ALegibleStage, HasRoomForTheLabelsOfEveryWordBelowTheirQuestionAtEverySiz
             }
 }
 
+// What words stand on: filled, dark, and not quite opaque.
+std::vector<render::Rect> grounds_of(const render::Frame& drawn) {
+    std::vector<render::Rect> grounds;
+    for (const render::Sign& sign : drawn.signs)
+        if (!sign.texture && sign.border_px == 0 && sign.colour.a < 1 && sign.colour.r < 0.5F)
+            grounds.push_back(sign.place);
+    return grounds;
+}
+
+bool are_apart(const render::Rect& a, const render::Rect& b) {
+    return a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
+}
+
+TEST_F(ALegibleStage, KeepsTheSliderApartFromAllElseAtEverySize) {
+    for (const std::string_view code : genome::language_codes())
+        for (const char* size : kSizeNames)
+            for (const genome::Word& word : genome::vocabulary()) {
+                configuration_.look.size = size;
+                configuration_.visit.language = std::string(code);
+                const genome::Language& language = genome::language(code);
+                asked_ = Asked{"slide",
+                               {"←", "→", "−", "+"},
+                               ShownSlider{std::string(language.end(word.id, false)),
+                                           std::string(language.end(word.id, true)), 0.5F}};
+                scanned_ = Scanned{{}, "scan.two", true};
+                const render::Frame drawn = frame(exhibit::Screen::Slide);
+                const std::string what = std::string(code) + " " + size + " " + std::string(word.name);
+                expect_within(drawn, what);
+                expect_words_on_their_ground(drawn, what);
+                const std::vector<render::Rect> grounds = grounds_of(drawn);
+                ASSERT_EQ(grounds.size(), 7U) << what << ": a question, Back, four labels, a slider";
+                for (std::size_t i = 0; i < grounds.size(); ++i)
+                    for (std::size_t j = 0; j < i; ++j) EXPECT_TRUE(are_apart(grounds[i], grounds[j])) << what;
+            }
+}
+
 TEST_F(ALegibleStage, HasRoomForTheGhostThatShowsHowItIsPlayedInEveryLanguageAtEverySize) {
     for (const std::string_view code : genome::language_codes())
         for (const char* size : kSizeNames)
