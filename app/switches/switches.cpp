@@ -85,14 +85,15 @@ void move_on(Turn& turn) {
     mark(turn, is_last ? Choice::A : static_cast<Choice>(index_of(*turn.state.marked) + 1));
 }
 
-// The visit asks something else now, or nothing.
+// The visit asks something else now, or nothing; or the site has changed how it is played.
 void follow_visit(Turn& turn) {
     State& state = turn.state;
     const exhibit::State& visit = turn.beside.visit;
+    const Buttons before = state.buttons;
     const bool has_ended = visit.screen == Screen::Attract && state.screen != Screen::Attract;
     if (has_ended || turn.options.always != Buttons::Four) state.buttons = turn.options.always;
     if (has_ended) state.hold.reset();
-    if (state.screen == visit.screen && state.asked_since == visit.since) return;
+    if (state.screen == visit.screen && state.asked_since == visit.since && state.buttons == before) return;
     state.screen = visit.screen;
     state.asked_since = visit.since;
     mark(turn, std::nullopt);
