@@ -81,7 +81,7 @@ class Process {
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
-    // Nothing where it has ended: to kill(2) the number that stands for no child means every process there is.
+    // Never all processes there are, which is what -1 means.
     void kill(int signal) const {
         if (child_ > 0) ::kill(child_, signal);
     }
