@@ -65,7 +65,8 @@ int draw(const Options& options) {
 void add_render(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("render", "Draw one scene to a PNG or EXR that carries the scene inside");
-    command->add_option("scene", options->scene, "seed:N, a scene file, or a picture that quadrat wrote")->required();
+    command->add_option("scene", options->scene, "seed:N, a scene file, a picture that quadrat wrote, or a scene code")
+        ->required();
     command->add_option("-o,--output", options->output, "Where to write it: NAME.png or NAME.exr")->required();
     command->add_option("--size", options->size, "Width and height in pixels, as 1280x720")
         ->default_str("the scene's, else 1280x720");

@@ -311,6 +311,7 @@ struct Handle {
     void operator()(const Pressed& event) const { press(turn, event.button); }
     void operator()(const Released& event) const { release(turn, event.button); }
     void operator()(const Tick&) const { tick(turn); }
+    void operator()(const Stirred&) const { turn.state.last_press = turn.now; }
     void operator()(const Grew&) const { turn.state.last_growth = turn.now; }
     void operator()(const GenerationReady& event) const { generation_ready(turn, event.generation); }
 };

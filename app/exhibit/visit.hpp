@@ -45,13 +45,15 @@ struct Released {
     Choice button;
 };
 struct Tick {};
+// Somebody is there, though nothing was said to the visit: it is patient anew.
+struct Stirred {};
 // What a Wish asked to be grown has got on, which a slow machine takes its time for.
 struct Grew {};
 // What a Wish asked to be grown can be shown. Another number than the one that is waited for: too late, of no effect.
 struct GenerationReady {
     int generation;
 };
-using Event = std::variant<Pressed, Released, Tick, Grew, GenerationReady>;
+using Event = std::variant<Pressed, Released, Tick, Stirred, Grew, GenerationReady>;
 
 // ---- where the visit stands
 
@@ -87,7 +89,7 @@ struct State {
     int generation = 0;                               // the last one that was wished for
     bool is_ready = false;                            // and whether it can be shown
     Instant since{0};                                 // when the screen, or its question, came
-    Instant last_press{0};                            // any press
+    Instant last_press{0};                            // any press, or stirring
     Instant last_growth{0};                           // of what Breed waits for
     std::optional<Held> held;                         // A to D, while it may become a long press
     friend bool operator==(const State&, const State&) = default;

@@ -10,6 +10,7 @@
 #include "kiosk/captures.hpp"
 #include "kiosk/gpu_measuring.hpp"
 #include "kiosk/signals.hpp"
+#include "kiosk/switchboard.hpp"
 #include "machine/heap.hpp"
 #include "tempo/memory.hpp"
 
@@ -29,7 +30,11 @@ constexpr int kWholeWidth = 1 << 15;  // pixels, or whatever the frame has less
 class Loop {
   public:
     explicit Loop(const RunLoopParts& parts)
-        : parts_(parts), theatre_(parts.configuration), captures_(parts), measuring_(parts) {}
+        : parts_(parts),
+          theatre_(parts.configuration),
+          captures_(parts),
+          measuring_(parts),
+          switchboard_(parts.configuration, parts.show) {}
 
     RunEnd run() {
         parts_.show.open(parts_.clock.now());
@@ -77,15 +82,15 @@ class Loop {
         const auto edges = parts_.panel.poll(now);
         look_after(now);
         for (const firmware_io::ButtonEdge& edge : edges) {
-            if (parts_.caretaker != nullptr && parts_.caretaker->hear(edge, now)) continue;
-            if (edge.motion == Motion::Down)
-                parts_.show.happen(exhibit::Pressed{choice_of(edge.button)}, now);
+            if (parts_.caretaker != nullptr && parts_.caretaker->hear(edge, now))
+                switchboard_.let_go(now);
             else
-                parts_.show.happen(exhibit::Released{choice_of(edge.button)}, now);
+                switchboard_.hear(edge, now);
         }
         parts_.show.happen(exhibit::Tick{}, now);
+        switchboard_.look(now);
         const auto lamps = parts_.caretaker != nullptr ? parts_.caretaker->lamps(now) : std::nullopt;
-        parts_.panel.light(lamps.value_or(lamps_for(parts_.show)), now);
+        parts_.panel.light(lamps.value_or(switchboard_.lamps()), now);
         if (parts_.caretaker == nullptr) return;
         const display::Power power = is_dark() ? display::Power::Off : display::Power::On;
         if (power != power_) parts_.display.set_power(power_ = power);
@@ -142,7 +147,7 @@ class Loop {
         if (parts_.caretaker != nullptr) over.board = parts_.caretaker->board();
         if (parts_.caretaker != nullptr) over.sign = parts_.caretaker->sign();
         if (parts_.keepsakes != nullptr && shows_earlier_landscapes()) over.backdrop = parts_.keepsakes->at(now);
-        drawn_ = theatre_.draw(moment_of(parts_.show, now), canvas, over);
+        drawn_ = theatre_.draw(moment_of(parts_.show, switchboard_.scanned(now), now), canvas, over);
         if (parts_.caretaker == nullptr) return;
         take_picture(parts_.caretaker->take_picture_wish());
     }
@@ -243,10 +248,11 @@ class Loop {
 
     // When something will happen by itself.
     std::optional<base::Instant> next_moment() const {
-        const auto press = parts_.buttons.next_event_at();
-        const auto deadline = exhibit::next_deadline(parts_.show.state(), parts_.show.timings());
-        if (press && deadline) return std::min(*press, *deadline);
-        return press ? press : deadline;
+        std::optional<base::Instant> next;
+        for (const auto& at : {parts_.buttons.next_event_at(), switchboard_.next_deadline(),
+                               exhibit::next_deadline(parts_.show.state(), parts_.show.timings())})
+            if (at) next = std::min(*at, next.value_or(*at));
+        return next;
     }
 
     void pass_time(base::DisplayTime begun, base::Instant now) {
@@ -264,6 +270,7 @@ class Loop {
     Captures captures_;
     Announcer announcer_;
     GpuMeasuring measuring_;
+    Switchboard switchboard_;
     std::optional<display::Presented> presented_;  // the last frame; nothing before it
     render::Drawn drawn_;                          // last
     display::Power power_ = display::Power::On;

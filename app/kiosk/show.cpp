@@ -9,8 +9,10 @@
 
 #include "base/error.hpp"
 #include "base/log.hpp"
+#include "genome/scene_code.hpp"
 #include "genome/speech.hpp"
 #include "nursery/head_start.hpp"
+#include "switches/switches.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -65,7 +67,8 @@ breeding::BreederOptions breeder_options_of(const site::Configuration& configura
 }
 
 Show::Show(const site::Configuration& configuration, ShowOptions options, std::unique_ptr<Keeper> keeper)
-    : timings_(timings_of(configuration)),
+    : usual_timings_(timings_of(configuration)),
+      timings_(usual_timings_),
       breeder_options_(breeder_options_of(configuration)),
       options_(std::move(options)),
       visit_(std::make_shared<std::int64_t>(0)),
@@ -74,7 +77,8 @@ Show::Show(const site::Configuration& configuration, ShowOptions options, std::u
       keeper_(std::move(keeper)),
       grower_(options_.growing),
       is_in_fleet_(!configuration.fleet.broker.empty()),
-      language_(configuration.visit.language) {
+      language_(configuration.visit.language),
+      take_home_url_(configuration.take_home.url) {
     breeder_options_.map = school_->map();
     breeder_options_.taste = school_->taste();
     for (const std::string& name : configuration.breeding.locked) locked_.push_back(genome::aspect_named(name).value());
@@ -207,7 +211,8 @@ void Show::carry_out(const exhibit::KeepAnswers& wish, base::Instant /*now*/) {
     keep_answers(wish.answers);
     const bool is_last_round = state_.rounds + 1 >= timings_.rounds;
     const bool is_last_question = state_.question == genome::kAspects.back();
-    grower_.begin([session = *session_, answered = nursery::Answered{wish.answers, is_last_round, is_last_question}] {
+    grower_.begin([session = *session_, answered = nursery::Answered{wish.answers, is_last_round, is_last_question,
+                                                                     !take_home_url_.empty()}] {
         return nursery::head_start(session, answered);
     });
 }
@@ -255,10 +260,12 @@ void Show::carry_out(const exhibit::GrowFinale& wish, base::Instant /*now*/) {
         keep_answers(wish.answers);
         session_->next(wish.answers);
     }
-    const genome::Candidate favourite = session_->favourite();
+    genome::Candidate favourite = session_->favourite();
+    if (!take_home_url_.empty()) favourite.values = genome::rounded_for_code(favourite.values);
     bred_ = {genome::recipe_of(favourite, flight), favourite.words, words_to_ask()};
     caption_ = favourite.words ? genome::language(language_).describe(*favourite.words) : "";
     if (!caption_.empty()) base::log::info("the landscape they bred: {}", caption_);
+    take_home_ = take_home_url_.empty() ? "" : take_home_url_ + genome::code_of(bred_.recipe);
     refined_.reset();
     waiting_.emplace();
     waiting_->generation = wish.generation;
@@ -360,11 +367,18 @@ void Show::follow(const site::Configuration& configuration) {
     // The breeder is that of the start, and with it how it is spoken to.
     const exhibit::Asking asking = timings_.asking;
     const int sliders = timings_.sliders;
-    timings_ = timings_of(configuration);
-    timings_.asking = asking;
-    timings_.sliders = sliders;
-    if (breeder_options_.genome == genome::Genome::Classic) timings_.describe_words = 0;
+    usual_timings_ = timings_of(configuration);
+    usual_timings_.asking = asking;
+    usual_timings_.sliders = sliders;
+    if (breeder_options_.genome == genome::Genome::Classic) usual_timings_.describe_words = 0;
+    timings_ = switches::patient(usual_timings_, patience_);
     language_ = configuration.visit.language;
+    take_home_url_ = configuration.take_home.url;
+}
+
+void Show::wait_longer(double times) {
+    patience_ = times;
+    timings_ = switches::patient(usual_timings_, patience_);
 }
 
 void Show::remember(const std::string& name, std::string text) {

@@ -88,10 +88,14 @@ class Show {
     int visits_ended() const { return visits_ended_; }
     // In words, "" where the genome has none: after a round what the next four lean toward, at the end what was bred.
     const std::string& caption() const { return caption_; }
+    // Where the landscape that was bred can be had, as the site says; "" where it says nothing.
+    const std::string& take_home() const { return take_home_; }
     bool can_go_back() const;
     // In Describe and Slide.
     std::optional<stage::Asked> asked() const;
 
+    // From now on everything waits so many times as long as the site says.
+    void wait_longer(double times);
     // What the site has changed while we run: timings, rounds and language.
     void follow(const site::Configuration& configuration);
     // Keeps a short text for the next run, in place of the one under the same name.
@@ -131,7 +135,9 @@ class Show {
     Keeper::Ticket keep_generation(const genome::Pick& answers);
     archive::Generation generation_of(const genome::Pick& answers) const;
 
-    exhibit::Timings timings_;
+    exhibit::Timings usual_timings_;
+    exhibit::Timings timings_;  // with the patience of now
+    double patience_ = 1;
     breeding::BreederOptions breeder_options_;
     std::vector<genome::Aspect> locked_;
     ShowOptions options_;
@@ -161,6 +167,8 @@ class Show {
     bool is_in_fleet_;  // visits are kept for whoever publishes them
     std::string language_;
     std::string caption_;
+    std::string take_home_url_;  // the site's
+    std::string take_home_;
 };
 
 }  // namespace quadrat::kiosk

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kiosk/signals.hpp"
 
+#include <utility>
+
 #include "firmware-io/keyboard/keyboard_buttons.hpp"
 
 namespace quadrat::kiosk {
@@ -61,11 +63,16 @@ firmware_io::Lamps lamps_for(const Show& show) {
     return lamps;
 }
 
-stage::Moment moment_of(Show& show, base::Instant now) {
+stage::Moment moment_of(Show& show, std::optional<stage::Scanned> scanned, base::Instant now) {
     std::optional<stage::Flash> flash;
     if (show.last_press()) flash = stage::Flash{*show.last_press(), show.last_press_at()};
-    return {show.state(), show.timings(),          show.on_stage(), flash,
-            show.asked(), show.growing_progress(), show.caption(),  now};
+    stage::Moment moment{show.state(), show.timings(), show.on_stage(), flash, show.asked()};
+    moment.scanned = std::move(scanned);
+    moment.growing_progress = show.growing_progress();
+    moment.caption = show.caption();
+    moment.take_home = show.take_home();
+    moment.now = now;
+    return moment;
 }
 
 }  // namespace quadrat::kiosk

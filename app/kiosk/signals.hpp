@@ -17,6 +17,6 @@ char key_of(display::Key key);
 // What lights up is what can be pressed now.
 firmware_io::Lamps lamps_for(const Show& show);
 
-stage::Moment moment_of(Show& show, base::Instant now);
+stage::Moment moment_of(Show& show, std::optional<stage::Scanned> scanned, base::Instant now);
 
 }  // namespace quadrat::kiosk

@@ -10,6 +10,7 @@ struct Answered {
     genome::Pick answers;
     bool is_last_round;     // what comes is the Finale's landscape, not four to choose from
     bool is_last_question;  // one answer is missing
+    bool has_code = false;  // the Finale's landscape is shown with its code, and grows from what that holds
 };
 HeadStart head_start(const breeding::Session& session, const Answered& answered);
 

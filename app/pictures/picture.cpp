@@ -14,6 +14,7 @@
 #include "base/file.hpp"
 #include "base/text_file.hpp"
 #include "breeding/seeded_scene.hpp"
+#include "genome/scene_code.hpp"
 #include "pictures/image_file.hpp"
 
 namespace quadrat::pictures {
@@ -162,6 +163,12 @@ Picture read_scene(const std::string& scene) {
     if (const auto number = seed_number(scene)) {
         Picture picture;
         picture.scenes.push_back(breeding::seeded_scene(breeding::default_word_map(), base::Seed{*number}));
+        return picture;
+    }
+    std::error_code too_long;  // for the name of a file, which a code is
+    if (genome::has_code(scene) && !std::filesystem::exists(scene, too_long)) {
+        Picture picture;
+        picture.scenes.push_back(genome::recipe_of_code(scene, "the code"));
         return picture;
     }
     std::string bytes = base::read_file(scene);

@@ -46,7 +46,8 @@ void write_picture(const std::filesystem::path& path, const mesh::Image& pixels,
 // Without a scene inside.
 void write_image(const std::filesystem::path& path, const mesh::Image& pixels);
 
-// A SCENE as people name it: seed:N, a scene file, or a picture that carries one. Throws InputError.
+// A SCENE as people name it: seed:N, a scene file, a picture that carries one, or a scene code, alone or at the end of
+// an address. Throws InputError.
 Picture read_scene(const std::string& scene);
 
 // Several pictures as one sheet, each with a line of text under it; all of the size of the first.

@@ -204,7 +204,7 @@ mesh::Image badge(Shape shape, const std::string& letter_in_it, glm::vec4 colour
 
     TextStyle style;
     style.is_bold = true;
-    style.size_px = static_cast<float>(size) * (shape == Shape::Triangle ? 0.36F : 0.46F);
+    style.size_px = static_cast<float>(size) * (shape == Shape::Triangle ? kSmallestLetterOfBadge : 0.46F);
     const Layout layout = new_layout(pen.get(), letter_in_it, style);
     PangoRectangle ink;
     pango_layout_get_pixel_extents(layout.get(), &ink, nullptr);

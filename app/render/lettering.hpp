@@ -21,6 +21,8 @@ mesh::Image letter(const std::string& utf8, const TextStyle& style);
 
 // The four quarters' shapes, known without reading: circle, triangle, square, diamond, filled, with the letter inside.
 enum class Shape { Circle, Triangle, Square, Diamond };
+// Of the letter in a badge, its em to the badge's side: in the triangle, which has the least room.
+inline constexpr float kSmallestLetterOfBadge = 0.40F;
 mesh::Image badge(Shape shape, const std::string& letter_in_it, glm::vec4 colour, int size_px);
 
 }  // namespace quadrat::render

@@ -45,6 +45,40 @@ void read_visit(Reader& reader, Configuration::Visit& visit) {
     reader.read("visit", "language", visit.language, spoken);
 }
 
+// A time that 0 switches off, and that makes no sense when it is shorter than a hand.
+void read_or_never(Reader& reader, const char* key, double& value, double low, double high) {
+    reader.read("play", key, value, 0, high);
+    const toml::node* node = reader.find("play", key);
+    if (value == 0 || value >= low || node == nullptr) return;
+    reader.refuse(*node, std::string("play.") + key, fmt::format("is {}", value),
+                  fmt::format("it must be 0, or lie between {} and {}", low, high));
+    value = 0;
+}
+
+void read_play(Reader& reader, Configuration& configuration) {
+    Configuration::Play& play = configuration.play;
+    reader.read("play", "buttons", play.buttons, {"four", "two", "one"});
+    reader.read("play", "held", play.held, {"one", "two"});
+    read_or_never(reader, "hold_s", play.hold_s, 1, 9);  // longer is leaning on it
+    reader.read("play", "pace_s", play.pace_s, 0.3, 30);
+    reader.read("play", "times_round", play.times_round, 0, 100);
+    reader.read("play", "begins_by_itself", play.begins_by_itself);
+    read_or_never(reader, "dwell_s", play.dwell_s, 0.5, 30);
+    reader.read("play", "quiet_s", play.quiet_s, 0, 5);
+    reader.read("play", "patience", play.patience, 1, 20);
+    reader.read("play", "shows_how", play.shows_how);
+    // A, B, C, D and Back, and the first of them longer: whoever waits for the last one must not be asked whether they
+    // are there.
+    constexpr double kPaces = 5.5;
+    const double patience_s = play.patience * std::min(configuration.visit.patience_s, configuration.visit.describe_s);
+    const toml::node* node = reader.find("play", "pace_s");
+    if (node != nullptr && kPaces * play.pace_s > patience_s)
+        reader.refuse(*node, "play.pace_s",
+                      fmt::format("is {}, so the mark takes {} s to go round, and the visit waits {} s", play.pace_s,
+                                  kPaces * play.pace_s, patience_s),
+                      "make it smaller, or raise play.patience, visit.patience_s and visit.describe_s");
+}
+
 void read_closing(Reader& reader, DoorkeeperOptions& closing) {
     const auto seconds = [&](const char* key, std::chrono::seconds& value, int most) {
         int number = static_cast<int>(value.count());
@@ -72,6 +106,13 @@ void read_picture(Reader& reader, Configuration::Picture& picture) {
     reader.read_one_of("picture", "samples", picture.samples, {1, 4});
     reader.read_one_of("picture", "land_samples", picture.land_samples, {65, 129, 257, 513, 1025});
     reader.read("picture", "ground", picture.ground, render::ground_names());
+}
+
+// They stand beside what they are about: words under [text], pictures under [picture].
+void read_look(Reader& reader, Configuration::Look& look) {
+    reader.read("text", "size", look.size, {"normal", "large", "largest"});
+    reader.read("text", "contrast", look.contrast, {"normal", "high"});
+    reader.read("picture", "motion", look.motion, {"full", "calm"});
 }
 
 void read_fleet(Reader& reader, Configuration::Fleet& fleet) {
@@ -145,9 +186,12 @@ void read_all(Reader& reader, Configuration& configuration, const LettersWithout
     read_screen(reader, configuration.screen);
     reader.read_checked("buttons", "inputs", configuration.inputs, InputCheck{});
     read_visit(reader, configuration.visit);
+    read_play(reader, configuration);
     read_breeding(reader, configuration.breeding);
     read_words(reader, configuration.words);
     read_picture(reader, configuration.picture);
+    read_look(reader, configuration.look);
+    reader.read_checked("take_home", "url", configuration.take_home.url, check_take_home);
     read_fleet(reader, configuration.fleet);
     read_desk(reader, configuration.desk);
     read_hours(reader, configuration.hours);

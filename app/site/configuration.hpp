@@ -44,6 +44,20 @@ struct Configuration {
         std::string language = "en";  // that the screen speaks
     } visit;
 
+    // For who cannot use four buttons.
+    struct Play {
+        std::string buttons = "four";  // four, two, one: with so many everybody plays
+        std::string held = "one";      // one, two: with so many who holds a button, until the visit ends
+        double hold_s = 4;             // so long, 1 to 9; 0: nobody can ask for it
+        double pace_s = 2;             // a choice is marked so long, 0.3 to 30
+        int times_round = 3;           // then the mark rests until a press; 0: it never does
+        bool begins_by_itself = true;  // the mark, with each question
+        double dwell_s = 0;            // what a press has marked is taken after so long, 0.5 to 30; 0: never
+        double quiet_s = 0.4;          // after a press another does not count, 0 to 5
+        double patience = 3;           // how many times as long everything waits, 1 to 20
+        bool shows_how = true;         // ghostly presses, now and then while nobody is there
+    } play;
+
     struct Breeding {
         std::string genome = "words";               // words, classic
         std::string breeder = "belief";             // belief, pbil, pbil-gaussian, random, sliders
@@ -63,6 +77,20 @@ struct Configuration {
         int land_samples = 513;  // a side of the land, 2^k + 1: 129 grows in a tenth of the time, and is smoother
         std::string ground = "blocks";  // what draws the land: blocks, roam
     } picture;
+
+    // For eyes that see less, and for those whom movement troubles.
+    struct Look {
+        std::string size = "normal";      // of letters and signs: normal, large, largest
+        std::string contrast = "normal";  // normal, high
+        std::string motion = "full";      // full; calm: cameras stand still, and what comes fades in
+        friend bool operator==(const Look&, const Look&) = default;
+    } look;
+
+    // A code of the landscape, to be taken home from the finale; none, unless there is where to.
+    struct TakeHome {
+        std::string url;  // "https://museum.example/quadrat/", the code comes after it
+        friend bool operator==(const TakeHome&, const TakeHome&) = default;
+    } take_home;
 
     // Where health and visits are published; nowhere, unless a broker is named.
     struct Fleet {

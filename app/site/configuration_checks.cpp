@@ -131,6 +131,22 @@ void check_listen_address(const std::string& text) {
     }
 }
 
+// What comes after it is letters and digits, so it may end in anything that may stand before them.
+void check_take_home(const std::string& url) {
+    constexpr std::size_t kLongest = 120;  // with the code it still is a code that telephones read from the screen
+    if (url.empty()) return;
+    const std::size_t host = url.starts_with("https://") ? 8 : url.starts_with("http://") ? 7 : 0;
+    const bool has_host = host > 0 && host < url.size() && url[host] != '/';
+    const bool is_plain = std::ranges::all_of(url, [](char c) {
+        return c > ' ' && c < 127 && std::string_view("\"<>\\^`{|}").find(c) == std::string_view::npos;
+    });
+    if (!has_host || !is_plain)
+        refuse(fmt::format("is \"{}\"; write an address such as https://museum.example/quadrat/, in ASCII", url));
+    if (url.size() > kLongest)
+        refuse(fmt::format("has {} letters; with more than {} the code would be too fine to be read", url.size(),
+                           kLongest));
+}
+
 void check_fleet_name(const std::string& name) {
     const std::string topic = "quadrat/" + name + "/status";
     const bool is_word = name.find_first_of("/+#") == std::string::npos && name.size() <= kLongestName &&

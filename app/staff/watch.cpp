@@ -82,6 +82,9 @@ std::string apply(const site::Configuration& changed, site::Configuration& runni
     note("picture.ground", changed.picture.ground == now.picture.ground);
     note("fleet (systemctl restart quadrat-fleet)", changed.fleet == now.fleet);
     running.visit = changed.visit;
+    running.play = changed.play;
+    running.look = changed.look;
+    running.take_home = changed.take_home;
     running.picture.alpha = changed.picture.alpha;
     running.picture.samples = changed.picture.samples;
     running.hours = changed.hours;

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/code_picture.hpp"
 #include "stage/easel.hpp"
+#include "stage/marks.hpp"
 
 namespace quadrat::stage {
 namespace {
@@ -14,14 +16,23 @@ constexpr glm::vec4 rgb(int r, int g, int b) {
 }
 
 const std::array<Quarter, kQuarters> kQuarterTable{{
-    {"A", render::Shape::Circle, rgb(0, 114, 178)},     // blue
-    {"B", render::Shape::Triangle, rgb(230, 159, 0)},   // orange
-    {"C", render::Shape::Square, rgb(0, 158, 115)},     // bluish green
-    {"D", render::Shape::Diamond, rgb(204, 121, 167)},  // reddish purple
+    {"A", render::Shape::Circle, rgb(0, 80, 145)},      // blue
+    {"B", render::Shape::Triangle, rgb(250, 205, 70)},  // light orange
+    {"C", render::Shape::Square, rgb(0, 134, 96)},      // bluish green
+    {"D", render::Shape::Diamond, rgb(220, 140, 186)},  // light reddish purple
 }};
 
 // Prompts change by visit, not by frame; what is kept is far below this unless sizes change.
 constexpr std::size_t kWrittenKept = 96;
+
+render::TextStyle style_of(float size_px, bool is_bold, int max_width_px) {
+    render::TextStyle style;
+    style.size_px = size_px;
+    style.is_bold = is_bold;
+    style.max_width_px = max_width_px;
+    style.shadow_px = std::max(2.0F, size_px * 0.12F);
+    return style;
+}
 
 }  // namespace
 
@@ -37,12 +48,7 @@ SignWriter::Written SignWriter::keep(const Key& key, const mesh::Image& image) {
 SignWriter::Written SignWriter::text(const std::string& utf8, float size_px, bool is_bold, int max_width_px) {
     const Key key{utf8, static_cast<int>(std::lround(size_px)), is_bold, max_width_px};
     if (const auto found = written_.find(key); found != written_.end()) return found->second;
-    render::TextStyle style;
-    style.size_px = size_px;
-    style.is_bold = is_bold;
-    style.max_width_px = max_width_px;
-    style.shadow_px = std::max(2.0F, size_px * 0.12F);
-    return keep(key, render::letter(utf8, style));
+    return keep(key, render::letter(utf8, style_of(size_px, is_bold, max_width_px)));
 }
 
 SignWriter::Written SignWriter::badge(std::size_t quarter_index, int size_px) {
@@ -52,19 +58,51 @@ SignWriter::Written SignWriter::badge(std::size_t quarter_index, int size_px) {
     return keep(key, render::badge(q.shape, q.letter, q.colour, size_px));
 }
 
+SignWriter::Written SignWriter::code(const std::string& text, int most_px) {
+    const Key key{std::string("\x02") + text, most_px, false, 0};
+    if (const auto found = written_.find(key); found != written_.end()) return found->second;
+    const mesh::Image image = render::code_picture(text, most_px);
+    return image.width > 0 ? keep(key, image) : Written{};
+}
+
 std::shared_ptr<const render::Texture> SignWriter::picture(const mesh::Image& image) {
     if (pictured_ != &image) picture_ = renderer_.texture(image);
     pictured_ = &image;
     return picture_;
 }
 
-std::vector<render::Sign> SignWriter::badges(int width, int height) {
+SignWriter::Written SignWriter::text_within(const std::string& utf8, float size_px, bool is_bold, glm::ivec2 most_px) {
+    constexpr float kStep = 0.94F;
+    constexpr float kSmallest_px = 6;
+    const std::tuple<std::string, int, bool, int, int> key{utf8, static_cast<int>(std::lround(size_px)), is_bold,
+                                                           most_px.x, most_px.y};
+    if (fitted_.size() >= kWrittenKept) fitted_.clear();
+    auto [fitted, is_new] = fitted_.try_emplace(key, size_px);
+    while (is_new && fitted->second > kSmallest_px &&
+           render::letter(utf8, style_of(fitted->second, is_bold, most_px.x)).height > most_px.y)
+        fitted->second *= kStep;
+    return text(utf8, fitted->second, is_bold, most_px.x);
+}
+
+SignWriter::Written SignWriter::line_within(const std::string& utf8, float size_px, bool is_bold, int most_px) {
+    const Written whole = text(utf8, size_px, is_bold);
+    if (whole.width <= most_px) return whole;
+    constexpr float kSurely = 0.97F;  // letters are hinted, so that widths are not quite in proportion
+    return text(utf8, kSurely * size_px * static_cast<float>(std::max(1, most_px)) / static_cast<float>(whole.width),
+                is_bold);
+}
+
+std::vector<render::Sign> SignWriter::badges(int width, int height, TextSize text_size,
+                                             std::optional<std::size_t> marked) {
     const auto places = quarters(width, height);
-    const int size = std::max(20, height / 13);
-    const int inset = std::max(6, height / 60);
+    const int usual = badge_px(text_size, height);
+    const int usual_inset = std::max(6, height / 60);
+    const int marked_inset = usual_inset + mark_reach_px(height);
     std::vector<render::Sign> signs;
     for (std::size_t i = 0; i < kQuarters; ++i) {
         const render::Rect& q = places[i];
+        const int size = marked == i ? usual * 3 / 2 : usual;
+        const int inset = marked == i ? marked_inset : usual_inset;
         const bool is_left = i % 2 == 0;
         const bool is_top = i < 2;
         render::Sign sign;

@@ -3,22 +3,24 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 
 #include "render/lettering.hpp"
 #include "render/renderer.hpp"
+#include "stage/legibility.hpp"
 
 namespace quadrat::stage {
 
-// A quarter is known by letter, shape and colour at once. Colours: Okabe & Ito 2008, told apart by colour-blind eyes.
+// A quarter is known by letter, shape and colour at once. The colours have the hues of Okabe & Ito (2008), which
+// colour-blind eyes tell apart, and lightnesses that do so too: any two differ by 1.5:1 in luminance, in every vision.
 struct Quarter {
     const char* letter;
     render::Shape shape;
     glm::vec4 colour;  // sRGB
 };
 inline constexpr std::size_t kQuarters = 4;
-inline constexpr glm::vec4 kPlate{0.05F, 0.06F, 0.07F, 0.72F};  // what words stand on
 const Quarter& quarter(std::size_t index);
 
 // Texts and badges, rasterised once and kept while they are used.
@@ -33,18 +35,28 @@ class SignWriter {
     };
     Written text(const std::string& utf8, float size_px, bool is_bold = false, int max_width_px = 0);
     Written badge(std::size_t quarter_index, int size_px);
+    // A QR code of the text, of so many pixels a side at most; nothing drawn (0 wide) where it has not room.
+    Written code(const std::string& text, int most_px);
 
     // A picture, uploaded once as long as the same one is asked for.
     std::shared_ptr<const render::Texture> picture(const mesh::Image& image);
 
-    // The badge of each quarter in its upper outer corner, sized for the target.
-    std::vector<render::Sign> badges(int width, int height);
+    // The same, wrapped at most_px.x, as much smaller as it takes to be no higher than most_px.y.
+    Written text_within(const std::string& utf8, float size_px, bool is_bold, glm::ivec2 most_px);
+
+    // On one line, as much smaller as it takes to be no wider than that.
+    Written line_within(const std::string& utf8, float size_px, bool is_bold, int most_px);
+
+    // The badge of each quarter in its upper outer corner; that of the marked one is larger.
+    std::vector<render::Sign> badges(int width, int height, TextSize size = TextSize::Normal,
+                                     std::optional<std::size_t> marked = {});
 
   private:
     using Key = std::tuple<std::string, int, bool, int>;
     Written keep(const Key& key, const mesh::Image& image);
     render::Renderer& renderer_;
     std::map<Key, Written> written_;
+    std::map<std::tuple<std::string, int, bool, int, int>, float> fitted_;  // how large texts are within their room
     const mesh::Image* pictured_ = nullptr;
     std::shared_ptr<const render::Texture> picture_;
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "stage/easel.hpp"
+#include "stage/marks.hpp"
 
 namespace quadrat::stage {
 namespace {
@@ -16,8 +17,7 @@ using exhibit::Screen;
 constexpr float kGrowInSeconds = 2.0F;
 constexpr float kFlashSeconds = 0.4F;
 constexpr float kAttractSceneSeconds = 24.0F;  // then the next of the four
-constexpr glm::vec4 kQuiet{1, 1, 1, 0.28F};
-constexpr glm::vec4 kDone{1, 1, 1, 0.95F};
+constexpr float kCalmFadeSeconds = 1.5F;       // of what comes and goes where nothing may move
 
 float seconds_of(base::Instant t) { return std::chrono::duration<float>(t).count(); }
 
@@ -26,26 +26,25 @@ float smooth(float x) {
     return t * t * (3 - 2 * t);
 }
 
-bool shows_four(const StageView& view) {
-    return view.cast.scenes.size() == genome::kCandidates && view.state.screen != exhibit::Screen::Attract &&
-           view.state.screen != exhibit::Screen::Finale;
-}
-
-float dimming(const StageView& view) {
+float dimming(const StageView& view, const Look& look) {
     const float since = seconds_of(view.now - view.state.since);
-    if (view.state.screen == exhibit::Screen::Breed) return 0.45F * smooth(since / 0.5F);
+    if (view.state.screen == exhibit::Screen::Breed)
+        return 0.45F * smooth(since / (look.is_calm ? kCalmFadeSeconds : 0.5F));
     if (view.state.screen == exhibit::Screen::StillThere) return 0.35F;
     return 0;
 }
 
-// Back has no quarter; it is white.
-glm::vec3 flash_colour(exhibit::Choice button) {
-    return button == exhibit::Choice::Back ? glm::vec3{1} : glm::vec3(quarter(static_cast<std::size_t>(button)).colour);
+// Out of the dark, each time that another landscape comes.
+float fading(const StageView& view) {
+    const float on_stage = seconds_of(view.now - view.cast.arrived);
+    const bool is_attract = view.state.screen == exhibit::Screen::Attract;
+    return 1 - smooth((is_attract ? std::fmod(on_stage, kAttractSceneSeconds) : on_stage) / kCalmFadeSeconds);
 }
 
-bool has_caption(const StageView& view) {
-    return !view.caption.empty() &&
-           (view.state.screen == exhibit::Screen::Breed || view.state.screen == exhibit::Screen::Finale);
+std::optional<std::size_t> marked_quarter(const StageView& view) {
+    if (view.scanned == nullptr || !view.scanned->marked || *view.scanned->marked == exhibit::Choice::Back)
+        return std::nullopt;
+    return static_cast<std::size_t>(*view.scanned->marked);
 }
 
 std::size_t attract_index(const StageView& view) {
@@ -54,6 +53,11 @@ std::size_t attract_index(const StageView& view) {
 }
 
 }  // namespace
+
+bool shows_four(const StageView& view) {
+    return view.cast.scenes.size() == genome::kCandidates && view.state.screen != exhibit::Screen::Attract &&
+           view.state.screen != exhibit::Screen::Finale;
+}
 
 float flash_left(const StageView& view) {
     if (!view.flash) return 0;
@@ -105,7 +109,6 @@ render::Frame Stage::frame(const StageView& view, const display::Canvas& canvas)
     if (shows_four(view)) add_quarter_signs(frame, view);
     add_plate(frame, view);
     if (view.asked != nullptr) add_labels(frame, view);
-    if (view.asked != nullptr && view.asked->slider) add_slider(frame, *view.asked->slider);
     if (!view.sign.empty()) add_sign(frame, view.sign);
     if (is_strip) add_strip(frame, *view.board);
     frame.is_wired = is_strip && view.board->has_wires;
@@ -114,15 +117,16 @@ render::Frame Stage::frame(const StageView& view, const display::Canvas& canvas)
 
 void Stage::add_views(render::Frame& frame, const StageView& view) {
     if (view.cast.scenes.empty()) return;
+    const Look look = look_of(configuration_.look);
     const float on_stage = seconds_of(view.now - view.cast.arrived);
     const auto add = [&](const Shown& shown, const render::Rect& place) {
         render::View one;
         one.scene = shown.gpu;
         // The flight starts with the cast, so that the four are compared from where the camera stands first.
-        one.camera = scene::camera_at(shown.scene->track, on_stage);
+        one.camera = scene::camera_at(shown.scene->track, look.is_calm ? 0 : on_stage);
         one.viewport = place;
-        one.growth = std::clamp(on_stage / kGrowInSeconds, 0.0F, 1.0F);
-        one.dim = dimming(view);
+        one.growth = look.is_calm ? 1 : std::clamp(on_stage / kGrowInSeconds, 0.0F, 1.0F);
+        one.dim = std::max(dimming(view, look), look.is_calm ? fading(view) : 0);
         frame.views.push_back(std::move(one));
     };
     if (shows_four(view)) {
@@ -132,6 +136,19 @@ void Stage::add_views(render::Frame& frame, const StageView& view) {
         const std::size_t one = view.state.screen == exhibit::Screen::Attract ? attract_index(view) : 0;
         add(view.cast.scenes[one], {0, 0, frame.size.x, frame.size.y});
     }
+}
+
+void Stage::add_ground(render::Frame& frame, const render::Rect& place, float corner_px) {
+    const Look look = look_of(configuration_.look);
+    render::Sign sign;
+    sign.place = place;
+    sign.colour = plate_colour(look);
+    sign.corner_radius_px = corner_px;
+    frame.signs.push_back(sign);
+    if (!look.has_high_contrast) return;
+    sign.colour = glm::vec4{1};
+    sign.border_px = std::max(1.0F, static_cast<float>(frame.size.y) / 360.0F);
+    frame.signs.push_back(sign);
 }
 
 void Stage::add_quarter_signs(render::Frame& frame, const StageView& view) {
@@ -145,7 +162,10 @@ void Stage::add_quarter_signs(render::Frame& frame, const StageView& view) {
         sign.border_px = border * 1.6F;
         frame.signs.push_back(sign);
     }
-    for (auto& sign : writer_.badges(frame.size.x, frame.size.y)) frame.signs.push_back(std::move(sign));
+    const auto marked = marked_quarter(view);
+    if (marked) add_mark(frame, places[*marked], glm::vec3(quarter(*marked).colour), Corners::Bracketed);
+    for (auto& sign : writer_.badges(frame.size.x, frame.size.y, look_of(configuration_.look).size, marked))
+        frame.signs.push_back(std::move(sign));
 }
 
 void Stage::add_backdrop(render::Frame& frame, const mesh::Image& picture) {
@@ -167,10 +187,7 @@ void Stage::add_strip(render::Frame& frame, const Board& board) {
     int y = pad;
     for (auto line = board.lines.rbegin(); line != board.lines.rend(); ++line) {
         const auto written = writer_.text(*line, static_cast<float>(frame.size.y) / 45.0F);
-        render::Sign back;
-        back.place = {0, y - pad, written.width + 2 * pad, written.height + 2 * pad};
-        back.colour = kPlate;
-        frame.signs.push_back(back);
+        add_ground(frame, {0, y - pad, written.width + 2 * pad, written.height + 2 * pad}, 0);
         render::Sign sign;
         sign.texture = written.texture;
         sign.place = {pad, y, written.width, written.height};
@@ -184,13 +201,11 @@ void Stage::add_sign(render::Frame& frame, std::string_view words) {
     const int pad = frame.size.y / 120;
     const auto written =
         writer_.text(std::string(words), static_cast<float>(frame.size.y) / 45.0F, false, frame.size.x * 4 / 10);
-    render::Sign back;
-    back.place = {frame.size.x - written.width - 2 * pad, 0, written.width + 2 * pad, written.height + 2 * pad};
-    back.colour = kPlate;
-    frame.signs.push_back(back);
+    const int left = frame.size.x - written.width - 2 * pad;
+    add_ground(frame, {left, 0, written.width + 2 * pad, written.height + 2 * pad}, 0);
     render::Sign sign;
     sign.texture = written.texture;
-    sign.place = {back.place.x + pad, pad, written.width, written.height};
+    sign.place = {left + pad, pad, written.width, written.height};
     frame.signs.push_back(sign);
 }
 
@@ -199,7 +214,7 @@ void Stage::add_board(render::Frame& frame, const Board& board) {
     const int margin = frame.size.y / 20;
     render::Sign back;
     back.place = {0, 0, frame.size.x, frame.size.y};
-    back.colour = board.cover == Board::Cover::All ? glm::vec4{0.05F, 0.06F, 0.07F, 1} : kPlate;
+    back.colour = board.cover == Board::Cover::All ? glm::vec4{0.05F, 0.06F, 0.07F, 1} : plate_colour({});
     frame.signs.push_back(back);
     const int most_width = frame.size.x - 2 * margin;
     const float title_em = static_cast<float>(frame.size.y) / (board.lines.empty() ? 9.0F : 16.0F);
@@ -225,77 +240,6 @@ void Stage::add_board(render::Frame& frame, const Board& board) {
         sign.place.y = static_cast<int>(top) - sign.place.height;
         frame.signs.push_back(sign);
         top -= leading;
-    }
-}
-
-void Stage::add_plate(render::Frame& frame, const StageView& view) {
-    const bool is_four = shows_four(view);
-    const float em = static_cast<float>(frame.size.y) / (is_four ? 22.0F : 17.0F);
-    const auto written = writer_.text(words(view, configuration_), em, true, frame.size.x * 8 / 10);
-    std::optional<SignWriter::Written> caption;
-    if (has_caption(view)) caption = writer_.text(std::string(view.caption), 0.62F * em, false, frame.size.x * 7 / 10);
-    const int pad = static_cast<int>(em * 0.6F);
-    const int below = caption ? caption->height + pad / 4 : 0;
-    const bool has_steps = is_four && view.state.screen != exhibit::Screen::StillThere;
-    const int steps = has_steps ? static_cast<int>(em * 0.55F) : 0;
-    const int widest = std::max(written.width, caption ? caption->width : 0);
-    render::Rect plate{0, 0, widest + 2 * pad, written.height + below + pad + steps};
-    plate.x = (frame.size.x - plate.width) / 2;
-    plate.y = is_four                 ? (frame.size.y - plate.height) / 2
-              : view.asked != nullptr ? frame.size.y - plate.height - frame.size.y / 16
-                                      : frame.size.y / 16;
-    render::Sign back;
-    back.place = plate;
-    back.colour = kPlate;
-    back.corner_radius_px = em * 0.5F;
-    frame.signs.push_back(back);
-    // Whatever is on the screen, a press is seen: the plate lights up in the button's colour.
-    if (const float left = flash_left(view); left > 0) {
-        render::Sign lit = back;
-        lit.colour = glm::vec4(flash_colour(view.flash->button), left);
-        lit.border_px = std::max(2.0F, em * 0.12F);
-        frame.signs.push_back(lit);
-    }
-    render::Sign words_sign;
-    words_sign.texture = written.texture;
-    words_sign.place = {plate.x + (plate.width - written.width) / 2, plate.y + pad / 2 + steps + below, written.width,
-                        written.height};
-    frame.signs.push_back(words_sign);
-    if (caption) {
-        words_sign.texture = caption->texture;
-        words_sign.place = {plate.x + (plate.width - caption->width) / 2, plate.y + pad / 2 + steps, caption->width,
-                            caption->height};
-        frame.signs.push_back(words_sign);
-    }
-    if (has_steps) add_progress(frame, view, plate);
-}
-
-// Under the question: which of the three it is; while breeding, how far the next four have grown.
-void Stage::add_progress(render::Frame& frame, const StageView& view, const render::Rect& plate) {
-    constexpr int kSteps = 3;
-    const int bar_h = std::max(3, plate.height / 16);
-    const int bar_w = plate.width / 6;
-    const int gap = bar_w / 4;
-    const bool is_breeding = view.state.screen == exhibit::Screen::Breed;
-    const float done = is_breeding ? view.growing_progress * kSteps : static_cast<float>(view.state.question);
-    int x = plate.x + (plate.width - kSteps * bar_w - (kSteps - 1) * gap) / 2;
-    for (int i = 0; i < kSteps; ++i, x += bar_w + gap) {
-        const render::Rect place{x, plate.y + bar_h * 2, bar_w, bar_h};
-        render::Sign bar;
-        bar.place = place;
-        bar.colour = kQuiet;
-        bar.corner_radius_px = static_cast<float>(bar_h) / 2;
-        frame.signs.push_back(bar);
-        const float share = std::clamp(done - static_cast<float>(i), 0.0F, 1.0F);
-        const bool is_current = !is_breeding && static_cast<int>(done) == i;
-        bar.place.width = std::max(bar_h, static_cast<int>(static_cast<float>(bar_w) * share));
-        bar.colour = kDone;
-        if (share > 0) frame.signs.push_back(bar);
-        if (is_current) {
-            bar.place = place;
-            bar.colour = {1, 1, 1, 0.6F};
-            frame.signs.push_back(bar);
-        }
     }
 }
 

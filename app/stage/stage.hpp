@@ -15,6 +15,7 @@
 #include "site/configuration.hpp"
 #include "stage/asked.hpp"
 #include "stage/board.hpp"
+#include "stage/scanned.hpp"
 #include "stage/signs.hpp"
 
 namespace quadrat::stage {
@@ -49,6 +50,8 @@ struct StageView {
     const Board* board = nullptr;           // over everything, or null
     const mesh::Image* backdrop = nullptr;  // a picture of an earlier landscape in place of what is not there, or null
     std::string_view sign = {};             // for staff, small in a corner; may be empty
+    const Scanned* scanned = nullptr;       // for who has not four buttons, or null
+    std::string_view take_home = {};        // in the finale, as a QR code; may be empty
 };
 
 // From the visit's state to a frame: which views, how dim, which words. Holds rasterised words, nothing else.
@@ -62,19 +65,26 @@ class Stage {
 
   private:
     void add_views(render::Frame& frame, const StageView& view);
+    void add_ground(render::Frame& frame, const render::Rect& place, float corner_px);  // that words stand on
     void add_quarter_signs(render::Frame& frame, const StageView& view);
     void add_board(render::Frame& frame, const Board& board);
     void add_strip(render::Frame& frame, const Board& board);
     void add_sign(render::Frame& frame, std::string_view words);
     void add_backdrop(render::Frame& frame, const mesh::Image& picture);
     void add_plate(render::Frame& frame, const StageView& view);
+    void add_take_home(render::Frame& frame, std::string_view address, const render::Rect& plate);
+    void add_demonstration(render::Frame& frame, const StageView& view, const render::Rect& plate);
+    void add_back(render::Frame& frame, const StageView& view, const render::Rect& plate);
     void add_progress(render::Frame& frame, const StageView& view, const render::Rect& plate);
     void add_labels(render::Frame& frame, const StageView& view);
-    void add_slider(render::Frame& frame, const ShownSlider& slider);
+    void add_slider(render::Frame& frame, const ShownSlider& slider, int room_px);
 
     SignWriter writer_;
     const site::Configuration& configuration_;
 };
+
+// Whether the four are shown, a quarter each.
+bool shows_four(const StageView& view);
 
 // How bright the acknowledgement of the last press still is: 1 on its first frame, 0 when it is over.
 float flash_left(const StageView& view);

@@ -151,10 +151,15 @@ Cast Theatre::cast_of(const nursery::Act& act) const {
 render::Drawn Theatre::draw(const Moment& moment, const display::Canvas& canvas, const Over& over) {
     if (!has_gpu()) return {};
     const Cast cast = cast_of(moment.act);
-    render::Frame frame =
-        stage_->frame({moment.state, moment.timings, cast, moment.flash, moment.growing_progress, moment.now,
-                       moment.caption, moment.asked ? &*moment.asked : nullptr, over.board, over.backdrop, over.sign},
-                      canvas);
+    StageView view{moment.state, moment.timings, cast, moment.flash, moment.growing_progress,
+                   moment.now,   moment.caption};
+    view.asked = moment.asked ? &*moment.asked : nullptr;
+    view.scanned = moment.scanned ? &*moment.scanned : nullptr;
+    view.board = over.board;
+    view.backdrop = over.backdrop;
+    view.sign = over.sign;
+    view.take_home = moment.take_home;
+    render::Frame frame = stage_->frame(view, canvas);
     frame.is_one_of_many = true;
     if (detail_) frame.detail = *detail_;
     drawn_ = {frame.size, frame.hanging, frame.framebuffer, frame.seconds, {}, {}, frame.detail, {}};

@@ -25,10 +25,12 @@ struct Moment {
     const exhibit::State& state;
     const exhibit::Timings& timings;
     const nursery::Act& act;
-    std::optional<Flash> flash;     // of the last press
-    std::optional<Asked> asked;     // in Describe and Slide
+    std::optional<Flash> flash;  // of the last press
+    std::optional<Asked> asked;  // in Describe and Slide
+    std::optional<Scanned> scanned = {};
     float growing_progress = 0;     // of what Breed waits for, 0 to 1
     std::string_view caption = {};  // may be empty
+    std::string_view take_home = {};
     base::Instant now{0};
 };
 

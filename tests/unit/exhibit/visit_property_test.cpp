@@ -20,11 +20,13 @@ struct Moment {
 
 Event random_event(base::RandomStream& chance, int generation) {
     const auto button = static_cast<Choice>(chance.below(5));
-    switch (chance.below(9)) {
+    switch (chance.below(10)) {
         case 0:
             return Tick{};
         case 4:
             return Grew{};
+        case 5:
+            return Stirred{};
         case 1:
             return GenerationReady{generation - static_cast<int>(chance.below(2))};
         case 2:

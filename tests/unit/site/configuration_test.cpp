@@ -47,6 +47,18 @@ TEST(Configuration, TheFileThatIsDeliveredSaysTheDefaults) {
     EXPECT_EQ(delivered.visit.describe_words, standard.visit.describe_words);
     EXPECT_EQ(delivered.visit.describe_every, standard.visit.describe_every);
     EXPECT_EQ(delivered.visit.describe_s, standard.visit.describe_s);
+    EXPECT_EQ(delivered.play.buttons, standard.play.buttons);
+    EXPECT_EQ(delivered.play.held, standard.play.held);
+    EXPECT_EQ(delivered.play.hold_s, standard.play.hold_s);
+    EXPECT_EQ(delivered.play.pace_s, standard.play.pace_s);
+    EXPECT_EQ(delivered.play.times_round, standard.play.times_round);
+    EXPECT_EQ(delivered.play.begins_by_itself, standard.play.begins_by_itself);
+    EXPECT_EQ(delivered.play.dwell_s, standard.play.dwell_s);
+    EXPECT_EQ(delivered.play.quiet_s, standard.play.quiet_s);
+    EXPECT_EQ(delivered.play.patience, standard.play.patience);
+    EXPECT_EQ(delivered.play.shows_how, standard.play.shows_how);
+    EXPECT_EQ(delivered.look, standard.look);
+    EXPECT_EQ(delivered.take_home, standard.take_home);
     EXPECT_EQ(delivered.hours, standard.hours);
     EXPECT_EQ(delivered.closing.card, standard.closing.card);
     EXPECT_EQ(delivered.closing.overtime, standard.closing.overtime);
@@ -91,6 +103,48 @@ TEST(Configuration, NamesWhatIsWrongWithWordsAndLanguages) {
     EXPECT_THAT(refusal_of("[words]\nwet = [0.5, 0]\n"), HasSubstr("site.toml:2: words.wet is not a range"));
     EXPECT_THAT(refusal_of("[words]\nnice = [0, 1]\n"), HasSubstr("words.nice is not known"));
     EXPECT_THAT(refusal_of("[visit]\nlanguage = \"tlh\"\n"), HasSubstr("visit.language is \"tlh\""));
+}
+
+TEST(Configuration, ReadsHowItIsPlayedByWhoHasNotFourButtons) {
+    const Configuration c = configuration_from(
+        "[play]\nbuttons = \"two\"\nheld = \"two\"\nhold_s = 0\npace_s = 1.5\ntimes_round = 0\nbegins_by_itself = "
+        "false\n"
+        "dwell_s = 2\nquiet_s = 1\npatience = 5\n",
+        "site.toml");
+    EXPECT_EQ(c.play.buttons, "two");
+    EXPECT_EQ(c.play.hold_s, 0);
+    EXPECT_EQ(c.play.dwell_s, 2);
+    EXPECT_EQ(c.play.patience, 5);
+    EXPECT_FALSE(c.play.begins_by_itself);
+    EXPECT_THAT(refusal_of("[play]\nbuttons = \"three\"\n"), HasSubstr("site.toml:2: play.buttons is \"three\""));
+    EXPECT_THAT(refusal_of("[play]\nhold_s = 0.5\n"), HasSubstr("it must be 0, or lie between 1 and 9"));
+    EXPECT_THAT(refusal_of("[play]\ndwell_s = 0.1\n"), HasSubstr("play.dwell_s is 0.1"));
+    EXPECT_THAT(refusal_of("[play]\npatience = 0\n"), HasSubstr("play.patience is 0"));
+    // 5.5 times 9 s are more than three times 15 s.
+    EXPECT_THAT(refusal_of("[play]\npace_s = 9\n"),
+                HasSubstr("site.toml:2: play.pace_s is 9, so the mark takes 49.5 s"));
+    EXPECT_EQ(configuration_from("[play]\npace_s = 9\npatience = 4\n", "site.toml").play.pace_s, 9);
+}
+
+TEST(Configuration, ReadsHowItIsLookedAtAndWhereItsLandscapesGo) {
+    const Configuration c = configuration_from(
+        "[text]\nsize = \"largest\"\ncontrast = \"high\"\n\"ask.sky\" = \"Sky?\"\n[picture]\nmotion = \"calm\"\n"
+        "[take_home]\nurl = \"https://museum.example/q?c=\"\n",
+        "site.toml");
+    EXPECT_EQ(c.look.size, "largest");
+    EXPECT_EQ(c.look.contrast, "high");
+    EXPECT_EQ(c.look.motion, "calm");
+    EXPECT_EQ(c.texts.size(), 1U);
+    EXPECT_EQ(c.take_home.url, "https://museum.example/q?c=");
+    EXPECT_THAT(refusal_of("[text]\nsize = \"big\"\n"),
+                HasSubstr("site.toml:2: text.size is \"big\"; it must be one of normal, large, largest"));
+    EXPECT_THAT(refusal_of("[picture]\nmotion = \"none\"\n"), HasSubstr("full, calm"));
+    for (const char* wrong : {"museum.example", "ftp://museum.example/", "https:///q", "https://muséum.example/",
+                              "https://museum.example/ q", "https://museum.example/<q>"})
+        EXPECT_THAT(refusal_of(("[take_home]\nurl = \"" + std::string(wrong) + "\"\n").c_str()),
+                    HasSubstr("write an address such as https://museum.example/quadrat/"));
+    EXPECT_THAT(refusal_of(("[take_home]\nurl = \"https://" + std::string(200, 'a') + "\"\n").c_str()),
+                HasSubstr("take_home.url has 208 letters"));
 }
 
 TEST(Configuration, ReadsOpeningHours) {

@@ -23,7 +23,7 @@ class AStage : public testing::Test {
     }
     render::Frame frame(base::Instant now) {
         return stage_.frame({state_, timings_, cast_, flash_, 0.5F, now, caption_, asked_ ? &*asked_ : nullptr, board_,
-                             backdrop_, sign_},
+                             backdrop_, sign_, scanned_ ? &*scanned_ : nullptr},
                             easel_.display().begin_frame());
     }
     mesh::Image drawn(base::Instant now) {
@@ -43,6 +43,7 @@ class AStage : public testing::Test {
     const mesh::Image* backdrop_ = nullptr;
     std::string_view caption_, sign_;
     std::optional<Asked> asked_;
+    std::optional<Scanned> scanned_;
 };
 
 TEST_F(AStage, ABoardCoversEverythingOrIsReadOverThePicture) {
@@ -200,6 +201,101 @@ TEST_F(AStage, FindsRoomForTheLabelsOfEveryLanguage) {
                 EXPECT_LE(sign.place.y + sign.place.height, 180) << code << " " << word.name;
             }
         }
+}
+
+// Mean brightness of a picture's pixels within a place, and how much it differs from place to place.
+double difference(const mesh::Image& one, const mesh::Image& other, const render::Rect& place) {
+    double sum = 0;
+    for (int y = place.y; y < place.y + place.height; ++y)
+        for (int x = place.x; x < place.x + place.width; ++x)
+            for (int c = 0; c < 3; ++c)
+                sum += std::abs(one.pixel(x, one.height - 1 - y)[c] - other.pixel(x, other.height - 1 - y)[c]);
+    return sum / (3.0 * place.width * place.height);
+}
+
+TEST_F(AStage, WhatIsMarkedIsFramedAndNothingElseChanges) {
+    scanned_ = Scanned{{}, "scan.one"};
+    const mesh::Image plain = drawn(3s);
+    const auto places = quarters(320, 180);
+    for (std::size_t marked = 0; marked < 4; ++marked) {
+        scanned_->marked = static_cast<exhibit::Choice>(marked);
+        const mesh::Image framed = drawn(3s);
+        for (std::size_t i = 0; i < 4; ++i) {
+            // Its outer edge, away from the badge and the plate in the middle.
+            const render::Rect edge{places[i].x + places[i].width / 4, i < 2 ? 180 - 5 : 0, places[i].width / 2, 5};
+            if (i == marked)
+                EXPECT_GT(difference(plain, framed, edge), 30) << i;
+            else
+                EXPECT_EQ(difference(plain, framed, edge), 0) << i;
+        }
+    }
+}
+
+TEST_F(AStage, BackStandsBelowTheQuestionWhereItIsOfferedAndIsFramedInItsTurn) {
+    scanned_ = Scanned{exhibit::Choice::A, "scan.one"};
+    const std::size_t without = frame(3s).signs.size();
+    scanned_->offers_back = true;
+    const render::Frame with = frame(3s);
+    ASSERT_EQ(with.signs.size(), without + 2) << "its word, and its ground";
+    const render::Rect ground = with.signs[without].place;
+    EXPECT_NEAR(ground.x + ground.width / 2, 160, 1);
+    EXPECT_LT(ground.y + ground.height, 90);
+    EXPECT_GT(ground.y, 0);
+    scanned_->marked = exhibit::Choice::Back;
+    const mesh::Image framed = drawn(3s);
+    scanned_->marked.reset();
+    EXPECT_GT(difference(framed, drawn(3s), {ground.x, ground.y - 4, ground.width, 4}), 30);
+}
+
+TEST_F(AStage, NowAndThenAGhostShowsHowItIsPlayedWhileNobodyIsThere) {
+    state_.screen = exhibit::Screen::Attract;
+    const std::size_t without = frame(3s).signs.size();
+    const render::Frame with = frame(12s);
+    EXPECT_EQ(with.signs.size(), without + 2 + 4 + 3)
+        << "a ground, a question, four badges, a finger, its outline, its nail";
+    for (const render::Sign& sign : with.signs) {
+        EXPECT_GE(sign.place.x, 0);
+        EXPECT_LE(sign.place.x + sign.place.width, 320);
+        EXPECT_LE(sign.place.y + sign.place.height, 180);
+    }
+    configuration_.look.motion = "calm";
+    EXPECT_EQ(frame(12s).signs.size(), without + 2 + 4 + 1) << "a ring";
+    for (const render::Sign& sign : frame(9s).signs)
+        for (const render::Sign& later : frame(10s).signs)
+            if (sign.texture && sign.texture == later.texture) {
+                EXPECT_EQ(sign.place, later.place) << "nothing moves";
+            }
+    state_.screen = exhibit::Screen::Ask;
+    EXPECT_EQ(frame(12s).views.size(), 4U);
+    state_.screen = exhibit::Screen::Attract;
+    configuration_.play.shows_how = false;
+    EXPECT_EQ(frame(12s).signs.size(), without);
+}
+
+TEST_F(AStage, LabelsAreFramedToo) {
+    cast_.scenes.resize(1);
+    state_.screen = exhibit::Screen::Describe;
+    asked_ = Asked{"describe.sky", {"a", "b", "c", "d"}, std::nullopt};
+    scanned_ = Scanned{{}, "scan.two", true};
+    const std::size_t plain = frame(3s).signs.size();
+    scanned_->marked = exhibit::Choice::D;
+    EXPECT_GT(frame(3s).signs.size(), plain);
+    for (const render::Sign& sign : frame(3s).signs) {
+        EXPECT_GE(sign.place.x, 0);
+        EXPECT_GE(sign.place.y, 0);
+        EXPECT_LE(sign.place.x + sign.place.width, 320);
+        EXPECT_LE(sign.place.y + sign.place.height, 180);
+    }
+}
+
+TEST_F(AStage, AHeldButtonFillsABarInThePlateOfTheQuestion) {
+    scanned_ = Scanned{{}, "hold.one", false, 0.01F};
+    const mesh::Image begun = drawn(3s);
+    scanned_->hold = 1;
+    const mesh::Image done = drawn(3s);
+    std::size_t lit = 0;
+    for (std::size_t i = 0; i < done.bytes.size(); ++i) lit += done.bytes[i] > begun.bytes[i] + 60 ? 1U : 0U;
+    EXPECT_GT(lit, 60U);
 }
 
 TEST_F(AStage, ALabelLightsUpInItsButtonsColour) {

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// A landscape goes home: from the finale's code, as zbar reads it from the screen, to a picture drawn elsewhere.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "journeys/quadrat_program.hpp"
+#include "support/effort.hpp"
+
+namespace {
+
+using namespace quadrat::tests;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string kAddress = "https://museum.example/quadrat/";
+
+// What zbar reads from the screen, as soon as it reads something.
+std::string read_from_the_screen(Process& exhibit, const TemporaryFolder& folder) {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds{kIsSanitized ? 400 : 120};
+    while (exhibit.is_running() && std::chrono::steady_clock::now() < until) {
+        const TemporaryFolder elsewhere;
+        const Ended shot = run(program({"shot", "-o", "now.png", "--state", (folder / "state").string()}), elsewhere);
+        if (shot.status != 0) continue;
+        const Ended read = run({"zbarimg", "--quiet", "--raw", "now.png"}, elsewhere);
+        if (read.status == 0) return read.out.substr(0, read.out.find('\n'));
+    }
+    ADD_FAILURE() << "no code was seen: " << contents_of(folder / "stderr.txt");
+    return "";
+}
+
+TEST(TakeHome, TheCodeOnTheScreenIsTheLandscapeThatWasBredAndDrawsItElsewhere) {
+    const TemporaryFolder folder;
+    folder.write(
+        "site.toml",
+        "[picture]\nland_samples = 65\nalpha = 0.1\n[visit]\nrounds = 1\nfinale_s = 600\n[take_home]\nurl = \"" +
+            kAddress + "\"\n");
+    folder.write("visit.script", "at 2s press A\nafter 3s press B\nafter 3s press C\nafter 3s press D\nwait 900s\n");
+    Process exhibit(program({"run", "--config", "site.toml", "--display", "headless", "--size", "1280x720", "--input",
+                             "script:visit.script", "--state", "state", "--seed", "5", "--speed", "1.001", "--capture",
+                             "pictures"}),
+                    folder.path());
+    const std::string address = read_from_the_screen(exhibit, folder);
+    ASSERT_THAT(address, StartsWith(kAddress + "Q1-"));
+    exhibit.kill(SIGTERM);
+    EXPECT_TRUE(succeeds(exhibit.wait()));
+
+    const Ended encoded = run(program({"code", "encode", "pictures/finale-01.png"}), folder);
+    ASSERT_TRUE(succeeds(encoded));
+    EXPECT_EQ(kAddress + encoded.out, address + "\n") << "the picture of the finale carries the same scene";
+    // Drawn from the code alone, in the ways in which the finale's picture was drawn: the same, bit for bit.
+    const Ended decoded = run(program({"code", "decode", address}), folder);
+    ASSERT_TRUE(succeeds(decoded));
+    folder.write("mine.json",
+                 "{\"quadrat\":\"picture\",\"version\":1,\"land_samples\":65,\"scenes\":[" + decoded.out + "]}");
+    for (const auto& [scene, picture] : {std::pair{"mine.json", "mine.png"}, {"pictures/finale-01.png", "seen.png"}})
+        EXPECT_TRUE(succeeds(run(
+            program({"render", scene, "-o", picture, "--size", "160x90", "--detail", "1", "--time", "0"}), folder)));
+    EXPECT_EQ(contents_of(folder / "mine.png"), contents_of(folder / "seen.png"));
+    EXPECT_TRUE(succeeds(run(program({"render", address, "-o", "home.png", "--size", "160x90"}), folder)));
+}
+
+TEST(TakeHome, ACodeThatWasMisreadIsToldInOneLine) {
+    const TemporaryFolder folder;
+    const Ended encoded = run(program({"code", "encode", "seed:7"}), folder);
+    ASSERT_TRUE(succeeds(encoded));
+    std::string code = encoded.out.substr(0, encoded.out.find('\n'));
+    const Ended decoded = run(program({"code", "decode", code}), folder);
+    EXPECT_THAT(decoded.out, StartsWith("{\"quadrat\":\"scene\",\"version\":1,"));
+    std::swap(code[40], code[41]);
+    code[50] = code[50] == 'A' ? 'B' : 'A';
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"code", "decode", code}, {"render", code, "-o", "x.png"}}) {
+        const Ended wrong = run(program(command), folder);
+        EXPECT_EQ(wrong.status, 2);
+        EXPECT_THAT(wrong.err, HasSubstr("a letter of the code is not as it was written"));
+        EXPECT_EQ(lines_of(wrong.err).size(), 1U) << wrong.err;
+    }
+    EXPECT_EQ(run(program({"code", "decode", "Q1-ABC"}), folder).status, 2);
+    EXPECT_EQ(run(program({"code", "decode", code, "-o", "x.txt"}), folder).status, 2);
+    EXPECT_EQ(run(program({"code", "encode", "nothing.json"}), folder).status, 2);
+}
+
+}  // namespace

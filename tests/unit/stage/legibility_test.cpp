@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/legibility.hpp"
+
+#include <gtest/gtest.h>
+
+#include "genome/speech.hpp"
+#include "render/lettering.hpp"
+#include "stage/easel.hpp"
+#include "stage/stage.hpp"
+
+namespace quadrat::stage {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::array kSizes{TextSize::Normal, TextSize::Large, TextSize::Largest};
+constexpr std::array kSizeNames{"normal", "large", "largest"};
+
+// What an eye sees of a height from three metres, on a screen of 24 inches, by trigonometry.
+double arcmin_of(double px, int height_px) {
+    constexpr double kScreen_mm = 298.9, kDistance_mm = 3000, kArcminARadian = 60 * 180 / 3.14159265358979;
+    return 2 * std::atan(px / height_px * kScreen_mm / 2 / kDistance_mm) * kArcminARadian;
+}
+
+// Rows of the image in which there is ink.
+int ink_height_px(const mesh::Image& image) {
+    int first = image.height, last = -1;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            if (image.pixel(x, y)[3] > 127) first = std::min(first, y), last = y;
+    return last < 0 ? 0 : last - first + 1;
+}
+
+TEST(Legibility, CapitalsAreAsHighAsTheTableSaysWhenTheyAreDrawn) {
+    constexpr double kPromised[3][4] = {{12, 14.4, 9, 10}, {16, 19.2, 12, 13.3}, {20, 24, 15, 16.7}};
+    for (const int height : {720, 1080, 2160})
+        for (std::size_t size = 0; size < 3; ++size)
+            for (std::size_t which = 0; which < 4; ++which) {
+                render::TextStyle style;
+                style.size_px = em_px(static_cast<Letters>(which), kSizes[size], height);
+                style.is_bold = which != 2;
+                style.shadow_px = 0;
+                const int drawn = ink_height_px(render::letter("H", style));
+                const double a_pixel = arcmin_of(1, height);
+                EXPECT_NEAR(arcmin_of(drawn, height), kPromised[size][which],
+                            1.2 * a_pixel + 0.025 * kPromised[size][which])
+                    << height << " " << kSizeNames[size] << " " << which;
+            }
+}
+
+TEST(Legibility, TheLetterInEveryBadgeIsAtLeastAsHighAsALabels) {
+    for (const int height : {720, 1080})
+        for (const TextSize size : kSizes)
+            for (std::size_t i = 0; i < kQuarters; ++i) {
+                const Quarter& q = quarter(i);
+                const int side = badge_px(size, height);
+                const mesh::Image with = render::badge(q.shape, q.letter, q.colour, side);
+                const mesh::Image without = render::badge(q.shape, "", q.colour, side);
+                int first = side, last = -1;
+                for (int y = 0; y < side; ++y)
+                    for (int x = 0; x < side; ++x)
+                        if (std::abs(with.pixel(x, y)[1] - without.pixel(x, y)[1]) > 60)
+                            first = std::min(first, y), last = y;
+                const double seen = arcmin_of(last - first + 1, height);
+                EXPECT_GE(seen, capitals_arcmin(Letters::Label, size) - 1.2 * arcmin_of(1, height)) << q.letter;
+            }
+}
+
+double luminance(const glm::vec3& srgb) {
+    double sum = 0;
+    constexpr double kShares[] = {0.2126, 0.7152, 0.0722};
+    for (int i = 0; i < 3; ++i) {
+        const double c = static_cast<double>(srgb[i]);
+        sum += kShares[i] * (c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+}
+
+TEST(Legibility, WhiteOnAPlateHasItsContrastOverTheBrightestPicture) {
+    const auto contrast = [](bool is_high) {
+        const glm::vec4 plate = plate_colour({TextSize::Normal, is_high, false});
+        return 1.05 / (luminance(glm::vec3(plate) * plate.a + (1 - plate.a)) + 0.05);
+    };
+    EXPECT_GE(contrast(false), 7);
+    EXPECT_GE(contrast(true), 18);
+}
+
+// A stage as large as the smallest screen that exhibits have.
+class ALegibleStage : public testing::Test {
+  protected:
+    static constexpr int kWidth = 1280, kHeight = 720;
+    ALegibleStage() : easel_(kWidth, kHeight), stage_(easel_.renderer(), configuration_) {
+        const auto scene = nursery::grow(genome::random_recipe(base::Seed{1}), {65, 64, 128});
+        const Shown shown{scene, upload_now(easel_.renderer(), scene)};
+        four_.scenes.assign(4, shown);
+        one_.scenes = {shown};
+        canvas_ = easel_.display().begin_frame();
+    }
+    render::Frame frame(exhibit::Screen screen, base::Instant now = 10s) {
+        state_.screen = screen;
+        const bool is_four =
+            screen == exhibit::Screen::Ask || screen == exhibit::Screen::Breed || screen == exhibit::Screen::StillThere;
+        StageView view{state_, timings_, is_four ? four_ : one_, flash_, 0.5F, now, caption_};
+        view.asked = asked_ ? &*asked_ : nullptr;
+        view.scanned = scanned_ ? &*scanned_ : nullptr;
+        return stage_.frame(view, canvas_);
+    }
+    void expect_within(const render::Frame& drawn, const std::string& what) {
+        for (const render::Sign& sign : drawn.signs) {
+            EXPECT_GE(sign.place.x, 0) << what;
+            EXPECT_GE(sign.place.y, 0) << what;
+            EXPECT_LE(sign.place.x + sign.place.width, kWidth) << what;
+            EXPECT_LE(sign.place.y + sign.place.height, kHeight) << what;
+        }
+    }
+    // Each word on the ground that it was given: the last plain rectangle before it that is filled.
+    void expect_words_on_their_ground(const render::Frame& drawn, const std::string& what) {
+        const render::Sign* ground = nullptr;
+        for (const render::Sign& sign : drawn.signs) {
+            if (!sign.texture && sign.border_px == 0 && sign.colour.a < 1 && sign.colour.r < 0.5F) ground = &sign;
+            if (!sign.texture || ground == nullptr) continue;
+            EXPECT_GE(sign.place.x, ground->place.x) << what;
+            EXPECT_GE(sign.place.y, ground->place.y) << what;
+            EXPECT_LE(sign.place.x + sign.place.width, ground->place.x + ground->place.width) << what;
+            EXPECT_LE(sign.place.y + sign.place.height, ground->place.y + ground->place.height) << what;
+        }
+    }
+
+    site::Configuration configuration_;
+    Easel easel_;
+    Stage stage_;
+    display::Canvas canvas_;
+    exhibit::State state_;
+    exhibit::Timings timings_;
+    Cast four_, one_;
+    std::optional<Flash> flash_;
+    std::string caption_;
+    std::optional<Asked> asked_;
+    std::optional<Scanned> scanned_;
+};
+
+TEST_F(ALegibleStage, HasRoomForEveryPromptOfEveryLanguageAtEverySize) {
+    using exhibit::Screen;
+    for (const std::string_view code : genome::language_codes())
+        for (const char* size : kSizeNames)
+            for (const std::string_view key : genome::kPrompts) {
+                configuration_.look.size = size;
+                configuration_.look.contrast = key == "breed" ? "high" : "normal";
+                configuration_.visit.language = std::string(code);
+                const std::string words(genome::prompt(code, key));
+                const std::string what = std::string(code) + " " + size + " " + std::string(key);
+                configuration_.texts = {{"ask.trees", words},
+                                        {"finale", words},
+                                        {"still-there", words},
+                                        {"scan.one", words},
+                                        {"back", words}};
+                caption_ = genome::language(code).describe(genome::Description{});
+                scanned_ = Scanned{exhibit::Choice::Back, "scan.one", true};
+                for (const Screen screen : {Screen::Ask, Screen::Breed, Screen::StillThere, Screen::Finale}) {
+                    if (screen != Screen::Ask) scanned_.reset();
+                    const render::Frame drawn = frame(screen);
+                    expect_within(drawn, what);
+                    if (screen != Screen::Ask) expect_words_on_their_ground(drawn, what);
+                }
+            }
+}
+
+TEST_F(ALegibleStage, HasRoomForTheLabelsOfEveryWordBelowTheirQuestionAtEverySize) {
+    for (const std::string_view code : genome::language_codes())
+        for (const char* size : kSizeNames)
+            for (const genome::Word& word : genome::vocabulary()) {
+                configuration_.look.size = size;
+                configuration_.visit.language = std::string(code);
+                asked_ = Asked{"describe." + std::string(name_of(word.aspect)), genome::language(code).answers(word.id),
+                               std::nullopt};
+                scanned_ = Scanned{{}, "scan.two", true};
+                const render::Frame drawn = frame(exhibit::Screen::Describe);
+                const std::string what = std::string(code) + " " + size + " " + std::string(word.name);
+                expect_within(drawn, what);
+                expect_words_on_their_ground(drawn, what);
+                // Plate, question, hint, ground of Back, Back; then four times ground, badge and words.
+                ASSERT_EQ(drawn.signs.size(), 5U + 12U) << what;
+                const render::Rect& back = drawn.signs[3].place;
+                for (std::size_t label = 0; label < 2; ++label) {
+                    const render::Rect& upper = drawn.signs[5 + 3 * label].place;
+                    const bool is_beside = upper.x + upper.width <= back.x || upper.x >= back.x + back.width;
+                    EXPECT_TRUE(is_beside || upper.y + upper.height <= back.y) << what;
+                    EXPECT_LE(upper.y + upper.height, drawn.signs[0].place.y) << what;
+                }
+            }
+}
+
+// What words stand on: filled, dark, and not quite opaque.
+std::vector<render::Rect> grounds_of(const render::Frame& drawn) {
+    std::vector<render::Rect> grounds;
+    for (const render::Sign& sign : drawn.signs)
+        if (!sign.texture && sign.border_px == 0 && sign.colour.a < 1 && sign.colour.r < 0.5F)
+            grounds.push_back(sign.place);
+    return grounds;
+}
+
+bool are_apart(const render::Rect& a, const render::Rect& b) {
+    return a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
+}
+
+TEST_F(ALegibleStage, KeepsTheSliderApartFromAllElseAtEverySize) {
+    for (const std::string_view code : genome::language_codes())
+        for (const char* size : kSizeNames)
+            for (const genome::Word& word : genome::vocabulary()) {
+                configuration_.look.size = size;
+                configuration_.visit.language = std::string(code);
+                const genome::Language& language = genome::language(code);
+                asked_ = Asked{"slide",
+                               {"←", "→", "−", "+"},
+                               ShownSlider{std::string(language.end(word.id, false)),
+                                           std::string(language.end(word.id, true)), 0.5F}};
+                scanned_ = Scanned{{}, "scan.two", true};
+                const render::Frame drawn = frame(exhibit::Screen::Slide);
+                const std::string what = std::string(code) + " " + size + " " + std::string(word.name);
+                expect_within(drawn, what);
+                expect_words_on_their_ground(drawn, what);
+                const std::vector<render::Rect> grounds = grounds_of(drawn);
+                ASSERT_EQ(grounds.size(), 7U) << what << ": a question, Back, four labels, a slider";
+                for (std::size_t i = 0; i < grounds.size(); ++i)
+                    for (std::size_t j = 0; j < i; ++j) EXPECT_TRUE(are_apart(grounds[i], grounds[j])) << what;
+            }
+}
+
+TEST_F(ALegibleStage, HasRoomForTheGhostThatShowsHowItIsPlayedInEveryLanguageAtEverySize) {
+    for (const std::string_view code : genome::language_codes())
+        for (const char* size : kSizeNames)
+            for (const char* motion : {"full", "calm"}) {
+                configuration_.look.size = size;
+                configuration_.look.motion = motion;
+                configuration_.visit.language = std::string(code);
+                scanned_ = Scanned{{}, "invite.two"};
+                const render::Frame drawn = frame(exhibit::Screen::Attract, 9700ms);
+                EXPECT_GT(drawn.signs.size(), 8U);
+                expect_within(drawn, std::string(code) + " " + size + " " + motion);
+                expect_words_on_their_ground(drawn, std::string(code) + " " + size + " " + motion);
+            }
+}
+
+TEST_F(ALegibleStage, LettersAndSignsGrowFromSizeToSize) {
+    int last_height = 0, last_badge = 0;
+    for (const char* size : kSizeNames) {
+        configuration_.look.size = size;
+        const render::Frame drawn = frame(exhibit::Screen::Ask);
+        EXPECT_GT(drawn.signs[0].place.width, last_badge);
+        EXPECT_GT(drawn.signs[5].place.height, last_height);
+        last_badge = drawn.signs[0].place.width;
+        last_height = drawn.signs[5].place.height;
+    }
+}
+
+TEST_F(ALegibleStage, HighContrastOutlinesWhatWordsStandOn) {
+    const std::size_t normal = frame(exhibit::Screen::Ask).signs.size();
+    configuration_.look.contrast = "high";
+    EXPECT_EQ(frame(exhibit::Screen::Ask).signs.size(), normal + 1);
+}
+
+TEST_F(ALegibleStage, InCalmNothingFliesAndNothingGrowsIn) {
+    using exhibit::Screen;
+    for (const Screen screen : {Screen::Ask, Screen::Attract, Screen::Finale, Screen::Breed}) {
+        configuration_.look.motion = "full";
+        EXPECT_NE(frame(screen, 2s).views[0].camera.eye_m, frame(screen, 20s).views[0].camera.eye_m);
+        EXPECT_LT(frame(screen, 1s).views[0].growth, 1);
+        configuration_.look.motion = "calm";
+        const render::Frame first = frame(screen, 0s), later = frame(screen, 20s);
+        EXPECT_EQ(first.views[0].camera.eye_m, later.views[0].camera.eye_m);
+        EXPECT_EQ(first.views[0].camera.target_m, later.views[0].camera.target_m);
+        EXPECT_EQ(first.views[0].growth, 1);
+        EXPECT_EQ(first.views[0].dim, 1) << "it comes out of the dark";
+        EXPECT_LT(later.views[0].dim, 0.5F);
+        EXPECT_GE(frame(screen, 700ms).views[0].dim, frame(screen, 800ms).views[0].dim);
+    }
+}
+
+}  // namespace
+}  // namespace quadrat::stage
