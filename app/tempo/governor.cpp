@@ -26,9 +26,11 @@ constexpr auto kLongestRough = std::chrono::nanoseconds{2h};
 constexpr float kLessAtOnce = 0.6F;  // of the level, where a frame takes one period again
 constexpr float kGrowing = 0.4F;
 constexpr float kLeastGrowing = 0.12F;
-constexpr float kWaitTakes = 0.5F;   // a wait, of what is drawn while landscapes grow
-constexpr float kSofterFrom = 0.3F;  // level
-constexpr float kRoomShare = 0.95F;  // of the frames must have had room before more is tried
+constexpr float kGrowingRises = 0.3F;  // octaves a second
+constexpr int kFirstFrames = 6;        // of other landscapes: all is drawn anew, and brought to the GPU's memory
+constexpr float kWaitTakes = 0.5F;     // a wait, of what is drawn while landscapes grow
+constexpr float kSofterFrom = 0.3F;    // level
+constexpr float kRoomShare = 0.95F;    // of the frames must have had room before more is tried
 constexpr float kLeastRoom = 0.5F;
 constexpr float kLateTakes = 0.85F;     // a late frame, of that room
 constexpr float kLateTakesNow = 0.95F;  // of the level
@@ -77,6 +79,7 @@ void DetailGovernor::allow_samples(int most) {
 }
 
 void DetailGovernor::other_landscapes(Instant now) {
+    first_frames_left_ = kFirstFrames;
     const bool is_possible = has_room_for_smooth_edges_ && samples_ < most_samples_ && now >= rough_until_;
     if (!is_possible) return;
     samples_ = most_samples_;
@@ -100,6 +103,9 @@ void DetailGovernor::kept_waiting() {
     reason_ = fmt::format("detail {:.2f} while landscapes grow: a visitor waited for them", target_ * growing_share_);
 }
 
+// What is late then is late for what comes, not for how finely it is drawn: the less is drawn of the next at first.
+bool DetailGovernor::is_unsettled(const FrameTold& told) const { return told.is_growing || first_frames_left_ > 0; }
+
 bool DetailGovernor::is_late(const FrameTold& told) const { return tempo::is_late(told.took, told.period, periods_); }
 
 void DetailGovernor::frame(const FrameTold& told) {
@@ -116,6 +122,7 @@ void DetailGovernor::frame(const FrameTold& told) {
         if (told.used > room_ && told.took < kHiccup * told.period * periods_) yield_a_little(told);
     }
     ++frames_calm_;
+    first_frames_left_ = std::max(first_frames_left_ - 1, 0);
     // What it would have used with all the detail that is aimed at: about half of a frame's time follows the level.
     const float whole = told.used * std::sqrt(std::max(target_ / level(), 1.0F));
     frames_with_room_ += whole <= room_;
@@ -146,7 +153,10 @@ void DetailGovernor::glide(const FrameTold& told) {
     is_growing_ = told.is_growing;
     const float back = std::exp2(kRoomGrows * passed_s);
     room_ = std::min(room_ * back, kRoom);
-    growing_share_ = std::min(growing_share_ * back, kGrowing);
+    // Where there is much room beside what grows, it need not be less.
+    const bool has_room = is_growing_ && told.used < kMuchRoom * room_ && !is_late(told);
+    growing_share_ = has_room ? std::min(growing_share_ * std::exp2(kGrowingRises * passed_s), 1.0F)
+                              : std::max(std::min(growing_share_ * back, kGrowing), growing_share_);
     recovered_ = is_growing_ ? growing_share_ : std::min(recovered_ * std::exp2(0.4F * passed_s), 1.0F);
 }
 
@@ -154,7 +164,7 @@ void DetailGovernor::glide(const FrameTold& told) {
 // give_way(): until then no more than this is taken.
 void DetailGovernor::yield_a_little(const FrameTold& told) {
     const float before = target_;
-    if (told.is_growing) {
+    if (is_unsettled(told)) {
         growing_share_ = std::max(growing_share_ * kLateTakes, kLeastGrowing);
     } else if (target_ > GovernorOptions::kLeast && samples_ == 1) {
         target_ = std::min(target_, std::max({target_ * kLateTakesNow, least_by_ones_, GovernorOptions::kLeast}));
@@ -168,7 +178,9 @@ void DetailGovernor::give_way(const FrameTold& told) {
     has_room_for_smooth_edges_ = false;
     if (samples_ > 1 && told.used > room_) return give_up_smooth_edges(told);
     const float before = target_;
-    if (told.is_growing && growing_share_ > kLeastGrowing) {
+    const bool are_first_frames = !told.is_growing && is_unsettled(told);
+    if (are_first_frames && growing_share_ <= kLeastGrowing) return;
+    if (is_unsettled(told) && growing_share_ > kLeastGrowing) {
         // Another generation will grow in a minute: that is its share, not the picture's.
         growing_share_ = std::max(0.8F * growing_share_, kLeastGrowing);
         say("late while landscapes grow", before, told);

@@ -75,6 +75,7 @@ class DetailGovernor {
     static constexpr std::size_t kWindow = 32;  // frames
 
     bool is_late(const FrameTold& told) const;
+    bool is_unsettled(const FrameTold& told) const;
     bool follows_screen(const FrameTold& told);
     void glide(const FrameTold& told);
     void yield_a_little(const FrameTold& told);
@@ -106,8 +107,9 @@ class DetailGovernor {
     std::optional<Instant> last_now_;
     Instant calm_since_{0};
     Instant changed_at_{0};
-    float room_ = kRoom;       // less where what comes between, landscapes that grow beside it, makes frames late
-    float least_by_ones_ = 0;  // level: single late frames take no more
+    float room_ = kRoom;         // less where what comes between, landscapes that grow beside it, makes frames late
+    float least_by_ones_ = 0;    // level: single late frames take no more
+    int first_frames_left_ = 0;  // of other landscapes
     int frames_with_room_ = 0;
     int frames_with_much_room_ = 0;
     int frames_calm_ = 0;
