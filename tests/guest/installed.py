@@ -68,6 +68,9 @@ def installs():
         ' --binary build/bin/quadrat'
     with Installed() as machine:
         say(f'booted in {machine.wait():.0f} s')
+        machine.type('sudo timedatectl set-timezone Europe/Berlin')
+        assert 'Berlin' in machine.sh('readlink /etc/localtime')
+        machine.sh('timedatectl set-timezone Etc/UTC')
         would = machine.type(command + ' --dry-run')
         assert 'would make a partition on /dev/vdb' in would, would
         assert 'Done.' in machine.type(command)
@@ -90,6 +93,7 @@ def crashes():
         machine.type('sudo cp /etc/quadrat/quadrat.toml /run/quadrat.toml')
         machine.sh('echo "# kept" >>/run/quadrat.toml; echo gone >/etc/gone; logger of the first day')
         machine.type('sudo overlayroot-chroot cp /run/quadrat.toml /etc/quadrat/quadrat.toml')
+        machine.type('sudo overlayroot-chroot ln -sf /usr/share/zoneinfo/Europe/Berlin /etc/localtime')
         pid = machine.main_pid('quadrat')
         machine.sh(f'kill -SEGV {pid}')
         end = time.time() + PATIENCE
@@ -105,6 +109,7 @@ def remembers():
     with Installed() as machine:
         machine.wait()
         assert machine.sh('cat /etc/gone') != 'gone\n'
+        assert 'Berlin' in machine.sh('readlink /etc/localtime')
         assert '# kept' in machine.sh('tail -n 1 /etc/quadrat/quadrat.toml')
         assert 'of the first day' in machine.sh('journalctl -b -1')
         assert 'present' in machine.sh('coredumpctl list --no-pager /usr/bin/quadrat')
