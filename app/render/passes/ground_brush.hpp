@@ -13,7 +13,7 @@
 
 namespace quadrat::render::passes {
 
-inline constexpr float kGrain = 0.75F;     // how much of the ground's brightness its grain is
+inline constexpr float kGrain = 0.6F;      // how much of the ground's brightness its grain is
 inline constexpr float kNearGrain = 1.3F;  // the same of what is seen only near by
 
 // Multiplies what the ground is made of and the light baked for it, once a scene: a pixel of a frame fetches their

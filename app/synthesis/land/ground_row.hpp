@@ -116,10 +116,12 @@ struct GroundKernel {
         lay(m, k.snow,
             smooth(-3.0F, 4.0F, over_snow_m + F(k.snow_broken) * (F(7.0F) * p + F(5.0F) * g)) *
                 (F(1.0F) - smooth(k.snow_slope, k.snow_slope + 0.14F, s + F(0.10F) * g - F(0.12F) * hollow)));
-        finish(row, k, i, m, shore, g);
+        finish(row, k, i, m, shore, g, p);
     }
 
-    static void finish(const GroundRow& row, const GroundLook& k, std::size_t i, Lain& m, F shore, F g) {
+    static void finish(const GroundRow& row, const GroundLook& k, std::size_t i, Lain& m, F shore, F g, F p) {
+        // Grain as strong everywhere would be a carpet.
+        const F strong = F(0.75F) + F(0.4F) * xsimd::min(xsimd::max(p, F(-1.0F)), F(1.0F));
         // Wet ground is darker and of a deeper colour.
         const F wet = F(1.0F) - smooth(0.15F * k.wet_top_m, k.wet_top_m, shore + F(0.1F * k.wet_top_m) * g);
         m.l = m.l * (F(1.0F) + F(k.grain) * g) * (F(1.0F) - F(0.20F) * wet);
@@ -127,8 +129,8 @@ struct GroundKernel {
         m.a = m.a * deeper;
         m.b = m.b * deeper;
         const auto put = [i](float* values, F x) { x.store_unaligned(values + i); };
-        put(row.soft, F(255.0F) * unit(m.soft * (F(1.0F) - F(0.25F) * wet)) + F(0.5F));
-        put(row.hard, F(255.0F) * unit(m.hard) + F(0.5F));
+        put(row.soft, F(255.0F) * unit(strong * m.soft * (F(1.0F) - F(0.25F) * wet)) + F(0.5F));
+        put(row.hard, F(255.0F) * unit(strong * m.hard) + F(0.5F));
         // scene::linear_from_oklab.
         const F l_ = m.l + F(0.3963377774F) * m.a + F(0.2158037573F) * m.b;
         const F m_ = m.l - F(0.1055613458F) * m.a - F(0.0638541728F) * m.b;

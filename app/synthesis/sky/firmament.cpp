@@ -237,7 +237,7 @@ void add_falling(scene::Sky& sky, const Parameters& p) {
         const float drift = 0.25F + 1.1F * p.rain_slant;
         f.speed_m_s = {drift * wind.x, -9.5F, drift * wind.y};
         f.width_m = 0.004F;
-        f.streak_s = 0.022F + 0.014F * falls.rain;
+        f.streak_s = 0.012F + 0.008F * falls.rain;
         f.opacity = 0.24F + 0.24F * falls.rain;
         f.colour = held(1.15F * light, 1.0F);
     } else {
