@@ -249,18 +249,27 @@ TEST(Foliage, OfAConiferBearsConesOfScales) {
     EXPECT_EQ(scales % 9, 0U);
 }
 
+struct Lightness {
+    double mean, deviation;
+};
+Lightness lightness_of(const mesh::Image& picture) {
+    double mean = 0;
+    double square = 0;
+    for (const std::uint8_t byte : picture.bytes) {
+        mean += byte;
+        square += byte * byte;
+    }
+    const auto count = static_cast<double>(picture.bytes.size());
+    mean /= count;
+    return {mean, std::sqrt(square / count - mean * mean)};
+}
+
 TEST(LeafPicture, HasVeinsAndTheBladesOwnColourOnTheWhole) {
     for (int k = 0; k < kLeafKinds; ++k) {
         const mesh::Image picture = leaf_picture(static_cast<LeafKind>(k), base::Seed{3});
-        double mean = 0;
-        double square = 0;
-        for (const std::uint8_t byte : picture.bytes) {
-            mean += byte;
-            square += byte * byte;
-        }
-        mean /= static_cast<double>(picture.bytes.size());
-        EXPECT_NEAR(mean, 128, 1) << k;
-        EXPECT_GT(std::sqrt(square / static_cast<double>(picture.bytes.size()) - mean * mean), 8) << k;
+        const Lightness light = lightness_of(picture);
+        EXPECT_NEAR(light.mean, 128, 1) << k;
+        EXPECT_GT(light.deviation, 8) << k;
         // The midrib is lighter than the blade beside it.
         EXPECT_GT(*picture.pixel(0, 24), *picture.pixel(9, 24)) << k;
         EXPECT_EQ(picture, leaf_picture(static_cast<LeafKind>(k), base::Seed{3}));
@@ -279,15 +288,9 @@ double mean_step(const mesh::Image& picture, int to_column) {
 TEST(FoliagePicture, IsOfLeavesOverOneAnotherThatGoOnAtItsSides) {
     for (int k = 0; k < kLeafKinds; ++k) {
         const mesh::Image picture = foliage_picture(static_cast<LeafKind>(k), base::Seed{3});
-        double mean = 0;
-        double square = 0;
-        for (const std::uint8_t byte : picture.bytes) {
-            mean += byte;
-            square += byte * byte;
-        }
-        mean /= static_cast<double>(picture.bytes.size());
-        EXPECT_NEAR(mean, 128, 2) << k;
-        EXPECT_GT(std::sqrt(square / static_cast<double>(picture.bytes.size()) - mean * mean), 16) << k;
+        const Lightness light = lightness_of(picture);
+        EXPECT_NEAR(light.mean, 128, 2) << k;
+        EXPECT_GT(light.deviation, 16) << k;
         double usual = 0;
         for (int x = 1; x < picture.width; ++x) usual = std::max(usual, mean_step(picture, x));
         EXPECT_LE(mean_step(picture, 0), 1.2 * usual) << k;
