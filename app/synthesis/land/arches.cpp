@@ -32,8 +32,12 @@ void add_tube(Stones& stones, const std::vector<Ring>& rings, int sides, float l
         const glm::vec3 up = glm::cross(level, ring.along);
         for (int side = 0; side < sides; ++side) {
             const float turn = 2 * kPi * static_cast<float>(side) / static_cast<float>(sides);
-            const float lump = noise::gradient(lumps, 2.3F * std::cos(turn) + 0.31F * static_cast<float>(i),
-                                               2.3F * std::sin(turn) + 0.17F * static_cast<float>(i));
+            const float along = 22 * static_cast<float>(i) / static_cast<float>(rings.size());
+            const auto lumps_of = [&](float size) {
+                return noise::gradient(lumps, size * (2.3F * std::cos(turn) + 0.31F * along),
+                                       size * (2.3F * std::sin(turn) + 0.17F * along));
+            };
+            const float lump = lumps_of(1) + 0.35F * lumps_of(2.9F);
             const float r = ring.radius_m + lump_m * lump;
             corners.push_back(ring.middle_m + r * (std::cos(turn) * level + ring.flat * std::sin(turn) * up));
         }
@@ -124,7 +128,7 @@ void add_arch(Stones& stones, const StoneGround& ground, const ArchPlace& place,
     const float foot_left_m = ground_m(-half_m) - 0.35F * place.height_m;
     const float foot_right_m = ground_m(half_m) - 0.35F * place.height_m;
     const float top_m = std::max(ground_m(-half_m), ground_m(half_m)) + place.height_m - thick_m;
-    constexpr int kRings = 22;
+    constexpr int kRings = 40;
     std::vector<Ring> rings;
     for (int i = 0; i < kRings; ++i) {
         const float t = static_cast<float>(i) / (kRings - 1);
@@ -141,7 +145,9 @@ void add_arch(Stones& stones, const StoneGround& ground, const ArchPlace& place,
     for (std::size_t i = 0; i < rings.size(); ++i)
         rings[i].along =
             glm::normalize(rings[std::min(i + 1, rings.size() - 1)].middle_m - rings[i > 0 ? i - 1 : 0].middle_m);
-    add_tube(stones, rings, 11, 0.5F * thick_m, noise::Key{seed.child("lumps")}, strata, land);
+    const std::size_t first = stones.stone.mesh.positions_m.size();
+    add_tube(stones, rings, 16, 0.5F * thick_m, noise::Key{seed.child("lumps")}, strata, land);
+    round_off(stones.stone, first, 0.75F);
     // From the side of it that the viewer is on.
     const glm::vec2 through{-place.across.y, place.across.x};
     const float toward = glm::dot(through, kViewer_m - place.at_m) < 0 ? -1.0F : 1.0F;

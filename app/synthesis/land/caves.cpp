@@ -187,6 +187,7 @@ void add_cave(Stones& stones, const StoneGround& ground, const CavePlace& place,
                                       0.1F, 1.9F);
         hoops[i] = hoop_of(place, shape, lumps);
     }
+    const std::size_t first = stones.stone.mesh.positions_m.size();
     CaveMesh mesh(stones, strata);
     const auto ahead = [&](float out, float up) {
         const glm::vec2 at = place.at(out, 0);
@@ -204,6 +205,7 @@ void add_cave(Stones& stones, const StoneGround& ground, const CavePlace& place,
     left.push_back(ahead(-1.7F, kSole));
     right.push_back(left.back());
     mesh.sole(left, right);
+    round_off(stones.stone, first, 0.5F);
     // What has fallen from the brow lies at both sides of the way in.
     base::RandomStream random{seed.child("fallen")};
     for (int i = 0; i < 8; ++i) {

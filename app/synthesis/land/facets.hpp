@@ -30,6 +30,10 @@ class Strata {
 // A triangle with corners of its own, so that it is flat; none where it has no area.
 void add_facet(scene::Stone& stone, const std::array<glm::vec3, 3>& corners, const std::array<glm::vec3, 3>& colours);
 
+// Of the stone from this vertex on: normals bent so far, 0 to 1, to the mean of the facets that meet there. Weather
+// takes edges off; none taken off is crystal.
+void round_off(scene::Stone& stone, std::size_t from, float share);
+
 void add_boulder(Stones& stones, const Strata& strata, const glm::vec3& foot_m, float radius_m,
                  base::RandomStream& random);
 

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <map>
 #include <numbers>
 
 #include "scene/colour.hpp"
@@ -125,6 +127,25 @@ void add_facet(scene::Stone& stone, const std::array<glm::vec3, 3>& corners, con
         stone.mesh.positions_m.push_back(corners[i]);
         stone.mesh.normals.push_back(normal);
         stone.colours.push_back(colours[i]);
+    }
+}
+
+void round_off(scene::Stone& stone, std::size_t from, float share) {
+    const auto place = [&stone](std::size_t i) {
+        const glm::vec3& at = stone.mesh.positions_m[i];
+        return std::array{at.x, at.y, at.z};
+    };
+    std::map<std::array<float, 3>, glm::vec3> meeting;
+    for (std::size_t i = from; i < stone.mesh.positions_m.size(); ++i)
+        meeting.try_emplace(place(i), 0.0F).first->second += stone.mesh.normals[i];
+    for (std::size_t i = from; i < stone.mesh.positions_m.size(); ++i) {
+        const glm::vec3 sum = meeting.at(place(i));
+        const float length = glm::length(sum);
+        if (length < 1.0e-3F) continue;
+        // A brow stays sharp.
+        constexpr float kSharp = 0.3F;
+        glm::vec3& normal = stone.mesh.normals[i];
+        if (glm::dot(normal, sum) > kSharp * length) normal = glm::normalize(glm::mix(normal, sum / length, share));
     }
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "support/effort.hpp"
+#include "synthesis/land/facets.hpp"
 #include "synthesis/land/patterns.hpp"
 #include "synthesis/noise/reaction.hpp"
 #include "synthesis/trees/bark.hpp"
@@ -321,6 +322,25 @@ TEST(Shrub, IsADomeThatReachesTheGround) {
         EXPECT_LT(lowest_m, 0.25F * options.height_m) << seed;
         EXPECT_GT(widest_m, 0.3F * options.height_m) << seed;
     }
+}
+
+TEST(Stone, IsRoundedOffAsFarAsItIsAsked) {
+    using land::add_facet;
+    const std::array<glm::vec3, 3> colours{};
+    scene::Stone sharp;
+    add_facet(sharp, {glm::vec3{5, 0, 0}, {6, 0, 0}, {5, 0, 1}}, colours);  // not of it
+    const std::size_t from = sharp.mesh.positions_m.size();
+    add_facet(sharp, {glm::vec3{0, 0, 0}, {0, 0, 1}, {1, 0, 0}}, colours);  // up
+    add_facet(sharp, {glm::vec3{0, 0, 0}, {1, 0, 0}, {0, -1, 0}}, colours);
+    scene::Stone round = sharp;
+    land::round_off(sharp, from, 0);
+    land::round_off(round, from, 1);
+    for (std::size_t i = 0; i < from; ++i) EXPECT_EQ(round.mesh.normals[i], sharp.mesh.normals[i]);
+    EXPECT_EQ(sharp.mesh.normals[from], glm::vec3(0, 1, 0));
+    EXPECT_NEAR(glm::length(round.mesh.normals[from] - round.mesh.normals[from + 3]), 0, 1e-6) << "where both meet";
+    EXPECT_NEAR(glm::dot(round.mesh.normals[from], sharp.mesh.normals[from]), 0.7071, 1e-3);
+    EXPECT_NEAR(glm::length(round.mesh.normals[from + 1] - sharp.mesh.normals[from + 1]), 0, 1e-6)
+        << "where one is alone";
 }
 
 TEST(Lichen, CoversMoreOfAStoneTheMoreItIsAskedFor) {
