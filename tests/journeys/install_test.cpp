@@ -105,6 +105,8 @@ TEST(Install, DoesNothingTheSecondTimeAndIsTakenBackWhole) {
     EXPECT_THAT(machine.file("etc/fstab"), HasSubstr("LABEL=quadrat-data /var/lib/quadrat ext4"));
     EXPECT_THAT(machine.file("etc/fstab"),
                 HasSubstr("LABEL=bootfs  /boot/firmware  vfat  defaults,noatime,ro  0  2\n"));
+    EXPECT_THAT(machine.file("etc/systemd/system/systemd-remount-fs.service.d/quadrat.conf"),
+                HasSubstr("\nEnvironment=LIBMOUNT_FORCE_MOUNT2=always\n"));
     EXPECT_THAT(machine.file("etc/overlayroot.local.conf"), HasSubstr("\noverlayroot=\"tmpfs:swap=0,recurse=0\"\n"));
     EXPECT_THAT(machine.file("etc/systemd/journald.conf.d/quadrat.conf"), HasSubstr("\nStorage=persistent\n"));
     EXPECT_THAT(machine.file("etc/passwd"), HasSubstr("quadrat:"));
