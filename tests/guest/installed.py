@@ -85,7 +85,7 @@ def crashes():
     with Installed() as machine:
         machine.wait()
         assert machine.is_only_read(), machine.sh('findmnt')
-        machine.sh('touch /root/memory-takes-it')
+        machine.type('touch /root/memory-takes-it')
         for place, source in (('/var/lib/quadrat', '/dev/vdb1'), ('/var/log/journal', '/.machine/journal'),
                               ('/var/lib/systemd/coredump', '/.machine/coredump')):
             assert source in machine.sh(f'findmnt -n -o SOURCE {place}'), f'{place}: ' + machine.sh('findmnt; systemctl --failed')
