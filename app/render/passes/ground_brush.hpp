@@ -13,8 +13,8 @@
 
 namespace quadrat::render::passes {
 
-inline constexpr float kGrain = 0.6F;      // how much of the ground's brightness its grain is
-inline constexpr float kNearGrain = 1.3F;  // the same of what is seen only near by
+inline constexpr float kGrain = 0.65F;     // how much of the ground's brightness its grain is
+inline constexpr float kNearGrain = 1.5F;  // the same of what is seen only near by
 
 // Multiplies what the ground is made of and the light baked for it, once a scene: a pixel of a frame fetches their
 // product. On the processor, beside the frames: painted by a GPU it would need as many bytes brought there as the

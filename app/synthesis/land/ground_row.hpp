@@ -121,7 +121,7 @@ struct GroundKernel {
 
     static void finish(const GroundRow& row, const GroundLook& k, std::size_t i, Lain& m, F shore, F g, F p) {
         // Grain as strong everywhere would be a carpet.
-        const F strong = F(0.75F) + F(0.4F) * xsimd::min(xsimd::max(p, F(-1.0F)), F(1.0F));
+        const F strong = F(0.95F) + F(0.4F) * xsimd::min(xsimd::max(p, F(-1.0F)), F(1.0F));
         // Wet ground is darker and of a deeper colour.
         const F wet = F(1.0F) - smooth(0.15F * k.wet_top_m, k.wet_top_m, shore + F(0.1F * k.wet_top_m) * g);
         m.l = m.l * (F(1.0F) + F(k.grain) * g) * (F(1.0F) - F(0.20F) * wet);
