@@ -87,7 +87,7 @@ std::vector<KeptFault> read_faults(const fs::path& state) {
     return faults;
 }
 
-Evidence::Evidence(fs::path state) : folder_(folder_in(state)) {}
+Evidence::Evidence(const fs::path& state) : folder_(folder_in(state)) {}
 
 Evidence::~Evidence() {
     if (is_read_) look(base::recent_warnings(), written_at_.value_or(base::Instant{0}));

@@ -39,7 +39,7 @@ class Evidence {
     static constexpr base::Instant kCountEvery = std::chrono::hours{1};  // of what came again
     static constexpr std::chrono::hours kPictureEvery{1};
 
-    explicit Evidence(std::filesystem::path state);
+    explicit Evidence(const std::filesystem::path& state);
     // Writes what has not been written yet.
     ~Evidence();
     Evidence(const Evidence&) = delete;
