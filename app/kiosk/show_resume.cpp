@@ -58,13 +58,17 @@ std::string Show::why_not_resumed(const archive::Generation& kept, const breedin
 bool Show::resume(const archive::Generation& kept, base::Instant now) {
     std::string why_not = why_not_resumed(kept, school_->map(), school_->taste());
     // The visit may have begun before the last lesson, which changed one of them or both.
-    const auto resumes = [&](const breeding::WordMap& map, const breeding::Taste& taste) {
-        if (!why_not.empty() && why_not_resumed(kept, map, taste).empty()) why_not.clear();
-    };
-    const breeding::WordMap map_before = school_->map_before().value_or(school_->map());
-    resumes(school_->map(), school_->taste_before());
-    resumes(map_before, school_->taste());
-    resumes(map_before, school_->taste_before());
+    if (!why_not.empty()) {
+        const auto resumes = [&](const breeding::WordMap& map, const breeding::Taste& taste) {
+            return why_not_resumed(kept, map, taste).empty();
+        };
+        const breeding::Taste taste_before = school_->taste_before();
+        bool is_resumed = resumes(school_->map(), taste_before);
+        // It is made anew from what was taught: only where nothing else helps.
+        if (const auto map_before = is_resumed ? std::nullopt : school_->map_before())
+            is_resumed = resumes(*map_before, school_->taste()) || resumes(*map_before, taste_before);
+        if (is_resumed) why_not.clear();
+    }
     if (!why_not.empty()) {
         base::log::warn("the interrupted visit is not taken up: {}", why_not);
         return false;

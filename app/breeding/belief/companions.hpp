@@ -5,7 +5,8 @@
 namespace quadrat::breeding {
 
 // How well the trees, the land and the sky of a description go together: palms with what is warm, full crowns with
-// green ground, warm light with warm ground, clear and coloured skies with land that has little colour of its own. Higher is better; about 0 for those put together by chance.
+// green ground, warm light with warm ground, clear and coloured skies with land that has little colour of its own.
+// Higher is better; about 0 for those put together by chance.
 double accord(const genome::Description& words);
 
 // Puts lands and skies that are offered to other trees than before, so that the sum of the four accords is the
