@@ -9,9 +9,9 @@ namespace quadrat::report {
 
 // What a report says of itself.
 struct Heading {
-    std::string title;    // "Visitors of the exhibit"
-    std::string made_at;  // "2026-11-26 12:08 Europe/Berlin (CET, UTC+01:00)"
-    std::string version;  // of the program
+    std::string title;      // "Visitors of the exhibit"
+    std::string made_at;    // "2026-11-26 12:08 Europe/Berlin (CET, UTC+01:00)"
+    std::string version;    // of the program
     std::string back = {};  // a link to "/", named so; "" for none
 };
 

@@ -12,8 +12,9 @@ std::size_t bytes_in(const std::vector<Element>& elements) {
 }  // namespace
 
 std::size_t bytes_of(const Species& species) {
-    std::size_t bytes = species.bark.bytes.size() + species.leaf.bytes.size() + species.foliage.bytes.size() + bytes_in(species.leaves.vertices) +
-                        bytes_in(species.leaves.indices) + bytes_in(species.leaves.plain_indices);
+    std::size_t bytes = species.bark.bytes.size() + species.leaf.bytes.size() + species.foliage.bytes.size() +
+                        bytes_in(species.leaves.vertices) + bytes_in(species.leaves.indices) +
+                        bytes_in(species.leaves.plain_indices);
     for (const Wood& wood : species.wood)
         bytes += bytes_in(wood.mesh.positions_m) + bytes_in(wood.mesh.normals) + bytes_in(wood.mesh.texcoords) +
                  bytes_in(wood.mesh.indices) + bytes_in(wood.grains) + bytes_in(wood.ages) + bytes_in(wood.sways) +
