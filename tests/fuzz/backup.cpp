@@ -7,6 +7,7 @@
 #include <archive_entry.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -73,7 +74,11 @@ void restore_from(const fs::path& file, const fs::path& machine, quadrat::backup
         quadrat::backup::restore({machine / "state", machine / "quadrat.toml", quadrat::archive::WallTime{}}, file,
                                  {identity, {}}, [](const std::string&, double) {});
     } catch (const quadrat::base::InputError& error) {
-        if (std::string_view(error.what()).find('\n') != std::string_view::npos) std::abort();
+        // A line for each mistake in the settings, and nothing of theirs that a terminal would obey.
+        const std::string_view told = error.what();
+        if (std::ranges::any_of(told, [](unsigned char c) { return c < 0x20 && c != '\n'; })) std::abort();
+        if (told.find('\n') != std::string_view::npos && told.find("settings/quadrat.toml:") == std::string_view::npos)
+            std::abort();
         if (files_in(machine) != before) std::abort();
         return;
     }
