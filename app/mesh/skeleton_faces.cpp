@@ -13,6 +13,7 @@ namespace quadrat::mesh {
 namespace {
 
 constexpr double kOneNode = 1.0e-9;  // of the extent
+constexpr double kSameWay = 1.0e-6;  // no farther from a line than that is on it; a plan has nothing so narrow
 constexpr double kLevel = 1.0e-9;    // no higher than that over a node is at it; extents are some hundred
 
 struct Step {
@@ -285,8 +286,9 @@ class Faces {
             const glm::dvec3 home = at(back.to) - at(back.from);
             const double there_m = glm::length(there);
             const double home_m = glm::length(home);
-            if (there_m < kLevel || home_m < kLevel || glm::dot(there, home) > -there_m * home_m * (1 - 1.0e-12))
-                continue;
+            if (there_m < kLevel || home_m < kLevel || glm::dot(there, home) >= 0) continue;
+            // A face of a needle goes there and back too, but not the same way.
+            if (glm::length(glm::cross(there, home)) > kSameWay * std::max(there_m, home_m)) continue;
             Step kept{out.plane, out.from, back.to, out.owner, out.is_base};
             if (std::abs(there_m - home_m) > kLevel) {
                 if (home_m < there_m) {
