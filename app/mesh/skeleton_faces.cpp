@@ -286,7 +286,8 @@ class Faces {
             const glm::dvec3 home = at(back.to) - at(back.from);
             const double there_m = glm::length(there);
             const double home_m = glm::length(home);
-            if (there_m < kLevel || home_m < kLevel || glm::dot(there, home) >= 0) continue;
+            if (there_m < kLevel || home_m < kLevel || glm::dot(there, home) > -there_m * home_m * (1 - 1.0e-12))
+                continue;
             // A face of a needle goes there and back too, but not the same way.
             if (glm::length(glm::cross(there, home)) > kSameWay * std::max(there_m, home_m)) continue;
             Step kept{out.plane, out.from, back.to, out.owner, out.is_base};
