@@ -9,6 +9,8 @@
 #include <map>
 #include <numeric>
 
+#include "mesh/shared_nodes.hpp"
+
 namespace quadrat::mesh {
 namespace {
 
@@ -54,6 +56,7 @@ class Faces {
             std::vector<std::uint32_t> loop = numbered(clean(top));
             if (loop.size() >= 3) roof_.tops.push_back(std::move(loop));
         }
+        share_nodes(roof_);
         return std::move(roof_);
     }
 
