@@ -239,15 +239,29 @@ scene::Species flower(const FlowerOptions& o, base::Seed seed) {
             } else {
                 const float turn = kTurn_rad * static_cast<float>(part) / static_cast<float>(parts);
                 petal.along =
-                    glm::normalize(std::cos(turn) * stem.side + std::sin(turn) * stem.face + 0.35F * stem.along);
+                    glm::normalize(std::cos(turn) * stem.side + std::sin(turn) * stem.face + 0.5F * stem.along);
                 petal.face = glm::normalize(stem.along - glm::dot(stem.along, petal.along) * petal.along);
                 petal.length_m = head_m * random.between(0.95F, 1.15F);
-                petal.half_width_m = 0.30F * head_m;
+                petal.half_width_m = 0.38F * head_m;
                 petal.fold_m = 0.05F * head_m;
             }
             add_blade(species.leaves, leaf_shape(LeafKind::Lance), petal,
                       vertex_of(scene::shifted_colour(o.blossom, random.between(0.94F, 1.06F)), normal, 0.92F, 1.0F));
         }
+    }
+    // The eye of each, golden or, of a golden flower, dark.
+    const bool is_golden = o.blossom.g > 0.4F * o.blossom.r && o.blossom.b < 0.4F * o.blossom.g;
+    const glm::vec3 eye = scene::linear_from_srgb_hex(is_golden ? 0x5A3A1C : 0xE9B93A);
+    for (int i = 0; i < (is_umbel ? 0 : kStems); ++i) {
+        BladeShape disc;
+        disc.site_m = stems[i].top_m + 0.16F * head_m * stems[i].along;
+        disc.along = stems[i].side;
+        disc.face = stems[i].along;
+        disc.half_width_m = 0.3F * head_m;
+        disc.fold_m = 0.1F * head_m;
+        disc.is_disc = true;
+        add_blade(species.leaves, leaf_shape(LeafKind::Lance), disc,
+                  vertex_of(eye, stems[i].along + 0.2F * stems[i].face, 0.92F, 1.0F));
     }
     species.shade_liking = -0.5F;
     return species;
