@@ -81,7 +81,7 @@ void ViewPainter::draw_ground(const View& view, const Selection& selection, cons
     of(drawn, Kind::Cover) += cover_.draw(scene.cover, selection.cover, stock.cover);
     gl::Work& work = of(drawn, Kind::Ground);
     work += houses_.draw(country.houses, held.indices(), held.houses());
-    work += stone_.draw(country.stone, held.indices(), held.stone());
+    work += stone_.draw(country.stone, scene.ground, held.indices(), held.stone());
     if (gl::Wires::are_on()) {
         for (const passes::IndexRange& level : held.land_by_level())
             work += ground_.draw(country.land, scene.ground, held.level_indices(), level, held.grain_m());
