@@ -31,7 +31,7 @@ glm::vec3 flash_colour(exhibit::Choice button) {
 // What stands below the prompt, smaller; may be empty.
 std::string line_below(const StageView& view, const site::Configuration& configuration) {
     if (view.scanned != nullptr && !view.scanned->hint.empty() && !view.cast.scenes.empty())
-        return site::text(configuration, view.scanned->hint);
+        return site::text(configuration, view.scanned->hint, view.language);
     const bool has_caption =
         view.state.screen == exhibit::Screen::Breed || view.state.screen == exhibit::Screen::Finale;
     return has_caption ? std::string(view.caption) : "";
@@ -120,7 +120,7 @@ void Stage::add_plate(render::Frame& frame, const StageView& view) {
     if (view.scanned != nullptr && view.scanned->offers_back) add_back(frame, view, plate);
     if (view.state.screen == exhibit::Screen::Attract && configuration_.play.shows_how && !view.cast.scenes.empty())
         add_demonstration(frame, view, plate);
-    if (has_code) add_take_home(frame, view.take_home, plate);
+    if (has_code) add_take_home(frame, view, plate);
 }
 
 // Above the plate: a question, the four signs as the buttons bear them, and a finger that presses one.
@@ -130,7 +130,7 @@ void Stage::add_demonstration(render::Frame& frame, const StageView& view, const
     const Look look = look_of(configuration_.look);
     constexpr std::array kKeys{"ask.trees", "ask.land", "ask.sky"};
     const auto question = writer_.text_within(
-        site::text(configuration_, kKeys[static_cast<std::size_t>(ghost->question)]),
+        site::text(configuration_, kKeys[static_cast<std::size_t>(ghost->question)], view.language),
         em_px(Letters::Below, look.size, frame.size.y), true, {frame.size.x * 7 / 10, frame.size.y / 6});
     // As large as there is room for.
     int badge = badge_px(look.size, frame.size.y), pad = 0, finger = 0;
@@ -167,27 +167,27 @@ void Stage::add_demonstration(render::Frame& frame, const StageView& view, const
     for (std::size_t i = first; i < frame.signs.size(); ++i) frame.signs[i].colour.a *= ghost->strength;
 }
 
-// On the right: the code, and below it what it is for. Beside the plate where there is room, else above it.
-void Stage::add_take_home(render::Frame& frame, std::string_view address, const render::Rect& plate) {
+// Where lines end: the code, and below it what it is for. Beside the plate where there is room, else above it.
+void Stage::add_take_home(render::Frame& frame, const StageView& view, const render::Rect& plate) {
     const Look look = look_of(configuration_.look);
     const int inset = frame.size.y / 24;
     const int pad = frame.size.y / 60;
     const auto write = [&](int width) {
-        return writer_.text_within(site::text(configuration_, "take-home"),
+        return writer_.text_within(site::text(configuration_, "take-home", view.language),
                                    em_px(Letters::Below, look.size, frame.size.y), true,
                                    {width, frame.size.y * kCodeLine / 100});
     };
     const int most = frame.size.y * kCodeShare / 100;
-    auto code = writer_.code(std::string(address), most);
+    auto code = writer_.code(std::string(view.take_home), most);
     auto written = write(most);
     const auto width_of = [&] { return std::max(code.width, written.width) + 2 * pad; };
     const bool is_beside = plate.x + plate.width + inset / 2 <= frame.size.x - inset - width_of();
     const int bottom = is_beside ? plate.y : plate.y + plate.height + inset / 2;
     const int room = frame.size.y - bottom - inset / 2 - written.height - 3 * pad;
-    if (room < code.height) code = writer_.code(std::string(address), room);
+    if (room < code.height) code = writer_.code(std::string(view.take_home), room);
     if (code.width == 0) return;
-    const render::Rect card{frame.size.x - inset - width_of(), bottom, width_of(),
-                            code.height + written.height + 3 * pad};
+    const int left = reads_right_to_left(view, configuration_) ? inset : frame.size.x - inset - width_of();
+    const render::Rect card{left, bottom, width_of(), code.height + written.height + 3 * pad};
     add_ground(frame, card, static_cast<float>(pad));
     render::Sign sign;
     sign.texture = written.texture;
@@ -202,7 +202,7 @@ void Stage::add_take_home(render::Frame& frame, std::string_view address, const 
 // Below the question, in the same hand.
 void Stage::add_back(render::Frame& frame, const StageView& view, const render::Rect& plate) {
     const float em = em_px(Letters::Label, look_of(configuration_.look).size, frame.size.y);
-    const auto written = writer_.text_within(site::text(configuration_, "back"), em, true,
+    const auto written = writer_.text_within(site::text(configuration_, "back", view.language), em, true,
                                              {frame.size.x * 3 / 10, frame.size.y * 8 / 100});
     const int pad = static_cast<int>(em * 0.6F);
     const int gap = mark_reach_px(frame.size.y) + frame.size.y / 180;
@@ -230,8 +230,10 @@ void Stage::add_progress(render::Frame& frame, const StageView& view, const rend
     const bool is_breeding = is_held || view.state.screen == exhibit::Screen::Breed;
     const float share_done = is_held ? view.scanned->hold : view.growing_progress;
     const float done = is_breeding ? share_done * static_cast<float>(steps) : static_cast<float>(view.state.question);
-    int x = plate.x + (plate.width - steps * bar_w - (steps - 1) * gap) / 2;
-    for (int i = 0; i < steps; ++i, x += bar_w + gap) {
+    const bool is_mirrored = reads_right_to_left(view, configuration_);
+    const int first = plate.x + (plate.width - steps * bar_w - (steps - 1) * gap) / 2;
+    for (int i = 0; i < steps; ++i) {
+        const int x = first + (is_mirrored ? steps - 1 - i : i) * (bar_w + gap);
         const render::Rect place{x, plate.y + bar_h * 2, bar_w, bar_h};
         render::Sign bar;
         bar.place = place;
@@ -241,6 +243,7 @@ void Stage::add_progress(render::Frame& frame, const StageView& view, const rend
         const float share = std::clamp(done - static_cast<float>(i), 0.0F, 1.0F);
         const bool is_current = !is_breeding && static_cast<int>(done) == i;
         bar.place.width = std::max(bar_h, static_cast<int>(static_cast<float>(bar_w) * share));
+        if (is_mirrored) bar.place.x = x + bar_w - bar.place.width;
         bar.colour = kDone;
         if (share > 0) frame.signs.push_back(bar);
         if (is_current) {

@@ -58,6 +58,8 @@ class Screens {
         draw("describe-back", Screen::Describe, one_, stage::Scanned{Choice::Back, "scan.two", true});
         asked_ = stage::Asked{"slide", {"←", "→", "−", "+"}, stage::ShownSlider{"dry", "wet", 0.7F}};
         draw("slide", Screen::Slide, one_, stage::Scanned{Choice::D, "scan.one", true});
+        asked_ = stage::Asked{"ask.language", {"English", "Français", "العربية", "…"}, std::nullopt};
+        draw("language", Screen::Language, one_);
         asked_.reset();
         draw("still-there", Screen::StillThere, four_);
     }
