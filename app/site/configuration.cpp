@@ -117,6 +117,7 @@ void read_look(Reader& reader, Configuration::Look& look) {
     reader.read("text", "size", look.size, {"normal", "large", "largest"});
     reader.read("text", "contrast", look.contrast, {"normal", "high"});
     reader.read("picture", "motion", look.motion, {"full", "calm"});
+    reader.read("text", "pictograms", look.pictograms, {"beside", "alone", "none"});
 }
 
 void read_fleet(Reader& reader, Configuration::Fleet& fleet) {

@@ -87,6 +87,8 @@ struct Configuration {
         std::string size = "normal";      // of letters and signs: normal, large, largest
         std::string contrast = "normal";  // normal, high
         std::string motion = "full";      // full; calm: cameras stand still, and what comes fades in
+        // Beside the words, for who does not read: beside; instead of them: alone; none.
+        std::string pictograms = "beside";
         friend bool operator==(const Look&, const Look&) = default;
     } look;
 

@@ -98,6 +98,34 @@ std::string words(const StageView& view, const site::Configuration& configuratio
     return said("finale");
 }
 
+render::Pictogram pictogram_of(const StageView& view) {
+    using render::Pictogram;
+    if (view.cast.scenes.empty() && view.backdrop == nullptr) return Pictogram::Sprout;
+    switch (exhibit::prompt_of(view.state)) {
+        case exhibit::Prompt::PressAnyButton:
+            return Pictogram::Press;
+        case exhibit::Prompt::BestTrees:
+            return Pictogram::Tree;
+        case exhibit::Prompt::BestLand:
+            return Pictogram::Land;
+        case exhibit::Prompt::BestSky:
+            return Pictogram::Sky;
+        case exhibit::Prompt::Growing:
+            return Pictogram::Sprout;
+        case exhibit::Prompt::StillThere:
+            return Pictogram::Clock;
+        case exhibit::Prompt::WhichWords:
+            return Pictogram::Speech;
+        case exhibit::Prompt::TurnWords:
+            return Pictogram::Slider;
+        case exhibit::Prompt::WhichLanguage:
+            return Pictogram::Language;
+        case exhibit::Prompt::YourLandscape:
+            break;
+    }
+    return Pictogram::Frame;
+}
+
 render::Frame Stage::frame(const StageView& view, const display::Canvas& canvas) {
     render::Frame frame;
     frame.hanging = {static_cast<int>(canvas.rotation), canvas.mirroring == display::Mirroring::Mirrored};

@@ -11,6 +11,7 @@
 #include "base/clock.hpp"
 #include "display/display.hpp"
 #include "exhibit/visit.hpp"
+#include "render/pictogram.hpp"
 #include "render/renderer.hpp"
 #include "site/configuration.hpp"
 #include "stage/asked.hpp"
@@ -72,7 +73,11 @@ class Stage {
     void add_strip(render::Frame& frame, const Board& board);
     void add_sign(render::Frame& frame, std::string_view words);
     void add_backdrop(render::Frame& frame, const mesh::Image& picture);
+    struct PlateText;
+    PlateText plate_text(const StageView& view, glm::ivec2 size);
     void add_plate(render::Frame& frame, const StageView& view);
+    void add_beside_plate(render::Frame& frame, const StageView& view, const render::Rect& plate);
+    void add_chosen(render::Frame& frame, const StageView& view, const render::Rect& plate);
     void add_take_home(render::Frame& frame, const StageView& view, const render::Rect& plate);
     void add_demonstration(render::Frame& frame, const StageView& view, const render::Rect& plate);
     void add_back(render::Frame& frame, const StageView& view, const render::Rect& plate);
@@ -93,6 +98,9 @@ float flash_left(const StageView& view);
 // Whether the language that is spoken does: what has a beginning and an end begins on the right then. The four quarters
 // stay where their buttons are.
 bool reads_right_to_left(const StageView& view, const site::Configuration& configuration);
+
+// What says the same without words.
+render::Pictogram pictogram_of(const StageView& view);
 
 // The words of the moment, in the language that is spoken.
 std::string words(const StageView& view, const site::Configuration& configuration);

@@ -72,6 +72,9 @@ class Screens {
         state.screen = screen;
         state.question = genome::Aspect::Land;
         state.since = base::Instant{0};
+        genome::Pick chosen;
+        chosen.each = {1, 0, 3};
+        if (screen == Screen::Breed) state.past_answers = {chosen};
         const exhibit::Timings timings;
         stage::StageView view{state, timings, cast, flash_, 0.5F, now, caption_};
         view.asked = asked_ ? &*asked_ : nullptr;
