@@ -5,16 +5,19 @@
 #include "common/haze.glsl"
 #include "common/cloud_shadow.glsl"
 #include "common/land.glsl"
+#include "common/beds.glsl"
 
 layout(location = 3) in vec2 kinds;
 layout(location = 1) uniform float farthest;  // 1/m: beyond there is no grain
 
 out vec2 over_grain;
-out vec2 grains;  // how much of each kind's grain shows
+out vec2 over_beds;
+out vec3 grains;  // how much shows of each kind's grain, and of stone's beds
 
 void main() {
     vec3 at_m = show_land();
     over_grain = at_m.xz * view.scales.y;
+    over_beds = beds_at(at_m);
     float left = 1.0 - distance(at_m, view.eye_seconds.xyz) * farthest;
-    grains = kinds * (view.scales.z * clear * clamp(3.0 * left, 0.0, 1.0));
+    grains = kinds.xyy * vec3(1.0, 0.5, kBedded) * (view.scales.z * clear * clamp(3.0 * left, 0.0, 1.0));
 }

@@ -7,6 +7,7 @@
 #include "common/ambient.glsl"
 #include "common/cloud_shadow.glsl"
 #include "common/lit_ground.glsl"
+#include "common/beds.glsl"
 
 layout(location = 0) in vec3 at_m;
 layout(location = 2) in vec4 facet_normal;
@@ -15,6 +16,8 @@ layout(location = 4) in vec4 root_colour;  // a: how well lichen grows there
 out vec3 to_pale;
 out vec3 to_orange;
 out vec2 over_stone;
+out vec2 over_beds;
+out vec3 bedded;  // what the beds scale: what is shown of the stone itself
 
 const float kTile_m = 3.4;
 const vec3 kPale = vec3(0.70, 0.73, 0.64);  // roots of linear light
@@ -24,6 +27,9 @@ const float kDense = 0.75; // the stone shows through what covers it
 void main() {
     show_ground(at_m, facet_normal.xyz, root_colour.rgb);
     vec3 stone = shown;
+    vec4 haze = haze_at(at_m);
+    bedded = (shown - haze.rgb * haze.a) * (0.7 * kBedded * view.scales.z);
+    over_beds = 2.0 * beds_at(at_m);
     // As light as the stone is in its own light and shade.
     float brightness = 0.55 + 0.75 * max(root_colour.r, root_colour.g);
     show_ground(at_m, facet_normal.xyz, brightness * kPale);

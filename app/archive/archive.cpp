@@ -316,6 +316,7 @@ Kept Archive::kept_in(const Connection& connection) {
     kept.buttons = remembered_in(connection, "buttons");
     kept.detail = remembered_in(connection, "detail");
     kept.gpu = remembered_in(connection, "gpu");
+    kept.language = remembered_in(connection, "language");
     return kept;
 }
 

@@ -352,7 +352,7 @@ void add_words(CLI::App& app, Action& chosen) {
     CLI::App* command = app.add_subcommand("words", "The words that wishes are held in, and what they look like");
     command->require_subcommand(1);
     command->fallthrough();  // its options may stand after a subcommand too
-    command->add_option("--language", options->language, "Of their ends: ar, de, en, es, fr, xh")
+    command->add_option("--language", options->language, "Of their ends: ar, de, en, es, … (quadrat languages)")
         ->check(CLI::Validator(
             [](std::string& code) {
                 const auto codes = genome::language_codes();

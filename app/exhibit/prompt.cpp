@@ -19,11 +19,26 @@ Prompt prompt_of(const State& state) {
             return Prompt::WhichWords;
         case Screen::Slide:
             return Prompt::TurnWords;
+        case Screen::Language:
+            return Prompt::WhichLanguage;
         case Screen::Ask:
             break;
     }
     constexpr genome::PerAspect<Prompt> kQuestions{{Prompt::BestTrees, Prompt::BestLand, Prompt::BestSky}};
     return kQuestions[state.question];
+}
+
+std::optional<LanguageChoice> language_on(Choice button, int first_language, int languages) {
+    if (button == Choice::Back) return std::nullopt;
+    constexpr int kButtons = 4;
+    const int place = static_cast<int>(button);
+    const bool has_pages = languages > kButtons;
+    if (has_pages && button == Choice::D) {
+        const int next = first_language + kButtons - 1;
+        return LanguageChoice{next < languages ? next : 0, true};
+    }
+    if (first_language + place >= languages) return std::nullopt;
+    return LanguageChoice{first_language + place, false};
 }
 
 std::optional<int> countdown_s(const State& state, Instant now, const Timings& timings) {

@@ -56,6 +56,7 @@ void forget_visit(State& state) {
     state.past_answers.clear();
     state.rounds = 0;
     state.slider = 0;
+    state.first_language = 0;
     state.turns = 0;
     state.turns_to_undo = 0;
     state.described = 0;
@@ -81,6 +82,25 @@ void begin_visit(Turn& turn) {
     } else {
         breed(turn, Screen::Ask);
     }
+}
+
+void arrive(Turn& turn) {
+    if (turn.timings.languages < 2) return begin_visit(turn);
+    turn.state.first_language = 0;
+    show(turn, Screen::Language);
+}
+
+void press_in_language(Turn& turn, Choice button) {
+    if (turn.now - turn.state.since < turn.timings.press_guard) return;
+    if (button == Choice::Back) return show(turn, Screen::Attract);
+    const auto choice = language_on(button, turn.state.first_language, turn.timings.languages);
+    if (!choice) return;
+    if (choice->turns_page) {
+        turn.state.first_language = choice->which;
+        return show(turn, Screen::Language);
+    }
+    turn.wishes.emplace_back(SpeakLanguage{choice->which});
+    begin_visit(turn);
 }
 
 void grow_finale(Turn& turn, const genome::Pick& answers) {
@@ -217,7 +237,7 @@ void press(Turn& turn, Choice button) {
     if (button != Choice::Back && listens_to_holding(state)) state.held = Held{button, turn.now};
     switch (state.screen) {
         case Screen::Attract:
-            return begin_visit(turn);
+            return arrive(turn);
         case Screen::Ask:
             return press_in_ask(turn, button);
         case Screen::Breed:
@@ -230,6 +250,8 @@ void press(Turn& turn, Choice button) {
             return press_in_describe(turn, button);
         case Screen::Slide:
             return press_in_slide(turn, button);
+        case Screen::Language:
+            return press_in_language(turn, button);
     }
 }
 
@@ -257,6 +279,7 @@ std::optional<Instant> screen_deadline(const State& state, const Timings& timing
             return std::nullopt;
         case Screen::Ask:
         case Screen::Slide:
+        case Screen::Language:
             return std::max(state.since, state.last_press) + timings.patience;
         case Screen::Breed:
             return std::max(state.since, state.last_growth) + timings.growing_limit;
@@ -291,6 +314,8 @@ void screen_times_out(Turn& turn) {
             return leave_finale(turn);
         case Screen::Describe:
             return end_visit(turn, Ending::Finished, NextVisit::Prepared);
+        case Screen::Language:
+            return show(turn, Screen::Attract);  // no visit has begun
     }
 }
 

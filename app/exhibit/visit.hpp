@@ -33,7 +33,8 @@ struct Timings {
     int describe_words = 3;                           // asked in Describe, one at a time; 0: never
     int describe_every = 2;                           // at least 1: after every so many Finales
     Asking asking = Asking::Picks;
-    int sliders = 0;  // how many there are to choose from; at least 1 where they are turned
+    int sliders = 0;    // how many there are to choose from; at least 1 where they are turned
+    int languages = 0;  // that a visitor may choose from as they come; of fewer than two nobody is asked
 };
 
 // ---- what happens
@@ -65,6 +66,7 @@ enum class Screen {
     Finale,      // the landscape they bred
     Describe,    // what do you call it? one word at a time, four answers
     Slide,       // one landscape; A and B choose a slider, C and D turn it
+    Language,    // which one? before the first question
 };
 
 struct Held {
@@ -82,6 +84,7 @@ struct State {
     std::vector<genome::Pick> past_answers;           // of the rounds that Back can still reach, oldest first
     int rounds = 0;                                   // that this visit has completed; a round is three actions
     int slider = 0;                                   // which is chosen, in Slide
+    int first_language = 0;                           // that is on button A, in Language
     int turns = 0;                                    // of sliders, in this visit
     int turns_to_undo = 0;                            // that Back can still reach
     int finales = 0;                                  // since the exhibit was switched on
@@ -113,6 +116,11 @@ struct Acknowledge {
 struct PrepareVisit {
     int generation;
     friend bool operator==(const PrepareVisit&, const PrepareVisit&) = default;
+};
+// From now on until the visit ends.
+struct SpeakLanguage {
+    int which;  // of those to choose from
+    friend bool operator==(const SpeakLanguage&, const SpeakLanguage&) = default;
 };
 // A visitor came: what was prepared is theirs.
 struct BeginVisit {
@@ -169,7 +177,7 @@ struct EndVisit {
     friend bool operator==(const EndVisit&, const EndVisit&) = default;
 };
 using Wish = std::variant<Acknowledge, PrepareVisit, BeginVisit, KeepAnswers, GrowNext, UndoRound, GrowFinale,
-                          TurnSlider, UndoTurn, KeepWord, EndVisit>;
+                          TurnSlider, UndoTurn, KeepWord, EndVisit, SpeakLanguage>;
 
 struct Step {
     State state;
@@ -206,9 +214,19 @@ enum class Prompt {
     StillThere,
     YourLandscape,
     WhichWords,
-    TurnWords
+    TurnWords,
+    WhichLanguage
 };
 Prompt prompt_of(const State& state);
+
+// In Language, what a button stands for: one of the languages, or the next of them where there are more than four.
+// Nothing: neither.
+struct LanguageChoice {
+    int which = 0;
+    bool turns_page = false;
+    friend bool operator==(const LanguageChoice&, const LanguageChoice&) = default;
+};
+std::optional<LanguageChoice> language_on(Choice button, int first_language, int languages);
 
 // Seconds left, rounded up, where a countdown is shown: in StillThere.
 std::optional<int> countdown_s(const State& state, Instant now, const Timings& timings);

@@ -6,9 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
+#include <utility>
 
 #include "base/error.hpp"
+#include "base/text_file.hpp"
 #include "genome/json_text.hpp"
+#include "genome/language_po.hpp"
 #include "genome/language_texts.hpp"
 
 namespace quadrat::genome {
@@ -185,15 +189,87 @@ std::string_view Language::prompt(std::string_view key) const {
     return found == prompts_.end() ? std::string_view{} : std::string_view{found->second};
 }
 
-const Language& language(std::string_view code) {
-    static const std::map<std::string, Language, std::less<>> kSpoken = [] {
-        std::map<std::string, Language, std::less<>> spoken;
+bool Language::reads_right_to_left() const {
+    // The Hebrew, Arabic, Syriac, Thaana and N'Ko blocks begin with these bytes in UTF-8.
+    const auto first = name_.empty() ? 0U : static_cast<unsigned char>(name_.front());
+    return first >= 0xD6 && first <= 0xDF;
+}
+
+namespace {
+
+struct File {
+    std::string json;
+    Language language;
+};
+using Files = std::map<std::string, File, std::less<>>;
+
+const Files& files_that_come_along() {
+    static const Files kFiles = [] {
+        Files files;
         for (const base::EmbeddedText& text : language_texts())
-            spoken.emplace(text.name, Language::from_json(text.text, fmt::format("languages/{}.json", text.name)));
-        return spoken;
+            files.emplace(text.name, File{std::string(text.text),
+                                          Language::from_json(text.text, fmt::format("languages/{}.json", text.name))});
+        return files;
     }();
-    const auto found = kSpoken.find(code.substr(0, code.find_first_of("-_.@")));
-    return found == kSpoken.end() ? kSpoken.at("en") : found->second;
+    return kFiles;
+}
+
+// Only ever added to: what was found in it stays where it is.
+struct Given {
+    std::mutex lock;
+    Files files;
+};
+Given& given() {
+    static Given given;
+    return given;
+}
+
+const File* file_of(std::string_view code) {
+    const std::string_view plain = code.substr(0, code.find_first_of("-_.@"));
+    {
+        Given& from_outside = given();
+        const std::scoped_lock hold(from_outside.lock);
+        if (const auto found = from_outside.files.find(plain); found != from_outside.files.end()) return &found->second;
+    }
+    const Files& files = files_that_come_along();
+    const auto found = files.find(plain);
+    return found == files.end() ? nullptr : &found->second;
+}
+
+}  // namespace
+
+void speak_from(const std::string& code, std::string json, std::string_view source) {
+    const bool is_code = code.size() >= 2 && code.size() <= 8 &&
+                         std::ranges::all_of(code, [](unsigned char c) { return c >= 'a' && c <= 'z'; });
+    if (!is_code) throw base::InputError(fmt::format("{}: a language's file is named by its code: de.json", source));
+    Language read = Language::from_json(json, source);
+    Given& from_outside = given();
+    const std::scoped_lock hold(from_outside.lock);
+    from_outside.files.try_emplace(code, File{std::move(json), std::move(read)});
+}
+
+void speak_from_folder(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) files.push_back(entry.path());
+    if (error) throw base::InputError(fmt::format("{}: {}", folder.string(), error.message()));
+    std::ranges::sort(files);
+    for (const std::filesystem::path& file : files) {
+        const bool is_po = file.extension() == ".po";
+        if (!is_po && file.extension() != ".json") continue;
+        std::string text = base::read_text(file, base::kJsonLimits);
+        speak_from(file.stem().string(), is_po ? json_of_po(text, file.string()) : std::move(text), file.string());
+    }
+}
+
+std::string_view language_json(std::string_view code) {
+    const File* file = file_of(code);
+    return file == nullptr ? std::string_view{} : std::string_view(file->json);
+}
+
+const Language& language(std::string_view code) {
+    const File* file = file_of(code);
+    return file != nullptr ? file->language : files_that_come_along().at("en").language;
 }
 
 std::string_view prompt(std::string_view code, std::string_view key) {
@@ -203,8 +279,15 @@ std::string_view prompt(std::string_view code, std::string_view key) {
 
 std::vector<std::string_view> language_codes() {
     std::vector<std::string_view> codes;
-    for (const base::EmbeddedText& text : language_texts()) codes.push_back(text.name);
+    for (const auto& [code, file] : files_that_come_along()) codes.push_back(code);
+    {
+        Given& from_outside = given();
+        const std::scoped_lock hold(from_outside.lock);
+        for (const auto& [code, file] : from_outside.files) codes.push_back(code);
+    }
     std::ranges::sort(codes);
+    const auto again = std::ranges::unique(codes);
+    codes.erase(again.begin(), again.end());
     return codes;
 }
 

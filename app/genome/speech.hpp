@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <array>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
@@ -12,11 +13,11 @@
 namespace quadrat::genome {
 
 // What the screen asks and says, by key.
-inline constexpr std::array<std::string_view, 24> kPrompts{
-    "attract",   "ask.trees",  "ask.land",       "ask.sky",       "breed",        "still-there",
-    "finale",    "first",      "describe.trees", "describe.land", "describe.sky", "slide",
-    "back",      "invite.one", "invite.two",     "hold.one",      "hold.two",     "scan.one",
-    "scan.step", "scan.two",   "scan.rest",      "take-home",     "closed",       "settings"};
+inline constexpr std::array<std::string_view, 25> kPrompts{
+    "attract",    "ask.language", "ask.trees",      "ask.land",      "ask.sky",      "breed",     "still-there",
+    "finale",     "first",        "describe.trees", "describe.land", "describe.sky", "slide",     "back",
+    "invite.one", "invite.two",   "hold.one",       "hold.two",      "scan.one",     "scan.step", "scan.two",
+    "scan.rest",  "take-home",    "closed",         "settings"};
 
 // A number for each parameter of the table, in its order.
 using ParameterShares = std::array<float, kParameterCount>;
@@ -29,6 +30,7 @@ class Language {
     static Language from_json(std::string_view json, std::string_view source);
 
     const std::string& name() const { return name_; }  // in itself: "Deutsch"
+    bool reads_right_to_left() const;                  // as its name does
 
     // "steep and wet land; sparse tall trees; a red sky": for each aspect the two strongest of its words, if any is
     // strong enough to notice.
@@ -75,6 +77,17 @@ class Language {
 // By code ("en", "de", "ar", …, "de-AT", "fr_CA.UTF-8"); English for one that is not spoken.
 const Language& language(std::string_view code);
 std::vector<std::string_view> language_codes();  // sorted
+
+// The file of a language, or what was given in its place; "" for a code that is not spoken.
+std::string_view language_json(std::string_view code);
+
+// From now on a language is spoken as this file says, before the one that comes along. Throws InputError as
+// Language::from_json does. A code keeps the first file that it was given until the program ends: who speaks may hold
+// on to it. May be called by any thread.
+void speak_from(const std::string& code, std::string json, std::string_view source);
+
+// The same for each CODE.json and CODE.po of a folder.
+void speak_from_folder(const std::filesystem::path& folder);
 
 // What the screen says for a key of kPrompts, in the language of the code or, where that has none, in English.
 std::string_view prompt(std::string_view code, std::string_view key);

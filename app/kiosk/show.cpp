@@ -44,6 +44,7 @@ exhibit::Timings timings_of(const site::Configuration& configuration) {
     // The classic genome has no words to speak in.
     timings.describe_words = is_classic ? 0 : configuration.visit.describe_words;
     timings.describe_every = configuration.visit.describe_every;
+    timings.languages = static_cast<int>(configuration.visit.languages.size());
     if (configuration.breeding.breeder == "sliders") {
         timings.asking = exhibit::Asking::Sliders;
         timings.sliders =
@@ -77,7 +78,7 @@ Show::Show(const site::Configuration& configuration, ShowOptions options, std::u
       keeper_(std::move(keeper)),
       grower_(options_.growing),
       is_in_fleet_(!configuration.fleet.broker.empty()),
-      language_(configuration.visit.language),
+      spoken_(configuration),
       take_home_url_(configuration.take_home.url) {
     breeder_options_.map = school_->map();
     breeder_options_.taste = school_->taste();
@@ -220,7 +221,7 @@ void Show::carry_out(const exhibit::KeepAnswers& wish, base::Instant /*now*/) {
 // Where the answers moved the wish, aspect by aspect: in words, and one detail that no word tells.
 std::string Show::heredity(const genome::Candidate& before, const genome::Candidate& now,
                            const genome::Pick& answers) const {
-    const genome::Language& language = genome::language(language_);
+    const genome::Language& language = spoken_.language();
     const auto moved = breeding::moved_beside_words(session_->breeder().word_map(), before, now);
     std::string text;
     for (const genome::Aspect aspect : genome::kAspects) {
@@ -263,7 +264,7 @@ void Show::carry_out(const exhibit::GrowFinale& wish, base::Instant /*now*/) {
     genome::Candidate favourite = session_->favourite();
     if (!take_home_url_.empty()) favourite.values = genome::rounded_for_code(favourite.values);
     bred_ = {genome::recipe_of(favourite, flight), favourite.words, words_to_ask()};
-    caption_ = favourite.words ? genome::language(language_).describe(*favourite.words) : "";
+    caption_ = favourite.words ? spoken_.language().describe(*favourite.words) : "";
     if (!caption_.empty()) base::log::info("the landscape they bred: {}", caption_);
     take_home_ = take_home_url_.empty() ? "" : take_home_url_ + genome::code_of(bred_.recipe);
     refined_.reset();
@@ -308,8 +309,15 @@ void Show::carry_out(const exhibit::KeepWord& wish, base::Instant /*now*/) {
         Urgency::Soon);
 }
 
+void Show::carry_out(const exhibit::SpeakLanguage& wish, base::Instant /*now*/) {
+    spoken_.choose(wish.which);
+    remember("language", spoken_.code());
+    base::log::info("a visitor chose the language {}", spoken_.code());
+}
+
 void Show::carry_out(const exhibit::EndVisit& wish, base::Instant /*now*/) {
     ++visits_ended_;
+    spoken_.end_visit();
     if (is_in_fleet_) {
         constexpr const char* kNames[] = {"finished", "left", "stuck"};
         keeper_->post([text = fmt::format(R"({{"ended_ms":{},"ending":"{}","rounds":{}}})",
@@ -372,7 +380,7 @@ void Show::follow(const site::Configuration& configuration) {
     usual_timings_.sliders = sliders;
     if (breeder_options_.genome == genome::Genome::Classic) usual_timings_.describe_words = 0;
     timings_ = switches::patient(usual_timings_, patience_);
-    language_ = configuration.visit.language;
+    spoken_.follow(configuration);
     take_home_url_ = configuration.take_home.url;
 }
 
@@ -410,6 +418,7 @@ bool Show::can_go_back() const {
         case exhibit::Screen::Slide:
             return state_.turns_to_undo > 0;
         case exhibit::Screen::Describe:
+        case exhibit::Screen::Language:
             return true;
         default:
             return false;
@@ -417,7 +426,9 @@ bool Show::can_go_back() const {
 }
 
 std::optional<stage::Asked> Show::asked() const {
-    const genome::Language& language = genome::language(language_);
+    if (state_.screen == exhibit::Screen::Language)
+        return stage::Asked{"ask.language", spoken_.labels(state_.first_language), std::nullopt};
+    const genome::Language& language = spoken_.language();
     if (state_.screen == exhibit::Screen::Describe) {
         const genome::WordId id = bred_.asked.at(static_cast<std::size_t>(state_.described));
         return stage::Asked{fmt::format("describe.{}", name_of(word(id).aspect)), language.answers(id), std::nullopt};

@@ -16,6 +16,7 @@
 #include "nursery/growing.hpp"
 #include "site/configuration.hpp"
 #include "stage/asked.hpp"
+#include "stage/spoken.hpp"
 
 namespace quadrat::kiosk {
 
@@ -90,6 +91,8 @@ class Show {
     const std::string& caption() const { return caption_; }
     // Where the landscape that was bred can be had, as the site says; "" where it says nothing.
     const std::string& take_home() const { return take_home_; }
+    // The language that the screen speaks.
+    const std::string& shown_language(base::Instant now) const { return spoken_.shown(state_.screen, now); }
     bool can_go_back() const;
     // In Describe and Slide.
     std::optional<stage::Asked> asked() const;
@@ -115,6 +118,7 @@ class Show {
     void carry_out(const exhibit::UndoTurn& wish, base::Instant now);
     void carry_out(const exhibit::KeepWord& wish, base::Instant now);
     void carry_out(const exhibit::EndVisit& wish, base::Instant now);
+    void carry_out(const exhibit::SpeakLanguage& wish, base::Instant now);
 
     std::string heredity(const genome::Candidate& before, const genome::Candidate& now,
                          const genome::Pick& answers) const;
@@ -165,7 +169,7 @@ class Show {
     std::unique_ptr<Keeper> keeper_;
     nursery::Grower grower_;
     bool is_in_fleet_;  // visits are kept for whoever publishes them
-    std::string language_;
+    stage::Spoken spoken_;
     std::string caption_;
     std::string take_home_url_;  // the site's
     std::string take_home_;

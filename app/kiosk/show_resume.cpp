@@ -20,7 +20,10 @@ bool Show::take_up(base::Instant now) {
     const bool is_free = state_.screen == exhibit::Screen::Attract && visits_ended_ == 0;
     if (!kept->interrupted || !is_free) return false;
     const std::optional<breeding::Session> prepared = session_;
-    if (resume(*kept->interrupted, now)) return true;
+    if (resume(*kept->interrupted, now)) {
+        spoken_.resume(kept->language);
+        return true;
+    }
     session_ = prepared;
     return false;
 }

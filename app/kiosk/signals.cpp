@@ -52,8 +52,8 @@ char key_of(display::Key key) {
 
 firmware_io::Lamps lamps_for(const Show& show) {
     const exhibit::Screen screen = show.state().screen;
-    const bool asks =
-        screen == exhibit::Screen::Ask || screen == exhibit::Screen::Describe || screen == exhibit::Screen::Slide;
+    const bool asks = screen == exhibit::Screen::Ask || screen == exhibit::Screen::Describe ||
+                      screen == exhibit::Screen::Slide || screen == exhibit::Screen::Language;
     const bool invites =
         show.state().screen == exhibit::Screen::Attract || show.state().screen == exhibit::Screen::StillThere;
     firmware_io::Lamps lamps;
@@ -71,6 +71,7 @@ stage::Moment moment_of(Show& show, std::optional<stage::Scanned> scanned, base:
     moment.growing_progress = show.growing_progress();
     moment.caption = show.caption();
     moment.take_home = show.take_home();
+    moment.language = show.shown_language(now);
     moment.now = now;
     return moment;
 }

@@ -81,7 +81,7 @@ void ViewPainter::draw_ground(const View& view, const Selection& selection, cons
     of(drawn, Kind::Cover) += cover_.draw(scene.cover, selection.cover, stock.cover);
     gl::Work& work = of(drawn, Kind::Ground);
     work += houses_.draw(country.houses, held.indices(), held.houses());
-    work += stone_.draw(country.stone, held.indices(), held.stone());
+    work += stone_.draw(country.stone, scene.ground, held.indices(), held.stone());
     if (gl::Wires::are_on()) {
         for (const passes::IndexRange& level : held.land_by_level())
             work += ground_.draw(country.land, scene.ground, held.level_indices(), level, held.grain_m());
@@ -96,13 +96,14 @@ void ViewPainter::draw_water(const Frame& frame, const View& view, const Selecti
     const CountryOnGpu& country = *scene.country;
     const glm::vec3 eye_m = view.camera.eye_m;
     gl::Work& work = of(drawn, Kind::Water);
-    if (country.land.has_water)
-        work += water_.draw(*scene.ground.lit, scene.mirror, selection.frustum, eye_m, selection.reach);
     // As many pixels as the lines of a finer or smaller picture ask for.
     const float nearness = std::sqrt(std::min(frame.detail.alpha, 1.0F)) * scale_of(frame) * pixels_per_radian(view) /
                            passes::WaterLevels::kPixelsPerRadian;
     work += water_.draw_fresh(country.fresh_water, *scene.ground.lit, scene.mirror,
                               country.fresh_water.levels.seen(selection.frustum, eye_m, nearness, selection.reach));
+    // The sea after it: where a river's mouth lies over the sea, one of them is seen.
+    if (country.land.has_water)
+        work += water_.draw(*scene.ground.lit, scene.mirror, selection.frustum, eye_m, selection.reach);
 }
 
 // Of what is far the lights alone, where they are seen past it.

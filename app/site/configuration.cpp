@@ -40,9 +40,13 @@ void read_visit(Reader& reader, Configuration::Visit& visit) {
     reader.read("visit", "describe_words", visit.describe_words, 0, 10);
     reader.read("visit", "describe_every", visit.describe_every, 1, 1000);
     reader.read("visit", "describe_s", visit.describe_s, 2, 600);
+    reader.read_checked("visit", "language_folder", visit.language_folder, [](const std::string& folder) {
+        if (!folder.empty()) genome::speak_from_folder(folder);
+    });
     std::vector<std::string> spoken;
     for (const std::string_view code : genome::language_codes()) spoken.emplace_back(code);
     reader.read("visit", "language", visit.language, spoken);
+    reader.read("visit", "languages", visit.languages, spoken);
 }
 
 // A time that 0 switches off, and that makes no sense when it is shorter than a hand.
@@ -113,6 +117,7 @@ void read_look(Reader& reader, Configuration::Look& look) {
     reader.read("text", "size", look.size, {"normal", "large", "largest"});
     reader.read("text", "contrast", look.contrast, {"normal", "high"});
     reader.read("picture", "motion", look.motion, {"full", "calm"});
+    reader.read("text", "pictograms", look.pictograms, {"beside", "alone", "none"});
 }
 
 void read_fleet(Reader& reader, Configuration::Fleet& fleet) {
@@ -255,8 +260,10 @@ Configuration configuration_from(std::string_view toml, const std::string& sourc
 
 Configuration read_configuration(const std::filesystem::path& path) { return required(check_configuration_file(path)); }
 
-std::string text(const Configuration& configuration, const std::string& key) {
+std::string text(const Configuration& configuration, const std::string& key, std::string_view language) {
     assert(std::ranges::find(genome::kPrompts, key) != genome::kPrompts.end());
+    if (!language.empty() && language != configuration.visit.language)
+        return std::string(genome::prompt(language, key));
     if (const auto found = configuration.texts.find(key); found != configuration.texts.end()) return found->second;
     return std::string(genome::prompt(configuration.visit.language, key));
 }

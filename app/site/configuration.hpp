@@ -42,6 +42,10 @@ struct Configuration {
         int describe_every = 2;       // of every so many finales
         double describe_s = 15;       // without a press, until the visitor is taken to have left
         std::string language = "en";  // that the screen speaks
+        // Of the site's own languages, CODE.json or CODE.po; read when the program starts. "": none.
+        std::string language_folder;
+        std::vector<std::string>
+            languages;  // that a visitor may choose from as they come; fewer than two: nobody is asked
     } visit;
 
     // For who cannot use four buttons.
@@ -83,6 +87,8 @@ struct Configuration {
         std::string size = "normal";      // of letters and signs: normal, large, largest
         std::string contrast = "normal";  // normal, high
         std::string motion = "full";      // full; calm: cameras stand still, and what comes fades in
+        // Beside the words, for who does not read: beside; instead of them: alone; none.
+        std::string pictograms = "beside";
         friend bool operator==(const Look&, const Look&) = default;
     } look;
 
@@ -139,7 +145,8 @@ CheckedConfiguration check_configuration_file(const std::filesystem::path& path,
 Configuration configuration_from(std::string_view toml, const std::string& source);
 Configuration read_configuration(const std::filesystem::path& path);
 
-// The prompt for a key of genome::kPrompts: in the site's own words, else in its language.
-std::string text(const Configuration& configuration, const std::string& key);
+// The prompt for a key of genome::kPrompts in a language, "" for the site's: there in the site's own words, if it has
+// some.
+std::string text(const Configuration& configuration, const std::string& key, std::string_view language = {});
 
 }  // namespace quadrat::site

@@ -183,6 +183,16 @@ void read_texts(ConfigurationReader& reader, std::map<std::string, std::string>&
 
 void check_language(ConfigurationReader& reader, const Configuration& configuration,
                     const LettersWithoutFont& without_font) {
+    if (const toml::node* offered = reader.find("visit", "languages"); offered != nullptr) {
+        for (const std::string& code : configuration.visit.languages) {
+            std::string spoken;
+            for (const std::string_view prompt : genome::kPrompts)
+                spoken.append(genome::prompt(code, prompt)).append("\n");
+            if (const std::string missing = without_font(spoken); !missing.empty())
+                reader.refuse(*offered, "visit.languages",
+                              fmt::format("has \"{}\"; no installed font has its letters {}", code, missing), kFonts);
+        }
+    }
     const toml::node* node = reader.find("visit", "language");
     const bool is_spoken = node != nullptr && node->value<std::string>() == configuration.visit.language;
     const std::string missing = is_spoken ? letters_missing_for(configuration, without_font) : "";

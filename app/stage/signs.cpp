@@ -58,6 +58,12 @@ SignWriter::Written SignWriter::badge(std::size_t quarter_index, int size_px) {
     return keep(key, render::badge(q.shape, q.letter, q.colour, size_px));
 }
 
+SignWriter::Written SignWriter::pictogram(render::Pictogram which, int size_px) {
+    const Key key{{'\x03', static_cast<char>('a' + static_cast<int>(which))}, size_px, false, 0};
+    if (const auto found = written_.find(key); found != written_.end()) return found->second;
+    return keep(key, render::pictogram(which, size_px));
+}
+
 SignWriter::Written SignWriter::code(const std::string& text, int most_px) {
     const Key key{std::string("\x02") + text, most_px, false, 0};
     if (const auto found = written_.find(key); found != written_.end()) return found->second;

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "render/lettering.hpp"
+#include "render/pictogram.hpp"
 #include "render/renderer.hpp"
 #include "stage/legibility.hpp"
 
@@ -35,6 +36,7 @@ class SignWriter {
     };
     Written text(const std::string& utf8, float size_px, bool is_bold = false, int max_width_px = 0);
     Written badge(std::size_t quarter_index, int size_px);
+    Written pictogram(render::Pictogram which, int size_px);
     // A QR code of the text, of so many pixels a side at most; nothing drawn (0 wide) where it has not room.
     Written code(const std::string& text, int most_px);
 

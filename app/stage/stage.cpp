@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "genome/speech.hpp"
 #include "stage/easel.hpp"
 #include "stage/marks.hpp"
 
@@ -64,29 +65,65 @@ float flash_left(const StageView& view) {
     return 1 - smooth(seconds_of(view.now - view.flash->at) / kFlashSeconds);
 }
 
+bool reads_right_to_left(const StageView& view, const site::Configuration& configuration) {
+    return genome::language(view.language.empty() ? std::string_view(configuration.visit.language) : view.language)
+        .reads_right_to_left();
+}
+
 std::string words(const StageView& view, const site::Configuration& configuration) {
-    if (view.cast.scenes.empty() && view.backdrop == nullptr) return site::text(configuration, "first");
+    const auto said = [&](const std::string& key) { return site::text(configuration, key, view.language); };
+    if (view.cast.scenes.empty() && view.backdrop == nullptr) return said("first");
     switch (exhibit::prompt_of(view.state)) {
         case exhibit::Prompt::PressAnyButton:
-            return site::text(configuration, "attract");
+            return said("attract");
         case exhibit::Prompt::BestTrees:
-            return site::text(configuration, "ask.trees");
+            return said("ask.trees");
         case exhibit::Prompt::BestLand:
-            return site::text(configuration, "ask.land");
+            return said("ask.land");
         case exhibit::Prompt::BestSky:
-            return site::text(configuration, "ask.sky");
+            return said("ask.sky");
         case exhibit::Prompt::Growing:
-            return site::text(configuration, "breed");
+            return said("breed");
         case exhibit::Prompt::StillThere:
-            return fmt::format("{}  {}", site::text(configuration, "still-there"),
+            return fmt::format("{}  {}", said("still-there"),
                                exhibit::countdown_s(view.state, view.now, view.timings).value_or(0));
         case exhibit::Prompt::WhichWords:
         case exhibit::Prompt::TurnWords:
-            return site::text(configuration, view.asked != nullptr ? view.asked->prompt : "finale");
+            return said(view.asked != nullptr ? view.asked->prompt : "finale");
+        case exhibit::Prompt::WhichLanguage:
+            return said("ask.language");
         case exhibit::Prompt::YourLandscape:
             break;
     }
-    return site::text(configuration, "finale");
+    return said("finale");
+}
+
+render::Pictogram pictogram_of(const StageView& view) {
+    using render::Pictogram;
+    if (view.cast.scenes.empty() && view.backdrop == nullptr) return Pictogram::Sprout;
+    switch (exhibit::prompt_of(view.state)) {
+        case exhibit::Prompt::PressAnyButton:
+            return Pictogram::Press;
+        case exhibit::Prompt::BestTrees:
+            return Pictogram::Tree;
+        case exhibit::Prompt::BestLand:
+            return Pictogram::Land;
+        case exhibit::Prompt::BestSky:
+            return Pictogram::Sky;
+        case exhibit::Prompt::Growing:
+            return Pictogram::Sprout;
+        case exhibit::Prompt::StillThere:
+            return Pictogram::Clock;
+        case exhibit::Prompt::WhichWords:
+            return Pictogram::Speech;
+        case exhibit::Prompt::TurnWords:
+            return Pictogram::Slider;
+        case exhibit::Prompt::WhichLanguage:
+            return Pictogram::Language;
+        case exhibit::Prompt::YourLandscape:
+            break;
+    }
+    return Pictogram::Frame;
 }
 
 render::Frame Stage::frame(const StageView& view, const display::Canvas& canvas) {

@@ -11,6 +11,7 @@
 #include "base/clock.hpp"
 #include "display/display.hpp"
 #include "exhibit/visit.hpp"
+#include "render/pictogram.hpp"
 #include "render/renderer.hpp"
 #include "site/configuration.hpp"
 #include "stage/asked.hpp"
@@ -52,6 +53,7 @@ struct StageView {
     std::string_view sign = {};             // for staff, small in a corner; may be empty
     const Scanned* scanned = nullptr;       // for who has not four buttons, or null
     std::string_view take_home = {};        // in the finale, as a QR code; may be empty
+    std::string_view language = {};         // that is spoken now; "": the site's
 };
 
 // From the visit's state to a frame: which views, how dim, which words. Holds rasterised words, nothing else.
@@ -71,8 +73,12 @@ class Stage {
     void add_strip(render::Frame& frame, const Board& board);
     void add_sign(render::Frame& frame, std::string_view words);
     void add_backdrop(render::Frame& frame, const mesh::Image& picture);
+    struct PlateText;
+    PlateText plate_text(const StageView& view, glm::ivec2 size);
     void add_plate(render::Frame& frame, const StageView& view);
-    void add_take_home(render::Frame& frame, std::string_view address, const render::Rect& plate);
+    void add_beside_plate(render::Frame& frame, const StageView& view, const render::Rect& plate);
+    void add_chosen(render::Frame& frame, const StageView& view, const render::Rect& plate);
+    void add_take_home(render::Frame& frame, const StageView& view, const render::Rect& plate);
     void add_demonstration(render::Frame& frame, const StageView& view, const render::Rect& plate);
     void add_back(render::Frame& frame, const StageView& view, const render::Rect& plate);
     void add_progress(render::Frame& frame, const StageView& view, const render::Rect& plate);
@@ -89,7 +95,14 @@ bool shows_four(const StageView& view);
 // How bright the acknowledgement of the last press still is: 1 on its first frame, 0 when it is over.
 float flash_left(const StageView& view);
 
-// The words of the moment, in the site's language.
+// Whether the language that is spoken does: what has a beginning and an end begins on the right then. The four quarters
+// stay where their buttons are.
+bool reads_right_to_left(const StageView& view, const site::Configuration& configuration);
+
+// What says the same without words.
+render::Pictogram pictogram_of(const StageView& view);
+
+// The words of the moment, in the language that is spoken.
 std::string words(const StageView& view, const site::Configuration& configuration);
 
 }  // namespace quadrat::stage

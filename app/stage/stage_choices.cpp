@@ -32,6 +32,7 @@ void Stage::add_labels(render::Frame& frame, const StageView& view) {
     }
     height += 2 * pad;
     for (std::size_t i = 0; i < kQuarters; ++i) {
+        if (view.asked->labels[i].empty()) continue;  // the button stands for nothing
         const SignWriter::Written& written = labels[i];
         const int width = badge + written.width + 3 * pad;
         const bool is_left = i % 2 == 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "stage/demonstration.hpp"
+#include "stage/easel.hpp"
 #include "stage/marks.hpp"
 #include "stage/stage.hpp"
 
@@ -20,18 +21,27 @@ constexpr float kSinks = 0.07F;      // of a badge, on each side, when it is pre
 constexpr float kOthersFade = 0.5F;  // the other badges meanwhile
 constexpr float kFinger = 0.36F;     // its width, of a badge
 constexpr float kFingerLength = 0.7F;
-constexpr int kCodeShare = 38;  // of the picture's height, in hundredths, at most
-constexpr int kCodeLine = 9;    // and what stands below it
+constexpr int kCodeShare = 38;                      // of the picture's height, in hundredths, at most
+constexpr int kCodeLine = 9;                        // and what stands below it
+constexpr float kBeside = 1.5F;                     // a pictogram's side beside the words, in ems of theirs
+constexpr float kAlone = 3.0F;                      // and in place of them
+constexpr std::chrono::milliseconds kTravels{900};  // what was chosen, from its quarter to the middle
 
 // Back has no quarter; it is white.
 glm::vec3 flash_colour(exhibit::Choice button) {
     return button == exhibit::Choice::Back ? glm::vec3{1} : glm::vec3(quarter(static_cast<std::size_t>(button)).colour);
 }
 
+float smooth_step(base::Instant since) {
+    const float t =
+        std::clamp(std::chrono::duration<float>(since) / std::chrono::duration<float>(kTravels), 0.0F, 1.0F);
+    return t * t * (3 - 2 * t);
+}
+
 // What stands below the prompt, smaller; may be empty.
 std::string line_below(const StageView& view, const site::Configuration& configuration) {
     if (view.scanned != nullptr && !view.scanned->hint.empty() && !view.cast.scenes.empty())
-        return site::text(configuration, view.scanned->hint);
+        return site::text(configuration, view.scanned->hint, view.language);
     const bool has_caption =
         view.state.screen == exhibit::Screen::Breed || view.state.screen == exhibit::Screen::Finale;
     return has_caption ? std::string(view.caption) : "";
@@ -71,56 +81,132 @@ void add_finger(render::Frame& frame, const render::Rect& button, float press, c
 
 }  // namespace
 
-void Stage::add_plate(render::Frame& frame, const StageView& view) {
+// What the plate holds, and how large.
+struct Stage::PlateText {
+    SignWriter::Written words;
+    std::optional<SignWriter::Written> caption;
+    SignWriter::Written pictogram;  // 0 wide: none
+    int pad = 0;
+    int steps = 0;   // height of the bars
+    int below = 0;   // of the caption and what parts it from the words
+    int beside = 0;  // of the pictogram and what parts it from the words
+};
+
+Stage::PlateText Stage::plate_text(const StageView& view, glm::ivec2 size) {
     const bool is_four = shows_four(view);
     const Look look = look_of(configuration_.look);
     const bool has_labels = view.asked != nullptr;
-    const float em = em_px(is_four || has_labels ? Letters::Question : Letters::Statement, look.size, frame.size.y);
+    const float em = em_px(is_four || has_labels ? Letters::Question : Letters::Statement, look.size, size.y);
     // Labels stand below it, or a code above it.
     const bool has_code = view.state.screen == Screen::Finale && !view.take_home.empty();
-    const glm::ivec2 most{frame.size.x * 8 / 10, frame.size.y * (has_labels || has_code ? 18 : 30) / 100};
-    const auto written = writer_.text_within(words(view, configuration_), em, true, most);
-    std::optional<SignWriter::Written> caption;
-    const int most_below = frame.size.y * (has_labels ? 7 : has_code ? 14 : 20) / 100;
-    if (const std::string below = line_below(view, configuration_); !below.empty())
-        caption = writer_.text_within(below, em_px(Letters::Below, look.size, frame.size.y), look.has_high_contrast,
-                                      {frame.size.x * 7 / 10, most_below});
-    const int pad = static_cast<int>(em * 0.6F);
-    const int below = caption ? caption->height + pad / 4 : 0;
+    const bool is_alone = configuration_.look.pictograms == "alone";
+    PlateText text;
+    text.pad = static_cast<int>(em * 0.6F);
+    if (configuration_.look.pictograms != "none") {
+        text.pictogram = writer_.pictogram(pictogram_of(view), static_cast<int>((is_alone ? kAlone : kBeside) * em));
+        text.beside = text.pictogram.width + (is_alone ? 0 : text.pad / 3);
+    }
+    if (is_alone) {
+        const auto left = exhibit::countdown_s(view.state, view.now, view.timings);
+        text.words = writer_.text(left ? std::to_string(*left) : "", em, true);
+        if (!left) text.words.width = text.words.height = 0;
+    } else {
+        const glm::ivec2 most{size.x * 8 / 10 - text.beside, size.y * (has_labels || has_code ? 18 : 30) / 100};
+        text.words = writer_.text_within(words(view, configuration_), em, true, most);
+        const int most_below = size.y * (has_labels ? 7 : has_code ? 14 : 20) / 100;
+        if (const std::string below = line_below(view, configuration_); !below.empty())
+            text.caption = writer_.text_within(below, em_px(Letters::Below, look.size, size.y), look.has_high_contrast,
+                                               {size.x * 7 / 10, most_below});
+    }
+    text.below = text.caption ? text.caption->height + text.pad / 4 : 0;
     const bool has_steps = is_four && view.state.screen != exhibit::Screen::StillThere;
-    const int steps = has_steps ? static_cast<int>(em * 0.55F) : 0;
-    const int widest = std::max(written.width, caption ? caption->width : 0);
-    render::Rect plate{0, 0, widest + 2 * pad, written.height + below + pad + steps};
+    text.steps = has_steps ? static_cast<int>(em * 0.55F) : 0;
+    return text;
+}
+
+void Stage::add_plate(render::Frame& frame, const StageView& view) {
+    const bool is_four = shows_four(view);
+    const PlateText text = plate_text(view, frame.size);
+    const int line = std::max(text.words.height, text.pictogram.height * 8 / 10);
+    const int first = text.beside + text.words.width;  // width of the first line
+    render::Rect plate{0, 0, std::max(first, text.caption ? text.caption->width : 0) + 2 * text.pad,
+                       line + text.below + text.pad + text.steps};
     plate.x = (frame.size.x - plate.width) / 2;
     plate.y = is_four                 ? (frame.size.y - plate.height) / 2
               : view.asked != nullptr ? frame.size.y - plate.height - frame.size.y / 24
                                       : frame.size.y / 16;
-    add_ground(frame, plate, em * 0.5F);
+    const auto corner = static_cast<float>(text.pad) / 1.2F;
+    add_ground(frame, plate, corner);
     // Whatever is on the screen, a press is seen: the plate lights up in the button's colour.
     if (const float left = flash_left(view); left > 0) {
         render::Sign lit;
         lit.place = plate;
-        lit.corner_radius_px = em * 0.5F;
+        lit.corner_radius_px = corner;
         lit.colour = glm::vec4(flash_colour(view.flash->button), left);
-        lit.border_px = std::max(2.0F, em * 0.12F);
+        lit.border_px = std::max(2.0F, static_cast<float>(text.pad) * 0.2F);
         frame.signs.push_back(lit);
     }
-    render::Sign words_sign;
-    words_sign.texture = written.texture;
-    words_sign.place = {plate.x + (plate.width - written.width) / 2, plate.y + pad / 2 + steps + below, written.width,
-                        written.height};
-    frame.signs.push_back(words_sign);
-    if (caption) {
-        words_sign.texture = caption->texture;
-        words_sign.place = {plate.x + (plate.width - caption->width) / 2, plate.y + pad / 2 + steps, caption->width,
-                            caption->height};
-        frame.signs.push_back(words_sign);
-    }
-    if (has_steps) add_progress(frame, view, plate);
+    const auto put = [&](const SignWriter::Written& written, int x, int middle_y) {
+        render::Sign sign;
+        sign.texture = written.texture;
+        sign.place = {x, middle_y - written.height / 2, written.width, written.height};
+        if (written.width > 0) frame.signs.push_back(sign);
+    };
+    const int middle = plate.y + text.pad / 2 + text.steps + text.below + line / 2;
+    const int from = plate.x + (plate.width - first) / 2;
+    const bool is_mirrored = reads_right_to_left(view, configuration_);
+    put(text.words, is_mirrored ? from : from + text.beside, middle);
+    if (text.caption)
+        put(*text.caption, plate.x + (plate.width - text.caption->width) / 2,
+            plate.y + text.pad / 2 + text.steps + text.caption->height / 2);
+    put(text.pictogram, is_mirrored ? from + first - text.pictogram.width : from, middle);
+    if (text.steps > 0) add_progress(frame, view, plate);
+    add_beside_plate(frame, view, plate);
+}
+
+void Stage::add_beside_plate(render::Frame& frame, const StageView& view, const render::Rect& plate) {
     if (view.scanned != nullptr && view.scanned->offers_back) add_back(frame, view, plate);
-    if (view.state.screen == exhibit::Screen::Attract && configuration_.play.shows_how && !view.cast.scenes.empty())
+    if (view.state.screen == Screen::Attract && configuration_.play.shows_how && !view.cast.scenes.empty())
         add_demonstration(frame, view, plate);
-    if (has_code) add_take_home(frame, view.take_home, plate);
+    if (view.state.screen == Screen::Finale && !view.take_home.empty()) add_take_home(frame, view, plate);
+    if (view.state.screen == Screen::Breed) add_chosen(frame, view, plate);
+}
+
+// What the next four grow from, below the plate while they do: of each aspect its pictogram and the button that it was
+// chosen by. Each comes from the quarter that it was in.
+void Stage::add_chosen(render::Frame& frame, const StageView& view, const render::Rect& plate) {
+    if (!shows_four(view) || view.state.past_answers.empty()) return;
+    const genome::Pick& pick = view.state.past_answers.back();
+    const Look look = look_of(configuration_.look);
+    constexpr genome::PerAspect<render::Pictogram> kOfAspect{
+        {render::Pictogram::Tree, render::Pictogram::Land, render::Pictogram::Sky}};
+    const int badge = badge_px(look.size, frame.size.y);
+    const int side = badge * 9 / 10;
+    const int pad = badge / 4;
+    const int each = side + badge + pad / 2;
+    const render::Rect card{(frame.size.x - 3 * each - 6 * pad) / 2, plate.y - pad - badge - 2 * pad,
+                            3 * each + 6 * pad, badge + 2 * pad};
+    if (card.y < 0) return;
+    add_ground(frame, card, static_cast<float>(pad));
+    const auto places = quarters(frame.size.x, frame.size.y);
+    const float gone = look.is_calm ? 1 : smooth_step(view.now - view.state.since);
+    for (const genome::Aspect aspect : genome::kAspects) {
+        if (!pick[aspect]) continue;
+        const std::size_t from = *pick[aspect];
+        const int index = static_cast<int>(aspect);
+        const glm::ivec2 to{card.x + pad + index * (each + 2 * pad), card.y + pad};
+        const render::Rect& quarter_of = places[from];
+        const glm::vec2 start{static_cast<float>(quarter_of.x + (quarter_of.width - each) / 2),
+                              static_cast<float>(quarter_of.y + (quarter_of.height - badge) / 2)};
+        const glm::ivec2 at{glm::mix(start, glm::vec2(to), gone)};
+        render::Sign sign;
+        sign.texture = writer_.pictogram(kOfAspect[aspect], side).texture;
+        sign.place = {at.x, at.y + (badge - side) / 2, side, side};
+        frame.signs.push_back(sign);
+        sign.texture = writer_.badge(from, badge).texture;
+        sign.place = {at.x + side + pad / 2, at.y, badge, badge};
+        frame.signs.push_back(sign);
+    }
 }
 
 // Above the plate: a question, the four signs as the buttons bear them, and a finger that presses one.
@@ -130,7 +216,7 @@ void Stage::add_demonstration(render::Frame& frame, const StageView& view, const
     const Look look = look_of(configuration_.look);
     constexpr std::array kKeys{"ask.trees", "ask.land", "ask.sky"};
     const auto question = writer_.text_within(
-        site::text(configuration_, kKeys[static_cast<std::size_t>(ghost->question)]),
+        site::text(configuration_, kKeys[static_cast<std::size_t>(ghost->question)], view.language),
         em_px(Letters::Below, look.size, frame.size.y), true, {frame.size.x * 7 / 10, frame.size.y / 6});
     // As large as there is room for.
     int badge = badge_px(look.size, frame.size.y), pad = 0, finger = 0;
@@ -167,27 +253,27 @@ void Stage::add_demonstration(render::Frame& frame, const StageView& view, const
     for (std::size_t i = first; i < frame.signs.size(); ++i) frame.signs[i].colour.a *= ghost->strength;
 }
 
-// On the right: the code, and below it what it is for. Beside the plate where there is room, else above it.
-void Stage::add_take_home(render::Frame& frame, std::string_view address, const render::Rect& plate) {
+// Where lines end: the code, and below it what it is for. Beside the plate where there is room, else above it.
+void Stage::add_take_home(render::Frame& frame, const StageView& view, const render::Rect& plate) {
     const Look look = look_of(configuration_.look);
     const int inset = frame.size.y / 24;
     const int pad = frame.size.y / 60;
     const auto write = [&](int width) {
-        return writer_.text_within(site::text(configuration_, "take-home"),
+        return writer_.text_within(site::text(configuration_, "take-home", view.language),
                                    em_px(Letters::Below, look.size, frame.size.y), true,
                                    {width, frame.size.y * kCodeLine / 100});
     };
     const int most = frame.size.y * kCodeShare / 100;
-    auto code = writer_.code(std::string(address), most);
+    auto code = writer_.code(std::string(view.take_home), most);
     auto written = write(most);
     const auto width_of = [&] { return std::max(code.width, written.width) + 2 * pad; };
     const bool is_beside = plate.x + plate.width + inset / 2 <= frame.size.x - inset - width_of();
     const int bottom = is_beside ? plate.y : plate.y + plate.height + inset / 2;
     const int room = frame.size.y - bottom - inset / 2 - written.height - 3 * pad;
-    if (room < code.height) code = writer_.code(std::string(address), room);
+    if (room < code.height) code = writer_.code(std::string(view.take_home), room);
     if (code.width == 0) return;
-    const render::Rect card{frame.size.x - inset - width_of(), bottom, width_of(),
-                            code.height + written.height + 3 * pad};
+    const int left = reads_right_to_left(view, configuration_) ? inset : frame.size.x - inset - width_of();
+    const render::Rect card{left, bottom, width_of(), code.height + written.height + 3 * pad};
     add_ground(frame, card, static_cast<float>(pad));
     render::Sign sign;
     sign.texture = written.texture;
@@ -202,7 +288,7 @@ void Stage::add_take_home(render::Frame& frame, std::string_view address, const 
 // Below the question, in the same hand.
 void Stage::add_back(render::Frame& frame, const StageView& view, const render::Rect& plate) {
     const float em = em_px(Letters::Label, look_of(configuration_.look).size, frame.size.y);
-    const auto written = writer_.text_within(site::text(configuration_, "back"), em, true,
+    const auto written = writer_.text_within(site::text(configuration_, "back", view.language), em, true,
                                              {frame.size.x * 3 / 10, frame.size.y * 8 / 100});
     const int pad = static_cast<int>(em * 0.6F);
     const int gap = mark_reach_px(frame.size.y) + frame.size.y / 180;
@@ -230,8 +316,10 @@ void Stage::add_progress(render::Frame& frame, const StageView& view, const rend
     const bool is_breeding = is_held || view.state.screen == exhibit::Screen::Breed;
     const float share_done = is_held ? view.scanned->hold : view.growing_progress;
     const float done = is_breeding ? share_done * static_cast<float>(steps) : static_cast<float>(view.state.question);
-    int x = plate.x + (plate.width - steps * bar_w - (steps - 1) * gap) / 2;
-    for (int i = 0; i < steps; ++i, x += bar_w + gap) {
+    const bool is_mirrored = reads_right_to_left(view, configuration_);
+    const int first = plate.x + (plate.width - steps * bar_w - (steps - 1) * gap) / 2;
+    for (int i = 0; i < steps; ++i) {
+        const int x = first + (is_mirrored ? steps - 1 - i : i) * (bar_w + gap);
         const render::Rect place{x, plate.y + bar_h * 2, bar_w, bar_h};
         render::Sign bar;
         bar.place = place;
@@ -241,6 +329,7 @@ void Stage::add_progress(render::Frame& frame, const StageView& view, const rend
         const float share = std::clamp(done - static_cast<float>(i), 0.0F, 1.0F);
         const bool is_current = !is_breeding && static_cast<int>(done) == i;
         bar.place.width = std::max(bar_h, static_cast<int>(static_cast<float>(bar_w) * share));
+        if (is_mirrored) bar.place.x = x + bar_w - bar.place.width;
         bar.colour = kDone;
         if (share > 0) frame.signs.push_back(bar);
         if (is_current) {

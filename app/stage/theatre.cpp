@@ -159,6 +159,7 @@ render::Drawn Theatre::draw(const Moment& moment, const display::Canvas& canvas,
     view.backdrop = over.backdrop;
     view.sign = over.sign;
     view.take_home = moment.take_home;
+    view.language = moment.language;
     render::Frame frame = stage_->frame(view, canvas);
     frame.is_one_of_many = true;
     if (detail_) frame.detail = *detail_;

@@ -31,6 +31,7 @@ struct Moment {
     float growing_progress = 0;     // of what Breed waits for, 0 to 1
     std::string_view caption = {};  // may be empty
     std::string_view take_home = {};
+    std::string_view language = {};  // that is spoken now; "": the site's
     base::Instant now{0};
 };
 

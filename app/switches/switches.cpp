@@ -21,7 +21,7 @@ struct Turn {
 };
 
 bool asks_for_a_choice(Screen screen) {
-    return screen == Screen::Ask || screen == Screen::Describe || screen == Screen::Slide;
+    return screen == Screen::Ask || screen == Screen::Describe || screen == Screen::Slide || screen == Screen::Language;
 }
 
 std::size_t index_of(Choice choice) { return static_cast<std::size_t>(choice); }
@@ -40,6 +40,7 @@ bool is_holding_free(const exhibit::State& visit) {
     switch (visit.screen) {
         case Screen::Attract:
         case Screen::StillThere:
+        case Screen::Language:
             return true;
         case Screen::Ask:
         case Screen::Slide:

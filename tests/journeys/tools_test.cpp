@@ -232,7 +232,7 @@ TEST(CommandLine, RefusesALanguageThatIsNotSpokenAndAStateFolderThatIsNotThere) 
     const TemporaryFolder folder;
     const Ended klingon = run(program({"words", "--language", "tlh", "show"}), folder);
     EXPECT_EQ(klingon.status, 2);
-    EXPECT_THAT(klingon.err, AllOf(HasSubstr("tlh is not spoken here; there are ar, de, en"), HasSubstr("--help")));
+    EXPECT_THAT(klingon.err, AllOf(HasSubstr("tlh is not spoken here; there are ar, de, el, en"), HasSubstr("--help")));
     EXPECT_TRUE(succeeds(run(program({"words", "--language", "de-AT", "show"}), folder)));
     for (const std::vector<std::string>& command :
          std::vector<std::vector<std::string>>{{"words", "--state", "/nope", "show"},

@@ -18,7 +18,7 @@ namespace quadrat::render::passes {
 inline constexpr int kLandBlock = 16;  // samples a side of a block of the land
 
 // How far the grain is seen, where a radian has 1 pixel: beyond, its mean is left. m
-inline constexpr float kGrainSeen_m = 0.2F;
+inline constexpr float kGrainSeen_m = 0.45F;
 
 struct LandOnGpu {
     GridOnGpu land;

@@ -66,10 +66,12 @@ StonePass::StonePass()
                  {{2, 4, GL_BYTE, gl::Numbers::Normalised, 0},
                   {4, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Facing, root_colour)}}}} {}
 
-gl::Work StonePass::draw(const StoneOnGpu& stone, const gl::StreamBuffer& indices, const IndexRange& range) const {
+gl::Work StonePass::draw(const StoneOnGpu& stone, const GroundPictureOnGpu& picture, const gl::StreamBuffer& indices,
+                         const IndexRange& range) const {
     if (range.count == 0) return {};
     program_.use();
     stone.lichen.bind(0);
+    picture.grain->lit->bind(1);
     vertices_.bind();
     vertices_.feed(0, stone.corners.name());
     vertices_.feed(1, stone.facings.name());

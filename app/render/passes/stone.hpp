@@ -8,6 +8,7 @@
 #include "render/gl/texture.hpp"
 #include "render/gl/vertex_array.hpp"
 #include "render/passes/grid.hpp"
+#include "render/passes/ground_picture.hpp"
 #include "render/passes/pieces.hpp"
 #include "scene/scene.hpp"
 
@@ -27,7 +28,9 @@ void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<cons
 class StonePass {
   public:
     StonePass();
-    gl::Work draw(const StoneOnGpu& stone, const gl::StreamBuffer& indices, const IndexRange& range) const;
+    // Of the land's picture it takes the grain.
+    gl::Work draw(const StoneOnGpu& stone, const GroundPictureOnGpu& picture, const gl::StreamBuffer& indices,
+                  const IndexRange& range) const;
 
   private:
     gl::Program program_;

@@ -163,6 +163,8 @@ struct Soil {
     float height_m;
     float slope;     // rise over run
     float moisture;  // 0 dry to 1 wet
+    float stone;     // share of bare rock and scree, 0 to 1
+    float snow_m;  // how far it lies above the snow line, where there is one that not all of the land lies above; or 0
     bool is_snowy;
 };
 
@@ -194,7 +196,9 @@ class Ground {
         const float low = std::clamp(1.0F - height_m / 26.0F, 0.0F, 1.0F);
         const float moisture = 0.42F + 0.58F * wetness(at) + 0.22F * low * low - 0.30F * std::min(slope, 1.0F) -
                                0.12F * std::clamp(height_m / 150.0F, 0.0F, 1.0F);
-        return {height_m, slope, std::clamp(moisture, 0.0F, 1.0F), height_m > land_.snow_line_m};
+        constexpr float kLowestLine_m = 25;
+        const float snow_m = land_.snow_line_m < kLowestLine_m ? 0 : std::max(height_m - land_.snow_line_m, 0.0F);
+        return {height_m, slope, std::clamp(moisture, 0.0F, 1.0F), stone(at), snow_m, height_m > land_.snow_line_m};
     }
 
   private:
@@ -206,8 +210,27 @@ class Ground {
         };
         return static_cast<float>(albedo.wetness(px(at.x, albedo.width()), px(at.y, albedo.height()))) / 255.0F;
     }
+    float stone(glm::vec2 at) const {
+        const mesh::Image& kinds = land_.kinds;
+        if (kinds.bytes.empty()) return 0;
+        const auto sample = [&](float m, int count) {
+            return std::clamp(static_cast<int>((m / land_.side_m() + 0.5F) * static_cast<float>(count - 1) + 0.5F), 0,
+                              count - 1);
+        };
+        return static_cast<float>(kinds.pixel(sample(at.x, kinds.width), sample(at.y, kinds.height))[1]) / 255.0F;
+    }
     const scene::Land& land_;
 };
+
+// What roots find on bare stone: who lives on little water finds more.
+inline float footing(const scene::Species& species, const Soil& soil) {
+    constexpr float kFrom = 0.35F;
+    constexpr float kWhole = 0.75F;
+    const float bare = std::clamp((soil.stone - kFrom) / (kWhole - kFrom), 0.0F, 1.0F);
+    const float frugal = std::clamp((0.5F - species.moisture) / 0.25F, 0.0F, 1.0F);
+    constexpr float kLastTrees_m = 22;  // above the snow line
+    return (1 - (0.94F - 0.4F * frugal) * bare) * std::max(1 - soil.snow_m / kLastTrees_m, 0.04F);
+}
 
 // How well a species does on this soil, 0 to 1.
 inline float welfare(const scene::Species& species, const Soil& soil) {
@@ -219,7 +242,7 @@ inline float welfare(const scene::Species& species, const Soil& soil) {
     const float moist = std::clamp(2.0F * (species.moisture_width - off) / species.moisture_width, 0.0F, 1.0F);
     // No palm in frost where anything else would grow; where nothing would, a few that do badly.
     const float frost = soil.is_snowy && species.is_tender ? 0.03F : 1.0F;
-    return soil.height_m < kShore_m ? 0 : above * below * flat * moist * frost;
+    return soil.height_m < kShore_m ? 0 : above * below * flat * moist * frost * footing(species, soil);
 }
 
 // The zones of a land: by height, and by how green the ground is painted beside the greenest of this land. So plants

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/seed.hpp"
 #include "synthesis/land/ground.hpp"
 #include "synthesis/noise/gradient.hpp"
 
@@ -43,18 +44,81 @@ Tile soft_tile(base::Seed seed, int side) {
     return tile;
 }
 
-// Facets and clefts: noise folded to sharp valleys, and chips.
+// Blocks of stone: cells about jittered points, each a plane of its own tilt, with clefts where two meet (Worley 1996).
+// They are drawn out along x, as beds break.
+class Blocks {
+  public:
+    Blocks(base::Seed seed, int columns, int rows) : columns_(columns), rows_(rows) {
+        base::RandomStream random(seed);
+        for (int i = 0; i < columns * rows; ++i)
+            blocks_.push_back({random.between(0.08F, 0.92F), random.between(0.08F, 0.92F), random.between(-1.0F, 1.0F),
+                               random.between(-1.0F, 1.0F), random.between(-1.0F, 1.0F)});
+    }
+
+    // At u, v of the tile, 0 to 1: the height of its plane, and how far it is from the cleft, in cells.
+    struct Found {
+        float plane, to_cleft;
+    };
+    Found at(float u, float v) const {
+        const float x = u * static_cast<float>(columns_);
+        const float y = v * static_cast<float>(rows_);
+        const int column = static_cast<int>(std::floor(x));
+        const int row = static_cast<int>(std::floor(y));
+        float nearest = 9, second = 9, plane = 0;
+        for (int dy = -1; dy <= 1; ++dy) {
+            for (int dx = -1; dx <= 1; ++dx) {
+                const Block& b = block(column + dx, row + dy);
+                const float east = x - static_cast<float>(column + dx) - b.x;
+                const float south = y - static_cast<float>(row + dy) - b.y;
+                const float apart = east * east + south * south;
+                second = std::min(second, std::max(apart, nearest));
+                if (apart >= nearest) continue;
+                nearest = apart;
+                plane = 0.5F * b.height + b.rise_x * east + b.rise_y * south;
+            }
+        }
+        return {plane, std::sqrt(second) - std::sqrt(nearest)};
+    }
+
+  private:
+    struct Block {
+        float x, y;            // in its cell
+        float height;          // of the plane's middle
+        float rise_x, rise_y;  // a cell
+    };
+    const Block& block(int column, int row) const {
+        const int c = (column + columns_) % columns_;
+        const int r = (row + rows_) % rows_;
+        return blocks_[static_cast<std::size_t>(r * columns_ + c)];
+    }
+    int columns_, rows_;
+    std::vector<Block> blocks_;
+};
+
+// Blocks broken into smaller ones, clefts between, and chips on them.
 Tile stone_tile(base::Seed seed, int side) {
     Tile tile(side, side);
-    const noise::Key clefts(seed.child("clefts"));
+    const Blocks large(seed.child("blocks"), 4, 6);
+    const Blocks small(seed.child("splinters"), 11, 16);
+    const noise::Key bends(seed.child("clefts"));
     const noise::Key chips(seed.child("chips"));
     oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, side, 32), [&](const auto& rows) {
-        std::vector<float> fine(static_cast<std::size_t>(side));
+        const auto width = static_cast<std::size_t>(side);
+        std::vector<float> bend(width), fine(width);
+        const float per_px = 1.0F / static_cast<float>(side);
         for (int y = rows.begin(); y != rows.end(); ++y) {
-            const auto out = std::span(tile.samples).subspan(tile.index(0, y), fine.size());
-            noise_row(clefts, side, y, 5, {.count = 4, .gain = 0.55F, .ridged = 1}, out);
-            noise_row(chips, side, y, 20, {.count = 2, .gain = 0.6F}, fine);
-            for (std::size_t x = 0; x < fine.size(); ++x) out[x] = 0.75F - 1.5F * out[x] + 0.5F * fine[x];
+            const auto out = std::span(tile.samples).subspan(tile.index(0, y), width);
+            noise_row(bends, side, y, 5, {.count = 3, .gain = 0.55F}, bend);
+            noise_row(chips, side, y, 20, {.count = 3, .gain = 0.65F}, fine);
+            for (std::size_t x = 0; x < width; ++x) {
+                const float u = static_cast<float>(x) * per_px + 0.035F * bend[x];
+                const float v = static_cast<float>(y) * per_px + 0.03F * fine[x];
+                const Blocks::Found big = large.at(u, v);
+                const Blocks::Found little = small.at(u, v);
+                const float clefts =
+                    1.1F * std::max(1 - big.to_cleft / 0.13F, 0.0F) + 0.5F * std::max(1 - little.to_cleft / 0.2F, 0.0F);
+                out[x] = 1.2F * big.plane + 0.45F * little.plane + 0.5F * fine[x] + 0.4F * bend[x] - clefts;
+            }
         }
     });
     double mean = 0;

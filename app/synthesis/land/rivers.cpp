@@ -146,7 +146,10 @@ mesh::Field speeds_m_s(const Drainage& d, const mesh::Field& level, float cell_m
     return speed;
 }
 
-mesh::Mesh surface_mesh(const mesh::Field& h, const Drainage& d, float cell_m, const mesh::Field& surface) {
+// Where it lies no higher than the sea it is the sea that is seen.
+mesh::Mesh surface_mesh(const mesh::Field& h, const Drainage& d, float cell_m, const mesh::Field& surface,
+                        float sea_m) {
+    constexpr float kOfTheSea_m = 0.02F;
     mesh::Mesh mesh;
     // Beyond its edge the water goes on at the level of the nearest wet sample, into the bank.
     mesh::Field level = surface;
@@ -181,7 +184,9 @@ mesh::Mesh surface_mesh(const mesh::Field& h, const Drainage& d, float cell_m, c
         for (int x = 0; x + 1 < h.columns; ++x) {
             const bool touches = surface.at(x, y) > kNoWater || surface.at(x + 1, y) > kNoWater ||
                                  surface.at(x, y + 1) > kNoWater || surface.at(x + 1, y + 1) > kNoWater;
-            if (!touches) continue;
+            const float highest_m =
+                std::max({level.at(x, y), level.at(x + 1, y), level.at(x, y + 1), level.at(x + 1, y + 1)});
+            if (!touches || highest_m < sea_m + kOfTheSea_m) continue;
             const std::uint32_t a = vertex_at(x, y);
             const std::uint32_t b = vertex_at(x + 1, y);
             const std::uint32_t c = vertex_at(x, y + 1);
@@ -212,7 +217,7 @@ FreshWater make_fresh_water(mesh::Field& height_m, float cell_m, const FreshWate
     for (std::size_t i = 0; i < water.kind.samples.size(); ++i)
         if (water.surface_m.samples[i] > kNoWater && water.kind.samples[i] == Wet::No)
             water.kind.samples[i] = Wet::River;
-    water.mesh = surface_mesh(height_m, d, cell_m, water.surface_m);
+    water.mesh = surface_mesh(height_m, d, cell_m, water.surface_m, options.sea_m);
     return water;
 }
 

@@ -21,7 +21,8 @@
 namespace quadrat::synthesis::trees {
 namespace {
 
-constexpr int kAcross = 13;                // samples over a crown's longest side
+constexpr int kAcross = 13;                // samples over a crown's breadth
+constexpr int kUp = 24;                    // and over its height, if fewer fit into it
 constexpr int kRim = 3;                    // and beside it, for the blur
 constexpr std::size_t kFewestInside = 10;  // samples; less is no mass
 constexpr std::size_t kFinest = 130;       // vertices
@@ -57,7 +58,10 @@ class Density {
             high = glm::max(high, v.site_m + v.corner_m);
         }
         const glm::vec3 extent = high - low;
-        cell_m_ = std::max({extent.x, extent.y, extent.z, 0.01F}) / kAcross;
+        // The spire of a slender crown has cells of its own.
+        cell_m_ = std::max({std::max(extent.x, extent.z) / kAcross, extent.y / kUp, 0.001F});
+        // Its density is as of the cells of a round one.
+        dense_ *= cell_m_ * kAcross / std::max({extent.x, extent.y, extent.z, 0.01F});
         size_ = glm::ivec3{glm::ceil(extent / cell_m_)} + 2 * kRim + 1;
         origin_m_ = low - static_cast<float>(kRim) * cell_m_;
         samples_.resize(static_cast<std::size_t>(size_.x * size_.y * size_.z));
@@ -65,6 +69,7 @@ class Density {
         for (std::size_t blade = 0; blade < leaves.blades; ++blade)
             add(leaves, std::span(leaves.indices).subspan(blade * per_blade, per_blade));
         for (int axis = 0; axis < 3; ++axis) blur(axis);
+        spread_to_most();
     }
 
     const glm::ivec3& size() const { return size_; }
@@ -143,6 +148,30 @@ class Density {
             }
         }
         samples_ = std::move(blurred);
+    }
+
+    // A crown's thin parts are of its mass too, or their leaves would be left to float about it: so much of the leaves
+    // is inside, unless that would make a mass of single leaves. A plant that is dense nowhere has no crown.
+    void spread_to_most() {
+        constexpr float kMost = 0.84F;
+        constexpr float kThinnest = 0.2F;  // of what is dense
+        constexpr float kLeast = 0.03F;    // of the leaves where they are dense
+        std::vector<float> areas;
+        float all = 0;
+        for (const Sample& sample : samples_) {
+            if (sample.area_m2 <= 0) continue;
+            areas.push_back(sample.area_m2);
+            all += sample.area_m2;
+        }
+        if (area_m2(true) < kLeast * all) return;
+        std::ranges::sort(areas, std::greater{});
+        float inside = 0;
+        for (const float area : areas) {
+            inside += area;
+            if (inside < kMost * all) continue;
+            dense_ = std::clamp(area / (cell_m_ * cell_m_), kThinnest * dense_, dense_);
+            return;
+        }
     }
 
     glm::ivec3 size_{0};

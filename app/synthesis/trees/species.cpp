@@ -97,9 +97,10 @@ scene::Species make_species(const Form& f, base::Seed seed) {
     species.wood = wood_levels(skeleton);
     const FoliageOptions foliage = foliage_of(f, species);
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
-    if (!k.is_rosette) species.masses = crown_masses(species.leaves);
+    const bool has_spines = k.own_leaf == LeafKind::Spines;  // its limbs are what is seen of it
+    if (!k.is_rosette && !has_spines) species.masses = crown_masses(species.leaves);
     add_fringe(species.masses);
-    if (species.leaves.blades > 0) add_spindle(species.wood, species.height_m, species.trunk_radius_m);
+    if (species.leaves.blades > 0 && !has_spines) add_spindle(species.wood, species.height_m, species.trunk_radius_m);
     set_coarser(species.wood);
     // Twigs are all the crown that a bare tree has: they are left out later.
     for (scene::Wood& wood : species.wood) wood.left_out_m *= 1 + 2.5F * f.bareness;

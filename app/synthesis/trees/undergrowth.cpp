@@ -112,6 +112,27 @@ TreeSkeleton shrub_skeleton(const ShrubOptions& o, base::Seed seed) {
     return skeleton;
 }
 
+struct Stem {
+    glm::vec3 top_m, along, side, face;
+};
+
+// Golden or, of a golden flower, dark.
+void add_eyes(scene::Leaves& leaves, const std::vector<Stem>& stems, const glm::vec3& blossom, float head_m) {
+    const bool is_golden = blossom.g > 0.4F * blossom.r && blossom.b < 0.4F * blossom.g;
+    const glm::vec3 eye = scene::linear_from_srgb_hex(is_golden ? 0x5A3A1C : 0xE9B93A);
+    for (const Stem& stem : stems) {
+        BladeShape disc;
+        disc.site_m = stem.top_m + 0.16F * head_m * stem.along;
+        disc.along = stem.side;
+        disc.face = stem.along;
+        disc.half_width_m = 0.3F * head_m;
+        disc.fold_m = 0.1F * head_m;
+        disc.is_disc = true;
+        add_blade(leaves, leaf_shape(LeafKind::Lance), disc,
+                  vertex_of(eye, stem.along + 0.2F * stem.face, 0.92F, 1.0F));
+    }
+}
+
 }  // namespace
 
 scene::Species grass_tuft(const GrassOptions& o, base::Seed seed) {
@@ -202,9 +223,6 @@ scene::Species flower(const FlowerOptions& o, base::Seed seed) {
     constexpr int kStems = 3;
     const bool is_umbel = o.petals >= 10;
     const float head_m = 0.15F * o.height_m;
-    struct Stem {
-        glm::vec3 top_m, along, side, face;
-    };
     std::vector<Stem> stems;
     for (int i = 0; i < kStems; ++i) {
         base::RandomStream random{seed.child(static_cast<std::uint64_t>(i))};
@@ -239,16 +257,17 @@ scene::Species flower(const FlowerOptions& o, base::Seed seed) {
             } else {
                 const float turn = kTurn_rad * static_cast<float>(part) / static_cast<float>(parts);
                 petal.along =
-                    glm::normalize(std::cos(turn) * stem.side + std::sin(turn) * stem.face + 0.35F * stem.along);
+                    glm::normalize(std::cos(turn) * stem.side + std::sin(turn) * stem.face + 0.5F * stem.along);
                 petal.face = glm::normalize(stem.along - glm::dot(stem.along, petal.along) * petal.along);
                 petal.length_m = head_m * random.between(0.95F, 1.15F);
-                petal.half_width_m = 0.30F * head_m;
+                petal.half_width_m = 0.38F * head_m;
                 petal.fold_m = 0.05F * head_m;
             }
             add_blade(species.leaves, leaf_shape(LeafKind::Lance), petal,
                       vertex_of(scene::shifted_colour(o.blossom, random.between(0.94F, 1.06F)), normal, 0.92F, 1.0F));
         }
     }
+    if (!is_umbel) add_eyes(species.leaves, stems, o.blossom, head_m);
     species.shade_liking = -0.5F;
     return species;
 }

@@ -58,6 +58,8 @@ class Screens {
         draw("describe-back", Screen::Describe, one_, stage::Scanned{Choice::Back, "scan.two", true});
         asked_ = stage::Asked{"slide", {"←", "→", "−", "+"}, stage::ShownSlider{"dry", "wet", 0.7F}};
         draw("slide", Screen::Slide, one_, stage::Scanned{Choice::D, "scan.one", true});
+        asked_ = stage::Asked{"ask.language", {"English", "Français", "العربية", "…"}, std::nullopt};
+        draw("language", Screen::Language, one_);
         asked_.reset();
         draw("still-there", Screen::StillThere, four_);
     }
@@ -70,6 +72,9 @@ class Screens {
         state.screen = screen;
         state.question = genome::Aspect::Land;
         state.since = base::Instant{0};
+        genome::Pick chosen;
+        chosen.each = {1, 0, 3};
+        if (screen == Screen::Breed) state.past_answers = {chosen};
         const exhibit::Timings timings;
         stage::StageView view{state, timings, cast, flash_, 0.5F, now, caption_};
         view.asked = asked_ ? &*asked_ : nullptr;

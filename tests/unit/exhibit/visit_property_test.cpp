@@ -48,6 +48,8 @@ Instant random_pause(base::RandomStream& chance) {
 
 void expect_consistent(const State& state, const Timings& timings) {
     const bool is_visiting = state.screen != Screen::Attract;
+    ASSERT_TRUE(state.screen != Screen::Language || timings.languages > 1);
+    ASSERT_LT(state.first_language, std::max(1, timings.languages));
     for (const Aspect aspect : kAspects) {
         ASSERT_LT(state.answers[aspect].value_or(0), genome::kCandidates);
         if (timings.asking == Asking::Picks && (state.screen == Screen::Ask || state.screen == Screen::StillThere)) {
@@ -58,7 +60,7 @@ void expect_consistent(const State& state, const Timings& timings) {
         ASSERT_EQ(state.answers, genome::Pick{});
         ASSERT_FALSE(state.held);
     }
-    if (!is_visiting) {
+    if (!is_visiting || state.screen == Screen::Language) {
         ASSERT_EQ(state.rounds, 0);
         ASSERT_TRUE(state.past_answers.empty());
     }
@@ -109,8 +111,9 @@ void expect_right_wishes(const State& before, const Event& event, const Step& st
         ended += std::holds_alternative<EndVisit>(wish);
     }
     ASSERT_EQ(acknowledged, std::holds_alternative<Pressed>(event) ? 1 : 0);
-    ASSERT_EQ(began, before.screen == Screen::Attract && step.state.screen != Screen::Attract);
-    ASSERT_EQ(ended, before.screen != Screen::Attract && step.state.screen == Screen::Attract);
+    const auto is_outside = [](Screen screen) { return screen == Screen::Attract || screen == Screen::Language; };
+    ASSERT_EQ(began, is_outside(before.screen) && !is_outside(step.state.screen));
+    ASSERT_EQ(ended, !is_outside(before.screen) && step.state.screen == Screen::Attract);
     ASSERT_EQ(step.state.generation - before.generation, count_of_generations(step.wishes));
 }
 
@@ -121,6 +124,7 @@ Timings timings_of(std::uint64_t seed) {
     timings.sliders = 4;
     timings.describe_words = static_cast<int>(seed % 4);
     timings.describe_every = static_cast<int>(1 + seed % 2);
+    timings.languages = seed % 3 == 0 ? 7 : 0;
     return timings;
 }
 
@@ -132,7 +136,7 @@ TEST_P(AnyVisit, OfAHundredThousandEventsStaysConsistentAndAcknowledgesEveryPres
     base::RandomStream chance(base::Seed{GetParam()});
     Instant now{0};
     State state = opening(now).state;
-    std::array<int, 7> seen{};
+    std::array<int, 8> seen{};
     for (int i = 0; i < 100'000; ++i) {
         now += random_pause(chance);
         const Event event = random_event(chance, state.generation);
@@ -150,6 +154,7 @@ TEST_P(AnyVisit, OfAHundredThousandEventsStaysConsistentAndAcknowledgesEveryPres
     if (timings.describe_words > 0) {
         EXPECT_GT(seen.at(static_cast<std::size_t>(Screen::Describe)), 10);
     }
+    EXPECT_EQ(seen.at(static_cast<std::size_t>(Screen::Language)) > 10, timings.languages > 1);
 }
 
 TEST_P(AnyVisit, DoesNotChangeWhileTimeStandsStill) {

@@ -178,11 +178,11 @@ TEST_F(ALegibleStage, HasRoomForTheLabelsOfEveryWordBelowTheirQuestionAtEverySiz
                 const std::string what = std::string(code) + " " + size + " " + std::string(word.name);
                 expect_within(drawn, what);
                 expect_words_on_their_ground(drawn, what);
-                // Plate, question, hint, ground of Back, Back; then four times ground, badge and words.
-                ASSERT_EQ(drawn.signs.size(), 5U + 12U) << what;
-                const render::Rect& back = drawn.signs[3].place;
+                // Plate, question, hint, pictogram, ground of Back, Back; then four times ground, badge and words.
+                ASSERT_EQ(drawn.signs.size(), 6U + 12U) << what;
+                const render::Rect& back = drawn.signs[4].place;
                 for (std::size_t label = 0; label < 2; ++label) {
-                    const render::Rect& upper = drawn.signs[5 + 3 * label].place;
+                    const render::Rect& upper = drawn.signs[6 + 3 * label].place;
                     const bool is_beside = upper.x + upper.width <= back.x || upper.x >= back.x + back.width;
                     EXPECT_TRUE(is_beside || upper.y + upper.height <= back.y) << what;
                     EXPECT_LE(upper.y + upper.height, drawn.signs[0].place.y) << what;
@@ -239,6 +239,49 @@ TEST_F(ALegibleStage, HasRoomForTheGhostThatShowsHowItIsPlayedInEveryLanguageAtE
                 expect_within(drawn, std::string(code) + " " + size + " " + motion);
                 expect_words_on_their_ground(drawn, std::string(code) + " " + size + " " + motion);
             }
+}
+
+TEST_F(ALegibleStage, SaysWithPictogramsWhatItSaysInWordsOrSaysItWithThemAlone) {
+    using exhibit::Screen;
+    state_.past_answers = {genome::Pick{}};
+    for (const char* size : kSizeNames)
+        for (const Screen screen : {Screen::Attract, Screen::Ask, Screen::Breed, Screen::StillThere, Screen::Finale}) {
+            configuration_.look.size = size;
+            configuration_.look.pictograms = "none";
+            const render::Frame words = frame(screen);
+            configuration_.look.pictograms = "beside";
+            const render::Frame beside = frame(screen);
+            configuration_.look.pictograms = "alone";
+            const render::Frame alone = frame(screen);
+            EXPECT_EQ(beside.signs.size(), words.signs.size() + 1) << size;
+            EXPECT_LE(alone.signs.size(), beside.signs.size());
+            for (const render::Frame* drawn : {&words, &beside, &alone}) expect_within(*drawn, size);
+        }
+}
+
+// Of each aspect that was judged its pictogram and the badge of the button, which come from its quarter to the middle.
+TEST_F(ALegibleStage, ShowsWhatTheNextFourGrowFrom) {
+    const std::size_t without = frame(exhibit::Screen::Breed, 2000ms).signs.size();
+    genome::Pick pick;
+    pick.each = {3, 0, 1};
+    state_.past_answers = {pick};
+    const render::Frame arrived = frame(exhibit::Screen::Breed, 2000ms);
+    ASSERT_EQ(arrived.signs.size(), without + 7);
+    expect_within(arrived, "arrived");
+    const render::Rect card = arrived.signs[without].place;
+    for (std::size_t i = without + 1; i < arrived.signs.size(); ++i) {
+        EXPECT_GE(arrived.signs[i].place.x, card.x);
+        EXPECT_LE(arrived.signs[i].place.x + arrived.signs[i].place.width, card.x + card.width);
+    }
+    const render::Frame leaving = frame(exhibit::Screen::Breed, 10ms);
+    const auto places = quarters(leaving.size.x, leaving.size.y);
+    const auto badge_of = [&](std::size_t aspect) { return leaving.signs[without + 2 + 2 * aspect].place; };
+    for (const auto& [aspect, from] : {std::pair{0U, 3U}, {1U, 0U}, {2U, 1U}}) {
+        EXPECT_GE(badge_of(aspect).x, places[from].x);
+        EXPECT_GE(badge_of(aspect).y, places[from].y);
+    }
+    configuration_.look.motion = "calm";
+    EXPECT_EQ(frame(exhibit::Screen::Breed, 10ms).signs[without + 1].place.x, arrived.signs[without + 1].place.x);
 }
 
 TEST_F(ALegibleStage, LettersAndSignsGrowFromSizeToSize) {

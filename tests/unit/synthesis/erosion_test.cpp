@@ -299,7 +299,15 @@ TEST(FreshWater, AlwaysHasAWayDown) {
                 }
             }
         }
-        for (const auto index : water.mesh.indices) ASSERT_LT(index, water.mesh.positions_m.size());
+        const std::vector<std::uint32_t>& indices = water.mesh.indices;
+        for (const auto index : indices) ASSERT_LT(index, water.mesh.positions_m.size());
+        // What lies level with the sea is not drawn over it once more.
+        for (std::size_t i = 0; i < indices.size(); i += 6) {
+            float highest_m = -1;
+            for (std::size_t k = 0; k < 6; ++k)
+                highest_m = std::max(highest_m, water.mesh.positions_m[indices[i + k]].y);
+            EXPECT_GT(highest_m, 0.01F) << seed;
+        }
     }
     EXPECT_GT(rivers, tests::of(5000));
     EXPECT_GT(lakes, tests::of(500));

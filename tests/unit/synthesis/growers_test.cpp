@@ -13,8 +13,10 @@
 #include "synthesis/trees/bark.hpp"
 #include "synthesis/trees/colonisation.hpp"
 #include "synthesis/trees/foliage.hpp"
+#include "synthesis/trees/form.hpp"
 #include "synthesis/trees/leaf_picture.hpp"
 #include "synthesis/trees/phyllotaxis.hpp"
+#include "synthesis/trees/species.hpp"
 #include "synthesis/trees/turtle.hpp"
 #include "synthesis/trees/undergrowth.hpp"
 #include "synthesis/trees/weber_penn.hpp"
@@ -321,6 +323,23 @@ TEST(Shrub, IsADomeThatReachesTheGround) {
         }
         EXPECT_LT(lowest_m, 0.25F * options.height_m) << seed;
         EXPECT_GT(widest_m, 0.3F * options.height_m) << seed;
+    }
+}
+
+// From afar a tree is its mass: what the mass leaves out floats about it as single leaves.
+TEST(CrownMass, IsNearlyAllOfATreesCrownAndNoneOfACactus) {
+    for (int habit = 0; habit < kind_count(); ++habit) {
+        const Kind& of = kind(habit);
+        scene::TreeParameters p;
+        p.tree_habit = static_cast<float>(habit);
+        const Form form = form_of(p, Rank::First);
+        ASSERT_EQ(form.habit, habit);
+        const scene::Species species = make_species(form, base::Seed{3});
+        if (of.is_rosette || of.own_leaf == LeafKind::Spines) {
+            EXPECT_TRUE(species.masses.empty()) << of.name;
+        } else if (!species.masses.empty()) {
+            EXPECT_GT(species.masses.front().share, 0.75F) << of.name;
+        }
     }
 }
 

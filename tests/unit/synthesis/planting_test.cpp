@@ -67,6 +67,36 @@ std::vector<scene::Plant> planted(const scene::Land& land, const scene::Flora& f
     return plant_land(land, flora, aside(), base::Seed{5}, all);
 }
 
+TEST(Planting, LeavesBareStoneToTheFrugal) {
+    scene::Land land = land_of([](float, float) { return 30.0F; });
+    land.kinds = mesh::Image(kSamples, kSamples, 2);
+    for (int row = 0; row < kSamples; ++row)
+        for (int column = kSamples / 2; column < kSamples; ++column) land.kinds.pixel(column, row)[1] = 255;
+    const auto east = [](const glm::vec3& at) { return at.x > 8; };
+    const auto west = [](const glm::vec3& at) { return at.x < -8; };
+    scene::Species pine = tree();
+    pine.moisture = 0.2F;
+    scene::Species birch = tree();
+    birch.moisture = 0.6F;
+    const auto pines = planted(land, wood_of(pine));
+    const auto birches = planted(land, wood_of(birch));
+    EXPECT_GT(count_if(birches, west), 400U);
+    EXPECT_LT(count_if(birches, east), count_if(birches, west) / 3);
+    EXPECT_GT(count_if(pines, east), 2 * count_if(birches, east));
+}
+
+TEST(Planting, ThinsOutAboveTheSnowLineUnlessAllLiesInSnow) {
+    const auto slope = [](float x_m, float) { return 90 + 0.2F * x_m; };
+    scene::Land land = land_of(slope);
+    const auto high = [](const glm::vec3& at) { return at.y > 115; };
+    land.snow_line_m = 90;
+    const auto below = planted(land, wood_of(tree()));
+    land.snow_line_m = 3;
+    const auto white = planted(land, wood_of(tree()));
+    EXPECT_GT(count_if(white, high), 200U);
+    EXPECT_LT(count_if(below, high), count_if(white, high) / 5);
+}
+
 TEST(Planting, FollowsTheMoistureThatASpeciesLikes) {
     scene::Land land = land_of([](float, float) { return 30.0F; });
     mesh::Image ground(64, 64, 4);

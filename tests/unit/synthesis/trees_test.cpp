@@ -346,9 +346,9 @@ float area_of(const mesh::Mesh& mesh) {
 scene::Leaves nine_clumps() {
     scene::Leaves clumps;
     for (int i = 0; i < 9; ++i) {
-        const scene::Leaves one = blades_on_a_ball(900);
+        const scene::Leaves one = blades_on_a_ball(2600);
         const auto first = static_cast<std::uint32_t>(clumps.vertices.size());
-        const glm::vec3 aside{5.5F * static_cast<float>(i % 3), 0, 5.5F * static_cast<float>(i / 3)};
+        const glm::vec3 aside{7.5F * static_cast<float>(i % 3), 0, 7.5F * static_cast<float>(i / 3)};
         for (scene::Leaves::Vertex v : one.vertices) {
             v.site_m += aside;
             clumps.vertices.push_back(v);
