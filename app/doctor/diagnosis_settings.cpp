@@ -29,7 +29,7 @@ std::optional<Finding> fonts_finding(const site::Configuration& configuration) {
     if (missing.empty()) return std::nullopt;
     return Finding{kSubject, Health::Bad,
                    fmt::format("the screen's words cannot be shown: no installed font has the letters {}", missing),
-                   "install fonts: apt install fonts-lato fonts-noto-core"};
+                   "install fonts: apt install fonts-lato fonts-noto-core fonts-droid-fallback"};
 }
 
 const char* word_for(Health health) {

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr std::ptrdiff_t kLongestText = 160;
 constexpr std::size_t kLongestName = 100;
 constexpr const char* kFonts =
-    "install a font that has them (Debian: fonts-noto-core, or fonts-noto-cjk for Chinese, Japanese and Korean)";
+    "install a font that has them (Debian: fonts-noto-core, and fonts-droid-fallback for Chinese, Japanese and Korean)";
 
 [[noreturn]] void refuse(const std::string& what) { throw base::InputError(what); }
 
