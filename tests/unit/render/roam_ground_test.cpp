@@ -143,7 +143,7 @@ TEST_F(RoamGround, NothingMorphsAndWhatIsNearComesFirst) {
     const View view = view_of(studio, over_the_land(0.4F), {0, 0, kSize.x, kSize.y});
     HeldGround held;
     for (const float alpha : {0.2F, 1.0F, 4.0F}) {
-        held.update(view, clip_from_world_of(view), {alpha, 700, 1, 1});
+        held.update(view, clip_from_world_of(view), {alpha, 300, 1, 1});
         const passes::IndexRange& land = held.land();
         EXPECT_EQ(land.ease, 0) << "less than any distance and error make begin";
         ASSERT_GT(land.near_count, 0U);
