@@ -98,8 +98,8 @@ class Blocks {
 // Blocks broken into smaller ones, clefts between, and chips on them.
 Tile stone_tile(base::Seed seed, int side) {
     Tile tile(side, side);
-    const Blocks large(seed.child("blocks"), 4, 6);
-    const Blocks small(seed.child("splinters"), 11, 16);
+    const Blocks large(seed.child("blocks"), 3, 6);
+    const Blocks small(seed.child("splinters"), 8, 17);
     const noise::Key bends(seed.child("clefts"));
     const noise::Key chips(seed.child("chips"));
     oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, side, 32), [&](const auto& rows) {
