@@ -48,6 +48,7 @@ void detail(Results& results, const Options& options);
 void fidelity(Results& results, const Options& options);
 void visit(Results& results, const Options& options);
 void start(Results& results, const Options& options);
+void worth(Results& results);
 
 // Shared by the groups.
 double milliseconds_of(const std::function<void()>& work);

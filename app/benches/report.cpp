@@ -33,6 +33,9 @@ constexpr About kAbout[] = {
     {"sky", "Skies, and the light that stands still, baked."},
     {"breeding", "From an answer to the next offer, and how long the map of words takes to learn."},
     {"detail", "Chains of simpler meshes, the ground in squares, and what is seen of drawing less."},
+    {"worth",
+     "What a procedural system is judged by: the fastest, the most diverse, the easiest to come to a wish with. How "
+     "believable its landscapes are, visitors are asked after a finale."},
     {"visit",
      "Somebody who answers about every two seconds. Late frames are counted after twenty seconds, or after half of a "
      "shorter visit."},

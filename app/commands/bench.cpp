@@ -46,6 +46,7 @@ constexpr Group kGroups[] = {
     {"detail", benches::detail},
     {"fidelity", benches::fidelity},
     {"start", benches::start},
+    {"worth", [](benches::Results& results, const benches::Options&) { benches::worth(results); }},
     {"visit", benches::visit}};
 
 std::vector<std::string> group_names() {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <map>
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <utility>
 
@@ -9,6 +12,21 @@
 namespace {
 
 using namespace quadrat::tests;
+
+// Fast, diverse, easy, each with how it is measured.
+TEST(Bench, TellsWhatASystemIsWorth) {
+    const TemporaryFolder folder;
+    const Ended ended = run(program({"bench", "worth", "--json", "--report", "worth.html"}), folder);
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    std::map<std::string, double> values;
+    const auto json = nlohmann::json::parse(ended.out);
+    for (const auto& result : json["results"]) values[result["name"]] = result["value"];
+    EXPECT_GT(values.at("worth.fastest_scene_ms"), 0);
+    EXPECT_GT(values.at("worth.diverse_parameters"), 0.2);
+    EXPECT_GT(values.at("worth.diverse_pictures"), 0.02);
+    EXPECT_LT(values.at("worth.easy_rounds"), values.at("worth.easy_rounds_by_sliders"));
+    EXPECT_NE(contents_of(folder / "worth.html").find("easiest to come to a wish"), std::string::npos);
+}
 
 TEST(Bench, LeavesAReportInOnePage) {
     const TemporaryFolder folder;
