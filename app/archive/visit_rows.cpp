@@ -10,19 +10,22 @@ namespace {
 class Rounds {
   public:
     explicit Rounds(const Connection& connection, std::int64_t first_visit)
-        : rows_(
-              connection.prepare("SELECT visit, round, ifnull(trees,-1), ifnull(land,-1), ifnull(sky,-1),"
-                                 " ifnull(trees_ms,0), ifnull(land_ms,0), ifnull(sky_ms,0) FROM generation"
-                                 " WHERE id>=ifnull((SELECT id FROM generation WHERE visit>=? ORDER BY id LIMIT 1), 0)"
-                                 " ORDER BY id")) {
+        : rows_(connection.prepare(
+              "SELECT visit, round, ifnull(trees,-1), ifnull(land,-1), ifnull(sky,-1),"
+              " ifnull(trees_ms,0), ifnull(land_ms,0), ifnull(sky_ms,0), breeder='chance' FROM generation"
+              " WHERE id>=ifnull((SELECT id FROM generation WHERE visit>=? ORDER BY id LIMIT 1), 0)"
+              " ORDER BY id")) {
         rows_.bind(first_visit);
         is_row_ = rows_.step();
     }
 
-    void take(std::int64_t visit, std::vector<RoundRow>& to) {
+    void take(std::int64_t visit, VisitRow& of) {
+        std::vector<RoundRow>& to = of.rounds;
         to.clear();
+        of.is_by_chance = false;
         for (; is_row_ && rows_.integer(0) <= visit; is_row_ = rows_.step()) {
             if (rows_.integer(0) < visit) continue;
+            of.is_by_chance = of.is_by_chance || rows_.integer(8) == 1;
             RoundRow row;
             row.round = static_cast<int>(rows_.integer(1));
             for (std::size_t i = 0; i < row.picked.size(); ++i) {
@@ -55,7 +58,7 @@ void each_visit(const Connection& connection, std::int64_t from_ms, std::int64_t
         row.began_ms = visits.integer(1);
         row.ended_ms = visits.integer(2);
         row.ending = visits.text(3);
-        rounds.take(row.id, row.rounds);
+        rounds.take(row.id, row);
         hear(row);
     } while (visits.step());
 }

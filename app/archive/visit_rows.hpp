@@ -25,6 +25,7 @@ struct VisitRow {
     std::int64_t began_ms = 0;
     std::int64_t ended_ms = 0;     // 0 for a visit that has not ended
     std::string ending;            // "finished", "left", "stuck"; "" for one that has not ended
+    bool is_by_chance = false;     // the breeder that learns nothing bred it; known as long as its rounds are
     std::vector<RoundRow> rounds;  // as they stood in the end: one that was taken back and answered again is there once
 };
 

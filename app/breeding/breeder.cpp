@@ -12,7 +12,8 @@
 namespace quadrat::breeding {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, BreederKind>, 5> kNames{{{"belief", BreederKind::Belief},
+constexpr std::array<std::pair<std::string_view, BreederKind>, 6> kNames{{{"belief", BreederKind::Belief},
+                                                                          {"chance", BreederKind::Chance},
                                                                           {"pbil", BreederKind::Pbil},
                                                                           {"pbil-gaussian", BreederKind::PbilGaussian},
                                                                           {"random", BreederKind::Random},
@@ -56,6 +57,12 @@ Breeder::Breeder(const BreederOptions& options) : options_(options) {
         case BreederKind::Belief:
             belief_ = initial_belief(options.genome, word_map(), options.ranges, options.taste);
             break;
+        case BreederKind::Chance: {
+            BeliefState state = initial_belief(options.genome, word_map(), options.ranges, options.taste);
+            state.is_by_chance = true;
+            belief_ = std::move(state);
+            break;
+        }
         case BreederKind::Pbil:
             belief_ = initial_pbil(options.genome);
             break;

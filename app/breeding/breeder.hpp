@@ -16,7 +16,8 @@
 
 namespace quadrat::breeding {
 
-enum class BreederKind { Belief, Pbil, PbilGaussian, Random, Sliders };
+// Chance: as belief, but nothing is learnt; in words. What it is compared with.
+enum class BreederKind { Belief, Chance, Pbil, PbilGaussian, Random, Sliders };
 enum class Lock { Open, Locked };
 
 // How a breeder is chosen and tuned, before it has learnt anything.
@@ -36,7 +37,7 @@ class Breeder {
   public:
     explicit Breeder(const BreederOptions& options);
 
-    std::string_view name() const;  // "belief", "pbil", "pbil-gaussian", "random", "sliders"
+    std::string_view name() const;  // "belief", "chance", "pbil", "pbil-gaussian", "random", "sliders"
     genome::Genome genome() const { return options_.genome; }
     const WordMap& word_map() const { return options_.map ? *options_.map : default_word_map(); }
     int round() const;  // 1, 2, …: that of the offer propose gives
@@ -88,7 +89,7 @@ class Breeder {
     Belief belief_;
 };
 
-// "belief", "pbil", "pbil-gaussian", "random", "sliders". Throws InputError naming the known ones.
+// "belief", "chance", "pbil", "pbil-gaussian", "random", "sliders". Throws InputError naming the known ones.
 BreederKind breeder_named(std::string_view name);
 
 }  // namespace quadrat::breeding

@@ -92,7 +92,7 @@ std::vector<EndedVisit> ended_visits_in(const std::filesystem::path& folder, std
     const auto open = archive::open_visit_in(folder);
     const auto all = archive::last_generations_in(folder);
     for (auto last = all.rbegin(); last != all.rend() && last->visit > after && ended.size() < most; ++last) {
-        if (is_of_sliders(*last) || last->visit == open) continue;
+        if (is_of_sliders(*last) || last->breeder == "chance" || last->visit == open) continue;
         const auto visit = rearing.bred(*last);
         if (!visit) continue;
         EndedVisit& one = ended.emplace_back();

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/error.hpp"
@@ -24,53 +23,15 @@ using Urgency = Keeper::Urgency;
 constexpr std::chrono::seconds kDiskPatience{4};
 constexpr std::size_t kMostWordsAsked = 10;  // that the configuration allows
 
-std::chrono::milliseconds milliseconds_of(double seconds) {
-    return std::chrono::milliseconds(std::llround(seconds * 1000.0));
-}
-
 constexpr const char* kButtonNames[] = {"A", "B", "C", "D", "Back"};
 
 }  // namespace
-
-exhibit::Timings timings_of(const site::Configuration& configuration) {
-    exhibit::Timings timings;
-    timings.patience = milliseconds_of(configuration.visit.patience_s);
-    timings.countdown = milliseconds_of(configuration.visit.countdown_s);
-    timings.finale = milliseconds_of(configuration.visit.finale_s);
-    timings.long_press = milliseconds_of(configuration.visit.long_press_s);
-    timings.describe = milliseconds_of(configuration.visit.describe_s);
-    timings.rounds = configuration.visit.rounds;
-    const bool is_classic = configuration.breeding.genome == "classic";
-    // The classic genome has no words to speak in.
-    timings.describe_words = is_classic ? 0 : configuration.visit.describe_words;
-    timings.describe_every = configuration.visit.describe_every;
-    timings.languages = static_cast<int>(configuration.visit.languages.size());
-    if (configuration.breeding.breeder == "sliders") {
-        timings.asking = exhibit::Asking::Sliders;
-        timings.sliders =
-            static_cast<int>(breeding::slider_count(is_classic ? genome::Genome::Classic : genome::Genome::Full));
-    }
-    return timings;
-}
-
-breeding::BreederOptions breeder_options_of(const site::Configuration& configuration) {
-    breeding::BreederOptions options;
-    options.kind = breeding::breeder_named(configuration.breeding.breeder);
-    options.genome = configuration.breeding.genome == "classic" ? genome::Genome::Classic : genome::Genome::Full;
-    for (const auto& [name, ends] : configuration.words)
-        options.ranges[static_cast<std::size_t>(genome::word_named(name).value())] = {static_cast<float>(ends[0]),
-                                                                                      static_cast<float>(ends[1])};
-    options.pbil.learning_rate = configuration.breeding.learning_rate;
-    options.pbil.mutation = configuration.breeding.mutation;
-    options.pbil.mutation_form = configuration.breeding.mutation_form == "random" ? breeding::MutationForm::Random
-                                                                                  : breeding::MutationForm::TowardHalf;
-    return options;
-}
 
 Show::Show(const site::Configuration& configuration, ShowOptions options, std::unique_ptr<Keeper> keeper)
     : usual_timings_(timings_of(configuration)),
       timings_(usual_timings_),
       breeder_options_(breeder_options_of(configuration)),
+      control_every_(configuration.breeding.control_every),
       options_(std::move(options)),
       visit_(std::make_shared<std::int64_t>(0)),
       school_(std::make_shared<School>(
@@ -130,9 +91,10 @@ void Show::step(exhibit::Step step, base::Instant now) {
 }
 
 breeding::Session Show::fresh_session() {
-    breeding::Breeder breeder(breeder_options_);
+    const base::Seed seed = options_.seed.child("visit").child(sessions_++);
+    breeding::Breeder breeder(options_of_visit(breeder_options_, control_every_, seed));
     for (const genome::Aspect aspect : locked_) breeder.set_lock(aspect, breeding::Lock::Locked);
-    return {std::move(breeder), options_.seed.child("visit").child(sessions_++)};
+    return {std::move(breeder), seed};
 }
 
 void Show::grow_offer(int generation, Keeper::Ticket kept) {

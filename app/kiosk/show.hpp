@@ -11,6 +11,7 @@
 #include "exhibit/visit.hpp"
 #include "kiosk/keeper.hpp"
 #include "kiosk/school.hpp"
+#include "kiosk/show_settings.hpp"
 #include "nursery/act.hpp"
 #include "nursery/gallery.hpp"
 #include "nursery/growing.hpp"
@@ -19,9 +20,6 @@
 #include "stage/spoken.hpp"
 
 namespace quadrat::kiosk {
-
-exhibit::Timings timings_of(const site::Configuration& configuration);
-breeding::BreederOptions breeder_options_of(const site::Configuration& configuration);
 
 struct ShowOptions {
     base::Seed seed;  // names all chance of this run
@@ -143,6 +141,7 @@ class Show {
     exhibit::Timings timings_;  // with the patience of now
     double patience_ = 1;
     breeding::BreederOptions breeder_options_;
+    int control_every_;
     std::vector<genome::Aspect> locked_;
     ShowOptions options_;
     exhibit::State state_;

@@ -33,7 +33,7 @@ std::string Show::why_not_resumed(const archive::Generation& kept, const breedin
                                   const breeding::Taste& taste) {
     session_.reset();
     try {
-        breeding::BreederOptions options = breeder_options_;
+        breeding::BreederOptions options = options_of_visit(breeder_options_, control_every_, kept.seed);
         options.map = map;
         options.taste = taste;
         breeding::Breeder breeder(options);

@@ -55,7 +55,8 @@ class Calendar {
     int first_ = 0;
 };
 
-void count_answers(const archive::VisitRow& visit, Counts& counts, DayCount& day) {
+// Rounds that were answered whole.
+int count_answers(const archive::VisitRow& visit, Counts& counts, DayCount& day) {
     std::int64_t before_ms = 0;
     int whole = 0;
     for (const archive::RoundRow& round : visit.rounds) {
@@ -76,6 +77,7 @@ void count_answers(const archive::VisitRow& visit, Counts& counts, DayCount& day
     }
     day.rounds += whole;
     ++counts.rounds[static_cast<std::size_t>(std::min(whole, kMostRounds))];
+    return whole;
 }
 
 // Where somebody went away: the round they were in, and the first question of it that has no answer.
@@ -104,30 +106,6 @@ void count_ending(const archive::VisitRow& visit, Counts& counts, DayCount& day)
     if (visit.ending == "left" || visit.ending == "stuck") count_where_given_up(visit, counts);
 }
 
-void count_visits(const archive::Connection& connection, const Days& asked, const ToLocal& to_local, Counts& counts,
-                  Calendar& calendar) {
-    const auto [from_ms, until_ms] = wide_bounds(asked);
-    std::vector<float> lengths_s;
-    archive::each_visit(connection, from_ms, until_ms, [&](const archive::VisitRow& visit) {
-        const LocalTime began = to_local(visit.began_ms);
-        if (!is_within(asked, began.date)) return;
-        DayCount& day = calendar.at(began.date);
-        ++day.visits;
-        const auto weekday = std::chrono::weekday(sys_days(began.date)).iso_encoding() - 1;
-        ++counts.by_hour[weekday][static_cast<std::size_t>(std::clamp(began.minute / 60, 0, 23))];
-        count_answers(visit, counts, day);
-        count_ending(visit, counts, day);
-        if (visit.ended_ms < visit.began_ms) return;
-        const std::int64_t length_ms = visit.ended_ms - visit.began_ms;
-        lengths_s.push_back(static_cast<float>(length_ms) / 1000);
-        ++counts.lengths[static_cast<std::size_t>(std::min<std::int64_t>(length_ms / 60'000, kLongest_min))];
-    });
-    if (lengths_s.empty()) return;
-    const auto middle = lengths_s.begin() + static_cast<std::ptrdiff_t>(lengths_s.size() / 2);
-    std::ranges::nth_element(lengths_s, middle);
-    counts.median_length_s = *middle;
-}
-
 struct Sum {
     int answers = 0;
     double sum = 0, squares = 0;
@@ -143,6 +121,58 @@ struct Sum {
         return std::sqrt(std::max(0.0, variance) / answers);
     }
 };
+
+// One after the other, bred and by chance.
+class ArmSums {
+  public:
+    void add(const archive::VisitRow& visit, int whole_rounds) {
+        if (visit.rounds.empty()) return;
+        ++arm_.visits;
+        arm_.finished += visit.ending == "finished";
+        rounds_.add(whole_rounds);
+        if (visit.ended_ms >= visit.began_ms && visit.ended_ms > 0)
+            lengths_s_.add(static_cast<double>(visit.ended_ms - visit.began_ms) / 1000);
+    }
+    Arm take() {
+        arm_.rounds = rounds_.mean();
+        arm_.rounds_error = rounds_.error();
+        arm_.length_s = lengths_s_.mean();
+        arm_.length_error_s = lengths_s_.error();
+        return arm_;
+    }
+
+  private:
+    Arm arm_;
+    Sum rounds_, lengths_s_;
+};
+
+void count_visits(const archive::Connection& connection, const Days& asked, const ToLocal& to_local, Counts& counts,
+                  Calendar& calendar) {
+    const auto [from_ms, until_ms] = wide_bounds(asked);
+    std::vector<float> lengths_s;
+    ArmSums bred, by_chance;
+    archive::each_visit(connection, from_ms, until_ms, [&](const archive::VisitRow& visit) {
+        const LocalTime began = to_local(visit.began_ms);
+        if (!is_within(asked, began.date)) return;
+        DayCount& day = calendar.at(began.date);
+        ++day.visits;
+        const auto weekday = std::chrono::weekday(sys_days(began.date)).iso_encoding() - 1;
+        ++counts.by_hour[weekday][static_cast<std::size_t>(std::clamp(began.minute / 60, 0, 23))];
+        const int whole = count_answers(visit, counts, day);
+        (visit.is_by_chance ? by_chance : bred).add(visit, whole);
+        count_ending(visit, counts, day);
+        if (visit.ended_ms < visit.began_ms) return;
+        const std::int64_t length_ms = visit.ended_ms - visit.began_ms;
+        lengths_s.push_back(static_cast<float>(length_ms) / 1000);
+        ++counts.lengths[static_cast<std::size_t>(std::min<std::int64_t>(length_ms / 60'000, kLongest_min))];
+    });
+    counts.bred = bred.take();
+    counts.by_chance = by_chance.take();
+    if (lengths_s.empty()) return;
+    const auto middle = lengths_s.begin() + static_cast<std::ptrdiff_t>(lengths_s.size() / 2);
+    std::ranges::nth_element(lengths_s, middle);
+    counts.median_length_s = *middle;
+}
 
 std::vector<WordCount> count_words(const archive::Connection& connection, const Days& asked, const ToLocal& to_local) {
     const auto [from_ms, until_ms] = wide_bounds(asked);

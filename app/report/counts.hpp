@@ -63,6 +63,13 @@ struct WordCount {
     std::vector<WordWeek> weeks;  // those with an answer, in order
 };
 
+// Visits of one arm, of those whose rounds are kept, and what became of them.
+struct Arm {
+    int visits = 0, finished = 0;
+    double rounds = 0, rounds_error = 0;      // the mean, and its standard error
+    double length_s = 0, length_error_s = 0;  // of those that ended
+};
+
 struct Counts {
     std::vector<DayCount> days;                              // each from the first visit's to the last visit's
     DayCount all;                                            // their sum; its date means nothing
@@ -73,6 +80,7 @@ struct Counts {
     std::array<std::array<int, 3>, kMostRounds> given_up{};  // left or stuck: in which round, before which answer
     std::array<std::array<int, 4>, 3> letters{};             // picks by aspect, A to D
     std::array<std::array<int, kSlowestAnswer_s + 1>, 3> answer_s{};  // seconds since the answer before, by aspect
+    Arm bred, by_chance;                                              // what evolution is compared with
     std::vector<WordCount> words;                                     // most answers first
 };
 

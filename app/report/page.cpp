@@ -168,6 +168,26 @@ std::string where_left_html(const Counts& counts) {
     return html;
 }
 
+// Nothing where no visit was bred by chance.
+std::string control_html(const Counts& counts) {
+    if (counts.by_chance.visits == 0) return "";
+    constexpr double kOf95 = 1.96;  // standard errors, each way
+    std::string html =
+        "<h2>What breeding adds</h2>\n<p>Some visits were bred by chance alone, and nobody was told. Of visits whose "
+        "rounds are kept, with intervals of 95 %:</p>\n<div class=\"wide\"><table><thead><tr><th></th><th "
+        "class=\"n\">visits</th><th class=\"n\">to the end</th><th class=\"n\">rounds</th><th "
+        "class=\"n\">length</th></tr></thead><tbody>\n";
+    for (const auto& [name, arm] : {std::pair{"bred", &counts.bred}, {"by chance", &counts.by_chance}}) {
+        const Share finished = share_of(arm->finished, arm->visits);
+        html += row(
+            {name, number(arm->visits),
+             fmt::format("{:.0f} % ({:.0f} to {:.0f})", 100 * finished.value, 100 * finished.low, 100 * finished.high),
+             fmt::format("{:.1f} ± {:.1f}", arm->rounds, kOf95 * arm->rounds_error),
+             fmt::format("{:.0f} ± {:.0f} s", arm->length_s, kOf95 * arm->length_error_s)});
+    }
+    return html + "</tbody></table></div>\n";
+}
+
 std::string answers_html(const Counts& counts) {
     std::string html =
         "<h2>What they answered</h2>\n<p>How often each letter was pressed. Where visitors look at the "
@@ -248,7 +268,7 @@ std::string days_html(const Counts& counts) {
 std::string body_of(const Counts& counts) {
     if (counts.days.empty()) return "<p>There were no visits in these days.</p>\n";
     return cards_of(counts) + when_html(counts) + how_long_html(counts) + where_left_html(counts) +
-           answers_html(counts) + words_html(counts) + starts_html(counts) + days_html(counts);
+           control_html(counts) + answers_html(counts) + words_html(counts) + starts_html(counts) + days_html(counts);
 }
 
 }  // namespace

@@ -55,6 +55,12 @@ Json aspects_json(const Counts& counts) {
     return json;
 }
 
+Json json_of(const Arm& arm) {
+    return {{"visits", arm.visits},     {"finished", json_of(share_of(arm.finished, arm.visits))},
+            {"rounds", arm.rounds},     {"rounds_error", arm.rounds_error},
+            {"length_s", arm.length_s}, {"length_error_s", arm.length_error_s}};
+}
+
 }  // namespace
 
 std::string csv_of(const Counts& counts) {
@@ -80,6 +86,8 @@ std::string json_of(const Counts& counts, const Heading& heading) {
     json["given_up"] = counts.given_up;
     json["by_hour"] = counts.by_hour;
     json["answers"] = aspects_json(counts);
+    if (counts.by_chance.visits > 0)
+        json["control"] = {{"bred", json_of(counts.bred)}, {"chance", json_of(counts.by_chance)}};
     json["words"] = words_json(counts.words);
     json["days"] = Json::array();
     for (const DayCount& day : counts.days) json["days"].push_back(json_of(day, true));
@@ -97,6 +105,9 @@ std::string text_of(const Counts& counts) {
     text += fmt::format("left, stuck, cut {}, {}, {}\n", all.left, all.stuck, all.cut);
     if (counts.median_length_s) text += fmt::format("median length    {}\n", duration_text(*counts.median_length_s));
     text += fmt::format("rounds, answers  {}, {}\n", all.rounds, all.picks);
+    if (counts.by_chance.visits > 0)
+        text += fmt::format("by chance alone  {} visits, {:.1f} rounds; bred {:.1f}\n", counts.by_chance.visits,
+                            counts.by_chance.rounds, counts.bred.rounds);
     text += fmt::format("starts           {}\n", all.starts);
     std::array<int, 24> hours{};
     for (const auto& day : counts.by_hour)

@@ -103,6 +103,7 @@ void read_breeding(Reader& reader, Configuration::Breeding& breeding) {
     reader.read("breeding", "mutation", breeding.mutation, 0, 1);
     reader.read("breeding", "mutation_form", breeding.mutation_form, {"toward-half", "random"});
     reader.read("breeding", "locked", breeding.locked, {"trees", "land", "sky"});
+    reader.read("breeding", "control_every", breeding.control_every, 0, 1000);
 }
 
 void read_picture(Reader& reader, Configuration::Picture& picture) {

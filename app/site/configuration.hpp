@@ -70,6 +70,7 @@ struct Configuration {
         double mutation = 0.02;                     // 0 to 1
         std::string mutation_form = "toward-half";  // toward-half, random
         std::vector<std::string> locked;            // aspects that never move: trees, land, sky
+        int control_every = 0;  // of so many visits one is bred by chance alone, unannounced; belief in words; 0: none
     } breeding;
 
     // What a word may be, by its name: two numbers from -1 to 1; the same twice locks it there.

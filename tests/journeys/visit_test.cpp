@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <fstream>
 
@@ -119,6 +121,28 @@ TEST(Visit, BySlidersChoosesTurnsTakesBackAndEndsInTheFinale) {
     EXPECT_GT(first.size(), 5000U);
     EXPECT_NE(contents_of(folder / "pictures" / "generation-02.png"), first) << "what was turned is seen";
     EXPECT_GT(std::filesystem::file_size(folder / "pictures" / "finale-01.png"), 5000U);
+}
+
+// Every visit here; nobody is told, and the report is.
+TEST(AControlArm, IsBredByChanceAloneAndComparedInTheReport) {
+    const TemporaryFolder folder;
+    folder.write(
+        "site.toml",
+        "[picture]\nland_samples = 65\n[visit]\nrounds = 2\ndescribe_words = 0\n[breeding]\ncontrol_every = 1\n");
+    std::string script = "at 2s press A\n";
+    for (int answer = 0; answer < 6; ++answer) script += "after 2s press B\n";
+    folder.write("visit.script", script + "wait 40s\n");
+    const Ended ended = run(program({"run", "--config", "site.toml", "--display", "headless", "--size", "320x180",
+                                     "--input", "script:visit.script", "--state", "state", "--seed", "7"}),
+                            folder);
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_EQ(count_of(ended.err, "the visit ends with its finale, after 2 rounds"), 1U) << ended.err;
+    const Ended report = run(program({"report", "--state", "state", "-o", "report.json"}), folder);
+    ASSERT_EQ(report.status, 0) << report.err;
+    const auto control = nlohmann::json::parse(contents_of(folder / "report.json"))["control"];
+    EXPECT_EQ(control["chance"]["visits"], 1);
+    EXPECT_EQ(control["chance"]["rounds"], 2);
+    EXPECT_EQ(control["bred"]["visits"], 0);
 }
 
 }  // namespace

@@ -105,7 +105,9 @@ void propose_classic(const BeliefState& state, Aspect aspect, base::Seed seed, g
 
 void propose_layered(const BeliefState& state, Aspect aspect, base::Seed seed, genome::Offer& offer) {
     const LayeredBelief& belief = state.layered[aspect];
-    const FourSketches four = proposed(state.map.atlas(aspect), belief, seed);
+    LayeredBelief blank = belief;
+    blank.winner.reset();
+    const FourSketches four = proposed(state.map.atlas(aspect), state.is_by_chance ? blank : belief, seed);
     FourPlaces places;
     for (std::size_t c = 0; c < places.size(); ++c) places[c] = four[c].parameters;
     const auto inherits = inheriting(belief.winner, places);
@@ -172,7 +174,12 @@ void learn_layered(BeliefState& state, Aspect aspect, const genome::Offer& offer
     const Atlas& atlas = state.map.atlas(aspect);
     FourShown shown;
     for (std::size_t c = 0; c < shown.size(); ++c) shown[c] = shown_of(offer.candidates[c], aspect, atlas);
+    LayeredBelief before = state.layered[aspect];
     state.layered[aspect] = learnt(atlas, std::move(state.layered[aspect]), shown, picked);
+    if (!state.is_by_chance) return;
+    before.winner = picked;
+    before.shown = shown;
+    state.layered[aspect] = std::move(before);
 }
 
 bool was_judged(const BeliefState& state, Aspect aspect) {

@@ -20,6 +20,8 @@ struct BeliefState {
     genome::PerAspect<base::Seed> inherited{};   // the accidents of the last winner of an aspect; once there is one
     genome::PerAspect<bool> locked{};
     int round = 1;
+    // Nothing is learnt: what was named best stays, beside three that are drawn as the first four were.
+    bool is_by_chance = false;
     friend bool operator==(const BeliefState&, const BeliefState&) = default;
 };
 

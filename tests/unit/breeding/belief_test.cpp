@@ -259,6 +259,36 @@ TEST(Belief, ReadsWhatWasKeptInWordsAloneAndGoesOnFromThere) {
     EXPECT_EQ(genome::vocabulary(Aspect::Trees)[2].id, genome::WordId::tall);
 }
 
+// What belief is compared with: nothing is learnt, and nothing else differs.
+TEST(Chance, BeginsAsBeliefDoesKeepsWhatWasNamedBestAndLearnsNothing) {
+    BreederOptions options;
+    options.kind = BreederKind::Belief;
+    options.genome = genome::Genome::Full;
+    const Session belief(Breeder(options), base::Seed{5});
+    options.kind = BreederKind::Chance;
+    Session session(Breeder(options), base::Seed{5});
+    EXPECT_EQ(session.offer(), belief.offer());
+    const std::string knew = session.breeder().state_json();
+    for (int round = 1; round <= 5; ++round) {
+        const genome::Offer before = session.offer();
+        genome::Pick pick;
+        pick.each = {1, 2, 3};
+        session.next(pick);
+        EXPECT_EQ(session.breeder().state_json(), knew);
+        for (const Aspect aspect : kAspects) {
+            const std::size_t best = *pick[aspect];
+            const auto place = [&](const genome::Offer& offer, std::size_t c) {
+                return place_of(offer.candidates[c].values, genome::Genome::Full, aspect);
+            };
+            EXPECT_EQ(place(session.offer(), best), place(before, best));
+            double changed = 0;
+            for (std::size_t c = 0; c < genome::kCandidates; ++c)
+                if (c != best) changed += squared_distance(place(session.offer(), c), place(before, c));
+            EXPECT_GT(changed, 0.5) << "the others are drawn anew";
+        }
+    }
+}
+
 TEST(Belief, ShowsFourThatStillDifferAfterEightRounds) {
     double after_five = 9;
     double after_eight = 9;

@@ -30,8 +30,8 @@ genome::Pick random_pick(base::RandomStream& chance) {
 
 class EveryBreeder : public testing::TestWithParam<BreederKind> {};
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryBreeder,
-                         testing::Values(BreederKind::Belief, BreederKind::Pbil, BreederKind::PbilGaussian,
-                                         BreederKind::Random, BreederKind::Sliders));
+                         testing::Values(BreederKind::Belief, BreederKind::Chance, BreederKind::Pbil,
+                                         BreederKind::PbilGaussian, BreederKind::Random, BreederKind::Sliders));
 
 TEST_P(EveryBreeder, IsFoundByItsName) {
     const Session session = session_of(GetParam());

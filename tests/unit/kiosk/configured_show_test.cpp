@@ -27,5 +27,19 @@ TEST(ConfiguredShow, BreedsInWordsWithinTheSitesRanges) {
     EXPECT_EQ(random.pbil.mutation_form, breeding::MutationForm::Random);
 }
 
+TEST(ConfiguredShow, HasChanceBreedOneVisitOfSoMany) {
+    const auto belief = breeder_options_of(site::Configuration{});
+    int by_chance = 0;
+    for (std::uint64_t visit = 0; visit < 2000; ++visit) {
+        const base::Seed seed = base::Seed{3}.child(visit);
+        EXPECT_EQ(options_of_visit(belief, 0, seed).kind, breeding::BreederKind::Belief);
+        EXPECT_EQ(options_of_visit(belief, 1, seed).kind, breeding::BreederKind::Chance);
+        by_chance += options_of_visit(belief, 10, seed).kind == breeding::BreederKind::Chance;
+    }
+    EXPECT_NEAR(by_chance, 200, 45);
+    const auto classic = breeder_options_of(configured("[breeding]\ngenome = \"classic\"\n"));
+    EXPECT_EQ(options_of_visit(classic, 1, base::Seed{3}), classic) << "there it has no words to begin with";
+}
+
 }  // namespace
 }  // namespace quadrat::kiosk

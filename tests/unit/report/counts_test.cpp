@@ -55,7 +55,7 @@ class CountsOfAState : public testing::Test {
         archive::Generation generation;
         generation.visit = id;
         generation.round = round;
-        generation.breeder = "belief";
+        generation.breeder = breeder_;
         generation.deeds.resize(static_cast<std::size_t>(round - 1));
         EXPECT_EQ(archive_->append(generation), std::nullopt);
         genome::Pick pick;
@@ -76,7 +76,36 @@ class CountsOfAState : public testing::Test {
 
     tests::TemporaryFolder folder_;
     std::optional<archive::Archive> archive_;
+    std::string breeder_ = "belief";
 };
+
+TEST_F(CountsOfAState, CompareWhatWasBredWithWhatChanceMade) {
+    for (int i = 0; i < 12; ++i) {
+        breeder_ = i % 4 == 0 ? "chance" : "belief";
+        const bool is_by_chance = breeder_ == "chance";
+        visit(kNoon + minutes(10 * i), is_by_chance ? 2 : 5 + i % 2, -1,
+              is_by_chance ? exhibit::Ending::Left : exhibit::Ending::Finished);
+    }
+    const Counts found = counts();
+    EXPECT_EQ(found.by_chance.visits, 3);
+    EXPECT_EQ(found.by_chance.finished, 0);
+    EXPECT_EQ(found.by_chance.rounds, 2);
+    EXPECT_EQ(found.by_chance.rounds_error, 0);
+    EXPECT_EQ(found.by_chance.length_s, 60);
+    EXPECT_EQ(found.bred.visits, 9);
+    EXPECT_EQ(found.bred.finished, 9);
+    EXPECT_NEAR(found.bred.rounds, 5 + 6.0 / 9, 1e-9);
+    EXPECT_GT(found.bred.rounds_error, 0.1);
+    EXPECT_THAT(text_of(found), HasSubstr("by chance alone  3 visits, 2.0 rounds; bred 5.7"));
+    EXPECT_THAT(html_of(found, {}), HasSubstr("What breeding adds"));
+    EXPECT_EQ(nlohmann::json::parse(json_of(found, {}))["control"]["chance"]["visits"], 3);
+}
+
+TEST_F(CountsOfAState, OfASiteWithoutChanceSayNothingOfIt) {
+    visit(kNoon, 6, -1, exhibit::Ending::Finished);
+    EXPECT_THAT(html_of(counts(), {}), Not(HasSubstr("What breeding adds")));
+    EXPECT_FALSE(nlohmann::json::parse(json_of(counts(), {})).contains("control"));
+}
 
 TEST_F(CountsOfAState, AreThoseOfItsVisits) {
     visit(kNoon, 6, -1, exhibit::Ending::Finished);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kiosk/show_settings.hpp"
+
+#include <cmath>
+
+#include "breeding/sliders.hpp"
+
+namespace quadrat::kiosk {
+namespace {
+
+std::chrono::milliseconds milliseconds_of(double seconds) {
+    return std::chrono::milliseconds(std::llround(seconds * 1000.0));
+}
+
+}  // namespace
+
+exhibit::Timings timings_of(const site::Configuration& configuration) {
+    exhibit::Timings timings;
+    timings.patience = milliseconds_of(configuration.visit.patience_s);
+    timings.countdown = milliseconds_of(configuration.visit.countdown_s);
+    timings.finale = milliseconds_of(configuration.visit.finale_s);
+    timings.long_press = milliseconds_of(configuration.visit.long_press_s);
+    timings.describe = milliseconds_of(configuration.visit.describe_s);
+    timings.rounds = configuration.visit.rounds;
+    const bool is_classic = configuration.breeding.genome == "classic";
+    // The classic genome has no words to speak in.
+    timings.describe_words = is_classic ? 0 : configuration.visit.describe_words;
+    timings.describe_every = configuration.visit.describe_every;
+    timings.languages = static_cast<int>(configuration.visit.languages.size());
+    if (configuration.breeding.breeder == "sliders") {
+        timings.asking = exhibit::Asking::Sliders;
+        timings.sliders =
+            static_cast<int>(breeding::slider_count(is_classic ? genome::Genome::Classic : genome::Genome::Full));
+    }
+    return timings;
+}
+
+breeding::BreederOptions breeder_options_of(const site::Configuration& configuration) {
+    breeding::BreederOptions options;
+    options.kind = breeding::breeder_named(configuration.breeding.breeder);
+    options.genome = configuration.breeding.genome == "classic" ? genome::Genome::Classic : genome::Genome::Full;
+    for (const auto& [name, ends] : configuration.words)
+        options.ranges[static_cast<std::size_t>(genome::word_named(name).value())] = {static_cast<float>(ends[0]),
+                                                                                      static_cast<float>(ends[1])};
+    options.pbil.learning_rate = configuration.breeding.learning_rate;
+    options.pbil.mutation = configuration.breeding.mutation;
+    options.pbil.mutation_form = configuration.breeding.mutation_form == "random" ? breeding::MutationForm::Random
+                                                                                  : breeding::MutationForm::TowardHalf;
+    return options;
+}
+
+breeding::BreederOptions options_of_visit(breeding::BreederOptions options, int control_every, base::Seed session) {
+    const bool can_be_compared =
+        options.kind == breeding::BreederKind::Belief && options.genome == genome::Genome::Full;
+    if (control_every > 0 && can_be_compared &&
+        base::RandomStream(session.child("control")).below(static_cast<std::uint32_t>(control_every)) == 0)
+        options.kind = breeding::BreederKind::Chance;
+    return options;
+}
+
+}  // namespace quadrat::kiosk

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "base/seed.hpp"
+#include "breeding/breeder.hpp"
+#include "exhibit/visit.hpp"
+#include "site/configuration.hpp"
+
+// What the site's settings mean for the visit and for breeding.
+namespace quadrat::kiosk {
+
+exhibit::Timings timings_of(const site::Configuration& configuration);
+breeding::BreederOptions breeder_options_of(const site::Configuration& configuration);
+
+// One of so many visits is bred by chance alone, 0: none. Which ones hangs on their seeds: a visit that is taken up
+// after a power cut goes on as it was.
+breeding::BreederOptions options_of_visit(breeding::BreederOptions options, int control_every, base::Seed session);
+
+}  // namespace quadrat::kiosk
