@@ -88,12 +88,16 @@ void set_shared(Form& f, const scene::TreeParameters& p) {
     f.wind_lean = p.tree_wind_lean;
     f.wind_from_deg = p.tree_wind_from_deg;
     f.crowding = p.tree_crowding;
+    f.shade_bearing = p.tree_shade_bearing;
+    f.wind_crown = p.tree_wind_crown;
+    f.straightening = p.tree_straightening;
     f.root_flare = p.tree_root_flare;
     f.bareness = std::pow(p.tree_bareness, 3.0F);
     f.leaf_width = p.tree_leaf_width;
     f.leaf_fold = p.tree_leaf_fold;
     f.leaf_droop = p.tree_leaf_droop;
     f.leaf_clumping = p.tree_leaf_clumping;
+    f.leaf_inhibition = p.tree_leaf_inhibition;
     f.fruit = festive(p.tree_fruit);
     f.fruit_m = p.tree_fruit_m;
     f.bark_kind = choice(p.tree_bark_kind, 4);
