@@ -282,7 +282,8 @@ scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& o
     for (const Place& place : places) at.push_back(place.at_m);
     const CrownLight light(crown, at);
     const Palette palette(options.colours);
-    const LeafShape shape = spray_shape(options.kind, options.inhibition);
+    const LeafShape shape =
+        options.inhibition > 0 ? spray_shape(options.kind, options.inhibition) : spray_shape(options.kind);
     leaves.vertices.reserve(shape.outline.size() * places.size());
     leaves.indices.reserve(shape.triangles.size() * places.size());
     leaves.plain_indices.reserve(shape.plain.size() * places.size());

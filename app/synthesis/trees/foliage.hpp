@@ -24,16 +24,16 @@ struct FoliageOptions {
     LeafKind kind = LeafKind::Ovate;
     std::size_t blades = 1200;
     float length_m = 0.5F;
-    float width = 1;           // of a blade to what is usual for its kind
-    float inhibition = 1.75F;  // between leaves on a twig: synthesis/trees/inhibition.hpp
-    float fold = 0.35F;        // depth of the midrib's fold to half the width
-    float scatter_m = 0.3F;    // about a site
-    float clumping = 0.4F;     // blades gather about fewer sites
-    float droop = 0.15F;       // blades hang: 0 not at all to 1 straight down
-    float spread = 1;          // 0: along their twig, 1: every way
-    float outward = 0.5F;      // blades point away from the crown's middle
-    bool is_rosette = false;   // blades stand around the stem's top as a palm's
-    float flower_m = 0.2F;     // across a blossom, a fruit
+    float width = 1;          // of a blade to what is usual for its kind
+    float inhibition = 0;     // between leaves on a twig: synthesis/trees/inhibition.hpp; 0: flat pairs
+    float fold = 0.35F;       // depth of the midrib's fold to half the width
+    float scatter_m = 0.3F;   // about a site
+    float clumping = 0.4F;    // blades gather about fewer sites
+    float droop = 0.15F;      // blades hang: 0 not at all to 1 straight down
+    float spread = 1;         // 0: along their twig, 1: every way
+    float outward = 0.5F;     // blades point away from the crown's middle
+    bool is_rosette = false;  // blades stand around the stem's top as a palm's
+    float flower_m = 0.2F;    // across a blossom, a fruit
     float fruit_m = 0.14F;
     LeafColours colours;
 };

@@ -42,9 +42,13 @@ glm::vec3 fruit_colour(float hue) { return between({0x9AA84A, 0xE0B43E, 0xE07A2E
 // Toward yellow or toward blue in OKLab; the bluest leaf is a spruce's.
 glm::vec3 yellower(const glm::vec3& colour, float by) {
     constexpr float kBluest = -0.012F;
+    constexpr float kMostChroma = 0.195F;
     glm::vec3 lab = scene::oklab_from_linear(colour);
     lab.z = std::max(lab.z + 0.045F * by, std::min(lab.z, kBluest));
     lab.y += 0.012F * by;
+    // A yellow palette and the yellowest gene together would be garish.
+    const float chroma = std::hypot(lab.y, lab.z);
+    if (chroma > kMostChroma) lab = {lab.x, lab.y * kMostChroma / chroma, lab.z * kMostChroma / chroma};
     return glm::max(scene::linear_from_oklab(lab), glm::vec3{0});
 }
 
