@@ -13,8 +13,10 @@
 #include "scene/parameters.hpp"
 #include "synthesis/compose/planting.hpp"
 #include "synthesis/grow.hpp"
+#include "synthesis/trees/colonisation.hpp"
 #include "synthesis/trees/grammar.hpp"
 #include "synthesis/trees/limb_mesh.hpp"
+#include "synthesis/trees/self_organising.hpp"
 #include "synthesis/trees/species.hpp"
 #include "synthesis/trees/turtle.hpp"
 
@@ -100,6 +102,31 @@ void species(Results& results) {
     results.push_back({"trees.species_mb", static_cast<double>(most_bytes) / 1e6, "MB", 1});
 }
 
+// A tree of five thousand buds that compete for light, 25 of them together, and space colonisation of as many limbs.
+void light(Results& results) {
+    SelfOrganisation p;
+    p.years = 40;
+    const Seedling one;
+    TreeSkeleton tree;
+    const double tree_ms = own_ms(8, [&] { tree = grow_together(p, {&one, 1}, base::Seed{1}).front(); });
+    Colonisation c;
+    c.most_nodes = 20'000;
+    c.step = 0.012F;
+    c.kill = 0.012F;
+    c.points = 6000;
+    TreeSkeleton colonised;
+    const double colonised_ms = own_ms(8, [&] { colonised = colonise(c, base::Seed{1}); });
+    const double ratio =
+        tree_ms / static_cast<double>(tree.limbs.size()) / (colonised_ms / static_cast<double>(colonised.limbs.size()));
+    const std::vector<Seedling> seedlings = stand_of_seedlings(p.apart, base::Seed{1});
+    p.years = 22;
+    const double stand_ms = least_ms(5, [&] { grow_together(p, seedlings, base::Seed{1}); });
+    results.push_back({"trees.light_ms", tree_ms, "ms", 1, "wished for: 40, for 5000 buds"});
+    results.push_back({"trees.light_limbs", static_cast<double>(tree.limbs.size()), "limbs", 1});
+    results.push_back({"trees.light_to_colonisation", ratio, "times", 1, "a limb's time, space colonisation 1"});
+    results.push_back({"trees.stand_ms", stand_ms, "ms", cores(), "wished for: 250, for 25 trees"});
+}
+
 // Four scenes' floras of three species each, as a new generation needs them.
 void generation_of_trees(Results& results) {
     std::vector<genome::Recipe> recipes;
@@ -149,6 +176,7 @@ void trees(Results& results) {
     tubes(results);
     smooth(results);
     species(results);
+    light(results);
     generation_of_trees(results);
     symbols(results);
     plants(results);

@@ -153,7 +153,7 @@ bool has_code(std::string_view text) { return parts_of(text).has_value(); }
 
 Recipe recipe_of_code(std::string_view text, std::string_view source, const std::vector<CodeLayout>& layouts) {
     const auto parts = parts_of(text);
-    if (!parts) refuse(source, "this is no scene code; one begins with Q1- and goes on with letters and digits");
+    if (!parts) refuse(source, "this is no scene code; one begins with Q, a number and a hyphen");
     std::size_t version = 0;
     std::from_chars(parts->version.data(), parts->version.data() + parts->version.size(), version);
     if (version < 1 || version > layouts.size())

@@ -26,6 +26,13 @@ float room_m(const scene::Scene& scene, const scene::Plant& tree) {
     return room;
 }
 
+// In any of its forms.
+bool is_of_the_first(const scene::Scene& scene, const scene::Plant& plant) {
+    const scene::Species& first = scene.flora->species[0];
+    const auto species = static_cast<int>(plant.species);
+    return species == 0 || species == first.in_stand || species == first.at_edge;
+}
+
 }  // namespace
 
 std::optional<scene::Camera> camera_on_a_tree(const scene::Scene& scene) {
@@ -33,7 +40,8 @@ std::optional<scene::Camera> camera_on_a_tree(const scene::Scene& scene) {
     float best = 0;
     const float reach_m = 0.35F * scene.land->side_m();
     for (const scene::Plant& plant : scene.plants) {
-        if (plant.species != 0 || std::max(std::abs(plant.root_m.x), std::abs(plant.root_m.z)) > reach_m) continue;
+        if (!is_of_the_first(scene, plant) || std::max(std::abs(plant.root_m.x), std::abs(plant.root_m.z)) > reach_m)
+            continue;
         // A sapling is no specimen.
         const float merit = plant.scale * (1 + 0.1F * room_m(scene, plant));
         if (chosen != nullptr && merit <= best) continue;
@@ -41,7 +49,7 @@ std::optional<scene::Camera> camera_on_a_tree(const scene::Scene& scene) {
         best = merit;
     }
     if (chosen == nullptr) return std::nullopt;
-    const float height_m = scene.flora->species[0].height_m * chosen->scale;
+    const float height_m = scene.flora->species[chosen->species].height_m * chosen->scale;
     const glm::vec3 sun = scene.sky->sun_direction;
     // A little aside of the sun: lit, and round.
     const float azimuth = std::atan2(sun.x, -sun.z) + glm::radians(35.0F);

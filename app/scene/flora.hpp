@@ -99,6 +99,11 @@ struct Species {
     float shade_liking = 0;       // -1 in the open to 1 under trees
     float density = 1;            // of its storey, where it does best: 0 to 1
     float share = 1;              // of the plants of its storey, against the other species
+    float turn = 1;               // of a whole turn, that its plants differ by: little where the wind shaped them all
+    // The same kind as it grew among its like: indices into its flora's species, -1 where it has but one form. The form
+    // of a stand's edge is open toward +x.
+    int in_stand = -1, at_edge = -1;
+    bool is_form = false;  // of another species: nothing is planted as it but where that one stands
 };
 
 // What a species takes of memory: its meshes at every level, its leaves and its pictures.
@@ -113,6 +118,7 @@ struct Stand {
     float size_spread = 0.25F;
     float self_thinning = 0.5F;
     float herb_patch_m = 11;
+    float fires = 0;  // how often it has burnt: 0 never, then patches of several ages, to 1
     friend bool operator==(const Stand&, const Stand&) = default;
 };
 

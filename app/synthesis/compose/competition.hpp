@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <vector>
 
 #include "base/seed.hpp"
@@ -21,6 +22,7 @@ struct Candidate {
     std::uint32_t species = 0;
     float scale = 1;
     bool is_young = false;
+    std::optional<float> yaw_rad{};  // where it must stand so; else by chance
 };
 
 // Every cell's candidate within a window, cells numbered from the world's middle, so that a place keeps its candidate

@@ -8,6 +8,7 @@
 
 #include "mesh/field.hpp"
 #include "synthesis/compose/competition.hpp"
+#include "synthesis/noise/automaton.hpp"
 #include "synthesis/noise/gradient.hpp"
 
 // What is asked at many places over one land, worked out once.
@@ -37,6 +38,24 @@ class NoiseMap {
     glm::vec2 low_m_;
     float cell_m_;
     mesh::Field map_;
+};
+
+// How old the forest is at a place: 0 just burnt to 1 old, which it all is without fires.
+class StandAges {
+  public:
+    StandAges(float fires, float half_m, base::Seed seed) : half_m_(half_m) {
+        if (fires > 0) ages_ = noise::forest_ages(kSide, fires, seed);
+    }
+    float at(glm::vec2 at_m) const {
+        if (ages_.samples.empty()) return 1;
+        const glm::vec2 cell = (at_m / half_m_ + 1.0F) * (0.5F * kSide) - 0.5F;
+        return mesh::sample(ages_, cell.x, cell.y);
+    }
+
+  private:
+    static constexpr int kSide = 56;
+    float half_m_;
+    mesh::Field ages_;
 };
 
 // The trees about a place, without asking all of them.

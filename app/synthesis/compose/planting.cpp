@@ -18,66 +18,17 @@
 
 #include "synthesis/compose/clearing.hpp"
 #include "synthesis/compose/competition.hpp"
+#include "synthesis/compose/kinds_of_plants.hpp"
 #include "synthesis/compose/lookups.hpp"
+#include "synthesis/compose/neighbours.hpp"
 #include "synthesis/compose/site.hpp"
 
 namespace quadrat::synthesis {
 namespace {
 
+constexpr float kBare = 0.05F;  // of the years to an old forest
+constexpr float kHalfGrown = 0.45F;
 constexpr float kWidestAside = 1.15F;  // of the view, that undergrowth is planted for
-
-struct Storeyed {
-    std::vector<std::uint32_t> trees, shrubs, herbs;
-};
-
-Storeyed by_storey(const scene::Flora& flora) {
-    Storeyed kinds;
-    for (std::uint32_t i = 0; i < flora.species.size(); ++i) {
-        switch (flora.species[i].storey) {
-            case scene::Storey::Tree:
-                kinds.trees.push_back(i);
-                break;
-            case scene::Storey::Shrub:
-                kinds.shrubs.push_back(i);
-                break;
-            case scene::Storey::Herb:
-                kinds.herbs.push_back(i);
-                break;
-        }
-    }
-    return kinds;
-}
-
-// One of the kinds by its share and how well it does, drawn by an own number of the place. best: of the best of them.
-// zone: where it lies, for kinds that keep to one.
-template <typename Well>
-std::uint32_t choose_species(const scene::Flora& flora, std::span<const std::uint32_t> kinds, float draw,
-                             const Well& well, float& best, const Zone* zone = nullptr) {
-    constexpr std::size_t kMost = 12;
-    float weights[kMost] = {};
-    float total = 0;
-    best = 0;
-    const std::size_t count = std::min(kinds.size(), kMost);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float w = well(kinds[i], i);
-        best = std::max(best, w);
-        weights[i] = w * flora.species[kinds[i]].share;
-        if (zone != nullptr) weights[i] *= at_home(flora.species[kinds[i]], *zone);
-        total += weights[i];
-    }
-    float left = draw * total;
-    for (std::size_t i = 0; i < count; ++i) {
-        left -= weights[i];
-        if (left <= 0 && weights[i] > 0) return kinds[i];
-    }
-    return kinds[count - 1];
-}
-
-// Below this value lies such a share of the fBm used here (a normal distribution's, nearly).
-float quantile(float share) {
-    const float s = std::clamp(share, 0.001F, 0.999F);
-    return 0.20F * std::log(s / (1 - s)) / 1.702F;
-}
 
 class Planter {
   public:
@@ -104,6 +55,7 @@ class Planter {
             keep_most_seen(trees, budget_.trees - std::min<std::size_t>(budget_.trees, 3));
             frame_view(trees);
             set_hero(trees);
+            grow_among_neighbours(trees, flora_);
         }
         const Shade shade(flora_, trees, half_m_);
         const Near near(trees, half_m_);
@@ -130,7 +82,8 @@ class Planter {
         scene::Plant plant;
         plant.species = c.species;
         plant.root_m = {c.at_m.x, scene::ground_height_m(land_, c.at_m), c.at_m.y};
-        plant.yaw_rad = random.between(0, glm::radians(360.0F));
+        plant.yaw_rad = random.between(0, glm::radians(360.0F) * flora_.species[c.species].turn);
+        if (c.yaw_rad) plant.yaw_rad = *c.yaw_rad;
         plant.scale = c.scale;
         plant.tint = random.between(-1, 1);
         plant.delay = random.unit_f();
@@ -149,6 +102,7 @@ class Planter {
         std::vector<NoiseMap> stands;
         for (const std::uint32_t kind : kinds_.trees)
             stands.emplace_back(seed_.child("stands").child(kind), low, high, 0.6F * stand.grove_m, 2);
+        const StandAges ages(stand.fires, half_m_, seed_.child("fires"));
         const float cell_m = std::max(0.55F * flora_.spacing_m, 2.2F);
         // Wide spacing is open country: groves thin out with it.
         const float openness = std::clamp((flora_.spacing_m - 4.0F) / 18.0F, 0.0F, 1.0F);
@@ -159,7 +113,10 @@ class Planter {
             const float kind = random.unit_f();
             const float stay = random.unit_f();
             const float size = random.between(-1, 1);
-            c.is_young = random.unit_f() < stand.young_share;
+            // Where it has burnt lately nothing stands, then saplings do, all of an age.
+            const float age = ages.at(c.at_m);
+            if (age < kBare) return;
+            c.is_young = random.unit_f() < stand.young_share || age < kHalfGrown;
             const float grove = groves.at(c.at_m);
             const float density =
                 std::clamp(0.62F - 0.25F * openness + 5.2F * stand.grove_contrast * grove, 0.03F, 1.0F);
@@ -176,7 +133,8 @@ class Planter {
                 },
                 well, zones_ ? &zone : nullptr);
             if (stay > density * std::min(well * 2.0F, 1.0F)) return;
-            c.scale = c.is_young ? 0.46F + 0.16F * size : 1.0F + stand.size_spread * size;
+            c.scale = c.is_young && age >= kHalfGrown ? 0.46F + 0.16F * size : 1.0F + stand.size_spread * size;
+            c.scale *= 0.24F + 0.76F * age;
             if (sight_.is_in_the_way(c.at_m, crown_m(c)) || vistas_.are_closed_by(c.at_m, crown_m(c))) return;
             c.mark = mark + (c.is_young ? 1.0F : 0.0F);
         };

@@ -25,16 +25,34 @@ void add_trees(scene::Flora& flora, const scene::TreeParameters& p, base::Seed s
     std::vector<Wanted> wanted{{form_of(p, Rank::First), 1}};
     if (p.second_share >= kLeastShare) wanted.push_back({form_of(p, Rank::Second), p.second_share});
     if (p.third_share >= kLeastShare) wanted.push_back({form_of(p, Rank::Third), p.third_share});
-    flora.species.resize(wanted.size());
-    oneapi::tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t i) {
+    std::vector<std::size_t> in_stands;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (grows_in_stands(wanted[i].form)) in_stands.push_back(i);
+    flora.species.resize(wanted.size() + 2 * in_stands.size());
+    oneapi::tbb::parallel_for(std::size_t{0}, wanted.size() + in_stands.size(), [&](std::size_t task) {
+        if (task < wanted.size()) {
+            flora.species[task] = make_species(wanted[task].form, seed_of_species(seed, task));
+            return;
+        }
+        const std::size_t i = in_stands[task - wanted.size()];
+        StandSpecies made = make_stand_species(wanted[i].form, seed_of_species(seed, i));
+        const std::size_t first = wanted.size() + 2 * (task - wanted.size());
+        flora.species[first] = std::move(made.middle);
+        flora.species[first + 1] = std::move(made.edge);
+    });
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
         const Kind& k = kind(wanted[i].form.habit);
-        scene::Species species = make_species(wanted[i].form, seed_of_species(seed, i));
+        scene::Species& species = flora.species[i];
         species.share = wanted[i].share;
         species.treeline_m = k.treeline * p.stand_treeline_m;
         species.steepest_slope = k.steepness * p.stand_slope_limit;
         species.moisture = std::clamp(species.moisture + 0.35F * p.stand_moisture_liking, 0.0F, 1.0F);
-        flora.species[i] = std::move(species);
-    });
+    }
+    for (std::size_t i = 0; i < in_stands.size(); ++i) {
+        scene::Species& species = flora.species[in_stands[i]];
+        species.in_stand = static_cast<int>(wanted.size() + 2 * i);
+        species.at_edge = species.in_stand + 1;
+    }
 }
 
 glm::vec3 yellower(const glm::vec3& colour, float by) {
@@ -99,8 +117,9 @@ scene::Cover cover_of(const scene::TreeParameters& p, const Wear& wear) {
 scene::Flora make_flora(const scene::TreeParameters& p, base::Seed seed) {
     scene::Flora flora;
     flora.spacing_m = p.tree_spacing_m;
-    flora.stand = {p.stand_grove_m,    p.stand_grove_contrast, p.stand_clearings, p.tree_young_share,
-                   p.tree_size_spread, p.stand_self_thinning,  p.herb_patch_m};
+    flora.stand = {
+        p.stand_grove_m,    p.stand_grove_contrast, p.stand_clearings, p.tree_young_share,
+        p.tree_size_spread, p.stand_self_thinning,  p.herb_patch_m,    std::max(1.5F * p.stand_fires - 0.5F, 0.0F)};
     const Wear wear = wear_of(p);
     add_trees(flora, p, seed);
     add_shrubs(flora, p, wear, seed);

@@ -250,6 +250,7 @@ void add_blade(scene::Leaves& leaves, const LeafShape& shape, const BladeShape& 
             const float fold = b.fold_m * 2 * std::abs(p.y);
             vertex.corner_m =
                 b.length_m * p.x * b.along + 2 * b.half_width_m * p.y * side + (fold + b.bow_m * p.x * p.x) * b.face;
+            if (!shape.lift.empty()) vertex.corner_m += b.length_m * shape.lift[k] * b.face;
             vertex.colour *= shape.lightness[k];
             vertex.on_blade = shape.on_blade[k];
         }
@@ -281,7 +282,8 @@ scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& o
     for (const Place& place : places) at.push_back(place.at_m);
     const CrownLight light(crown, at);
     const Palette palette(options.colours);
-    const LeafShape& shape = spray_shape(options.kind);
+    const LeafShape shape =
+        options.inhibition > 0 ? spray_shape(options.kind, options.inhibition) : spray_shape(options.kind);
     leaves.vertices.reserve(shape.outline.size() * places.size());
     leaves.indices.reserve(shape.triangles.size() * places.size());
     leaves.plain_indices.reserve(shape.plain.size() * places.size());

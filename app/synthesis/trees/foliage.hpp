@@ -25,6 +25,7 @@ struct FoliageOptions {
     std::size_t blades = 1200;
     float length_m = 0.5F;
     float width = 1;          // of a blade to what is usual for its kind
+    float inhibition = 0;     // between leaves on a twig: synthesis/trees/inhibition.hpp; 0: flat pairs
     float fold = 0.35F;       // depth of the midrib's fold to half the width
     float scatter_m = 0.3F;   // about a site
     float clumping = 0.4F;    // blades gather about fewer sites

@@ -42,9 +42,13 @@ glm::vec3 fruit_colour(float hue) { return between({0x9AA84A, 0xE0B43E, 0xE07A2E
 // Toward yellow or toward blue in OKLab; the bluest leaf is a spruce's.
 glm::vec3 yellower(const glm::vec3& colour, float by) {
     constexpr float kBluest = -0.012F;
+    constexpr float kMostChroma = 0.195F;
     glm::vec3 lab = scene::oklab_from_linear(colour);
     lab.z = std::max(lab.z + 0.045F * by, std::min(lab.z, kBluest));
     lab.y += 0.012F * by;
+    // A yellow palette and the yellowest gene together would be garish.
+    const float chroma = std::hypot(lab.y, lab.z);
+    if (chroma > kMostChroma) lab = {lab.x, lab.y * kMostChroma / chroma, lab.z * kMostChroma / chroma};
     return glm::max(scene::linear_from_oklab(lab), glm::vec3{0});
 }
 
@@ -88,12 +92,16 @@ void set_shared(Form& f, const scene::TreeParameters& p) {
     f.wind_lean = p.tree_wind_lean;
     f.wind_from_deg = p.tree_wind_from_deg;
     f.crowding = p.tree_crowding;
+    f.shade_bearing = p.tree_shade_bearing;
+    f.wind_crown = p.tree_wind_crown;
+    f.straightening = p.tree_straightening;
     f.root_flare = p.tree_root_flare;
     f.bareness = std::pow(p.tree_bareness, 3.0F);
     f.leaf_width = p.tree_leaf_width;
     f.leaf_fold = p.tree_leaf_fold;
     f.leaf_droop = p.tree_leaf_droop;
     f.leaf_clumping = p.tree_leaf_clumping;
+    f.leaf_inhibition = p.tree_leaf_inhibition;
     f.fruit = festive(p.tree_fruit);
     f.fruit_m = p.tree_fruit_m;
     f.bark_kind = choice(p.tree_bark_kind, 4);

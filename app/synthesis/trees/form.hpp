@@ -11,6 +11,7 @@
 #include "scene/parameters.hpp"
 #include "synthesis/trees/bark.hpp"
 #include "synthesis/trees/foliage.hpp"
+#include "synthesis/trees/self_organising.hpp"
 #include "synthesis/trees/skeleton.hpp"
 #include "synthesis/trees/weber_penn.hpp"
 
@@ -23,6 +24,7 @@ enum class Grower {
     WeberPenn,  // a preset of Weber & Penn's "Creation and rendering of realistic trees" (1995); most kinds
     Ternary,    // figure 2.8 b of the same book; the ternary tree
     Colonised,  // space colonisation (Runions et al. 2007); lime and stone pine
+    SelfOrganised,  // buds that compete for light (Palubicki et al. 2009); field oak, beech and mountain pine
 };
 
 // Mixed into the palette's colour: so much of an sRGB colour, then so much lighter.
@@ -39,6 +41,7 @@ struct Kind {
     Grower grower = Grower::WeberPenn;
     Preset preset = Preset::Broadleaf;  // of WeberPenn
     bool is_umbrella = false;           // of Colonised: a flat crown on a high stem
+    SelfOrganisation growth{};          // of SelfOrganised
     float trunk = 0.02F;                // radius at the foot to the height
     float leaf = 1;                     // length of a leaf to the gene's
     float cover = 1;                    // of the crown by leaves
@@ -92,6 +95,9 @@ struct Form {
     float wind_from_deg = 240;
     float limb_density = 1;
     float crowding = 0.15F;
+    float shade_bearing = 0.5F;
+    float wind_crown = 0.1F;
+    float straightening = 0.3F;
     float root_flare = 0.5F;
     float bareness = 0.06F;
     LeafKind leaf = LeafKind::Ovate;
@@ -101,6 +107,7 @@ struct Form {
     float leaf_fold = 0.35F;
     float leaf_droop = 0.15F;
     float leaf_clumping = 0.4F;
+    float leaf_inhibition = 0.6F;
     float blossom = 0;
     float fruit = 0;
     float fruit_m = 0.14F;
@@ -126,5 +133,12 @@ glm::vec3 blossom_colour(float hue);
 // A grown skeleton in metres: root at the origin, no limb under the ground but the roots' ends, which reach into it by
 // less than the trunk's radius.
 TreeSkeleton grow_skeleton(const Form& form, base::Seed seed);
+
+// The same of a tree that grew among its like: in the middle of a stand, and at its edge, which is open toward +x.
+struct StandSkeletons {
+    TreeSkeleton middle, edge;
+};
+StandSkeletons grow_stand_skeletons(const Form& form, base::Seed seed);
+bool grows_in_stands(const Form& form);  // whether its grower knows how
 
 }  // namespace quadrat::synthesis::trees

@@ -8,7 +8,10 @@
 #include "synthesis/trees/colonisation.hpp"
 #include "synthesis/trees/form.hpp"
 #include "synthesis/trees/grammar.hpp"
+#include "synthesis/trees/hardship.hpp"
+#include "synthesis/trees/organised_form.hpp"
 #include "synthesis/trees/phyllotaxis.hpp"
+#include "synthesis/trees/prune.hpp"
 #include "synthesis/trees/turtle.hpp"
 #include "synthesis/trees/weber_penn.hpp"
 
@@ -19,6 +22,8 @@ constexpr std::size_t kMostLimbsOfStems = 3000;  // all together
 constexpr float kDefaultAngle_deg = 41.25F;      // of the genes: there the book's constants are as printed
 constexpr float kDefaultTrunk = 0.88F;
 constexpr float kDefaultBranch = 0.74F;
+constexpr float kCloseHeight = 1.12F;  // of trees that grew in a stand, to those that stand alone
+constexpr float kCloseGirth = 0.8F;
 
 // ABOP's trees a to d and the changed ones: the book's constants, moved by the genes.
 TreeSkeleton grow_by_type(const Form& f, base::Seed seed) {
@@ -136,26 +141,10 @@ TreeSkeleton grow_stem(const Form& f, base::Seed seed) {
         case Grower::Colonised:
             return grow_colonised(f, seed);
         case Grower::WeberPenn:
+        case Grower::SelfOrganised:  // all stems together
             break;
     }
     return grow_preset(f, seed);
-}
-
-// Leaves out the limbs that are not wanted, with all that they bear.
-template <typename Wanted>
-void prune(TreeSkeleton& skeleton, const Wanted& is_wanted) {
-    std::vector<int> place(skeleton.limbs.size(), -1);
-    std::vector<Limb> kept;
-    for (std::size_t i = 0; i < skeleton.limbs.size(); ++i) {
-        Limb& limb = skeleton.limbs[i];
-        if (limb.parent >= 0 && (place[limb.parent] < 0 || !is_wanted(limb, i))) continue;
-        if (limb.parent >= 0) limb.parent = place[limb.parent];
-        place[i] = static_cast<int>(kept.size());
-        kept.push_back(std::move(limb));
-    }
-    skeleton.limbs = std::move(kept);
-    std::erase_if(skeleton.sites, [&](const Site& site) { return place[site.limb] < 0; });
-    for (Site& site : skeleton.sites) site.limb = place[site.limb];
 }
 
 // Neighbours shade the sides: of the low limbs some have died.
@@ -198,18 +187,6 @@ void keep_above_ground(TreeSkeleton& skeleton, float clearance_m) {
     prune(skeleton, [&](const Limb&, std::size_t i) { return !is_gone[i]; });
 }
 
-void append(TreeSkeleton& to, TreeSkeleton from) {
-    const auto first = static_cast<int>(to.limbs.size());
-    for (Limb& limb : from.limbs) {
-        if (limb.parent >= 0) limb.parent += first;
-        to.limbs.push_back(std::move(limb));
-    }
-    for (Site& site : from.sites) {
-        site.limb += first;
-        to.sites.push_back(site);
-    }
-}
-
 void turn(TreeSkeleton& skeleton, const glm::quat& q, const glm::vec3& shift) {
     for (Limb& limb : skeleton.limbs)
         for (Limb::Node& node : limb.nodes) node.at_m = q * node.at_m + shift;
@@ -222,6 +199,12 @@ void turn(TreeSkeleton& skeleton, const glm::quat& q, const glm::vec3& shift) {
 
 // Several stems lean away from one another.
 TreeSkeleton grow_stems(const Form& f, base::Seed seed) {
+    if (kind(f.habit).grower == Grower::SelfOrganised) {
+        TreeSkeleton all = grow_organised(f, seed);
+        crowd(all, f, seed.child("crowding"));
+        set_leaves_by_light(all, 2 * f.shade_bearing - 1);
+        return all;
+    }
     TreeSkeleton all;
     for (int i = 0; i < f.stems; ++i) {
         base::RandomStream random{seed.child("stem").child(static_cast<std::uint64_t>(i))};
@@ -230,6 +213,10 @@ TreeSkeleton grow_stems(const Form& f, base::Seed seed) {
         crowd(one, f, seed.child("crowding"));
         const float unit = 1.0F / std::max(one.high_m.y, 1.0e-3F);
         stretch(one, glm::vec3{unit}, unit);
+        if (kind(f.habit).has_boughs) {
+            shed_shaded(one, 1.7F * (0.5F - f.shade_bearing));
+            set_leaves_by_light(one, 2 * f.shade_bearing - 1);
+        }
         const float bearing = kGoldenAngle_rad * static_cast<float>(i) + random.between(0, 6.28F);
         const float own_lean_deg = f.lean_deg * random.between(0.3F, 1.0F);
         const float lean_deg = own_lean_deg + (f.stems > 1 ? random.between(7, 15) : 0.0F);
@@ -271,11 +258,9 @@ void add_roots(TreeSkeleton& skeleton, const Form& f, base::Seed seed) {
     }
 }
 
-}  // namespace
-
-TreeSkeleton grow_skeleton(const Form& f, base::Seed seed) {
+// From a plant of any size to a tree in metres, with what wind, weight and ground make of it.
+TreeSkeleton finished(TreeSkeleton skeleton, const Form& f, base::Seed seed) {
     const Kind& k = kind(f.habit);
-    TreeSkeleton skeleton = grow_stems(f, seed);
     const float size = f.height_m / std::max(skeleton.high_m.y, 0.2F);
     const float wide = k.has_boughs ? f.crown_width : 1;
     stretch(skeleton, {size * wide, size, size * wide}, size * f.girth);
@@ -289,10 +274,12 @@ TreeSkeleton grow_skeleton(const Form& f, base::Seed seed) {
     measure(skeleton);
     const float from = glm::radians(f.wind_from_deg);
     const glm::vec3 upwind{std::sin(from), 0, -std::cos(from)};  // clockwise from north, which is -z
+    if (k.has_boughs) face_wind(skeleton, -f.wind_crown * upwind, seed.child("breaks"));
     base::RandomStream random{seed.child("light")};
     const float bearing = random.between(0, 6.2831853F);
     Forces forces;
     forces.sag = k.sags ? f.sag : 0;
+    forces.straightening = f.straightening;
     forces.wind = -f.wind_lean * upwind;
     forces.light = f.light_seeking * glm::normalize(glm::vec3{0.6F * std::cos(bearing), 1, 0.6F * std::sin(bearing)});
     bend(skeleton, forces);
@@ -305,6 +292,24 @@ TreeSkeleton grow_skeleton(const Form& f, base::Seed seed) {
     add_roots(skeleton, f, seed.child("roots"));
     measure(skeleton);
     return skeleton;
+}
+
+}  // namespace
+
+TreeSkeleton grow_skeleton(const Form& f, base::Seed seed) { return finished(grow_stems(f, seed), f, seed); }
+
+bool grows_in_stands(const Form& f) { return kind(f.habit).grower == Grower::SelfOrganised; }
+
+StandSkeletons grow_stand_skeletons(const Form& f, base::Seed seed) {
+    Form one = f;
+    one.stems = 1;
+    // They shelter one another, and one at the edge is turned to where it is open.
+    one.wind_crown = one.wind_lean = 0;
+    one.height_m *= kCloseHeight;
+    one.girth *= kCloseGirth;
+    StandOfTwo two = grow_organised_stand(one, seed);
+    return {finished(std::move(two.middle), one, seed.child("middle")),
+            finished(std::move(two.edge), one, seed.child("edge"))};
 }
 
 }  // namespace quadrat::synthesis::trees

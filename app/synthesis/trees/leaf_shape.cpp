@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+
+#include "synthesis/trees/inhibition.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -79,6 +82,42 @@ void add_leaflet(LeafShape& shape, const Twig& twig, glm::vec2 foot, float angle
     const float light = 0.92F + 0.14F * foot.x;  // the youngest leaves are the lightest
     shape.lightness.insert(shape.lightness.end(), {0.86F * light, light, 1.12F * light, light});
     for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U}) shape.triangles.push_back(first + k);
+}
+
+// The same leaves where the shoot's own pattern has them: across the twig they show their whole length, toward and away
+// from its upper side they stand on end.
+LeafShape arranged(const Twig& twig, float inhibition) {
+    LeafShape shape;
+    shape.width = twig.width;
+    shape.arch = twig.arch;
+    const int laterals = 2 * twig.pairs;
+    const float reach = 1 - twig.leaf_length;
+    add_leaflet(shape, twig, {reach, 0}, 0, twig.leaf_length, 0);
+    shape.lift.assign(shape.outline.size(), 0);
+    const std::vector<Primordium> leaves = leaves_of_shoot(inhibition, laterals);
+    const float longest = std::max(leaves.front().below, 1.0e-3F);
+    for (int k = 0; k < laterals; ++k) {
+        const Primordium& leaf = leaves[static_cast<std::size_t>(k)];
+        // The oldest lies in the spray's plane, the youngest stand at the foot of the one at its tip.
+        const float turn = leaf.turn_rad - leaves.front().turn_rad;
+        const float share = 1 - leaf.below / longest;
+        const float at = twig.first + share * (reach - twig.first) * 0.9F;
+        const float open = twig.angle_rad - 0.25F * share;
+        const float side = std::cos(turn);
+        const float up = std::sin(turn);
+        const float length = twig.leaf_length * (1.0F - 0.12F * share);
+        const std::size_t before = shape.outline.size();
+        const float in_plane = std::atan2(std::sin(open) * side, std::cos(open));
+        const float shown = std::hypot(std::sin(open) * side, std::cos(open));
+        add_leaflet(shape, twig, {at, 0}, in_plane, length * std::max(shown, 0.45F),
+                    6.2831853F * static_cast<float>(k + 1) / static_cast<float>(laterals + 1));
+        const float high = 0.8F * length * std::sin(open) * up;
+        for (std::size_t v = before; v < shape.outline.size(); ++v) {
+            const std::size_t corner = v - before;
+            shape.lift.push_back(corner == 0 ? 0 : corner == 2 ? high : 0.5F * high);
+        }
+    }
+    return shape;
 }
 
 LeafShape spray_of(const Twig& twig) {
@@ -172,18 +211,32 @@ LeafShape bough_of(int teeth, float width, float arch) {
     return shape;
 }
 
+std::optional<Twig> twig_of(LeafKind kind) {
+    switch (kind) {
+        case LeafKind::Ovate:
+            return Twig{};
+        case LeafKind::Lance:
+            return Twig{2, 0.06F, 0.56F, 0.13F, 0.42F, 0.62F, 0.62F, 0.18F};
+        case LeafKind::Round:
+            return Twig{2, 0.12F, 0.42F, 0.33F, 0.5F, 1.05F, 0.8F, 0.10F};
+        case LeafKind::Lobed:
+            return Twig{2, 0.14F, 0.46F, 0.30F, 0.6F, 0.85F, 0.8F, 0.12F};
+        case LeafKind::Palmate:
+            return Twig{2, 0.34F, 0.58F, 0.24F, 0.6F, 1.2F, 1.05F, 0.12F};
+        case LeafKind::Heart:
+            return Twig{2, 0.14F, 0.44F, 0.34F, 0.34F, 0.95F, 0.82F, 0.16F};
+        default:
+            return {};
+    }
+}
+
 std::vector<LeafShape> make_sprays() {
-    const auto spray = [](const Twig& twig) { return with_plain_form(spray_of(twig)); };
     std::vector<LeafShape> sprays;
     for (int kind = 0; kind < kLeafKinds; ++kind) sprays.push_back(leaf_shape(static_cast<LeafKind>(kind)));
-    const auto at = [&sprays](LeafKind kind) -> LeafShape& { return sprays[static_cast<std::size_t>(kind)]; };
-    at(LeafKind::Ovate) = spray({});
-    at(LeafKind::Lance) = spray({2, 0.06F, 0.56F, 0.13F, 0.42F, 0.62F, 0.62F, 0.18F});
-    at(LeafKind::Round) = spray({2, 0.12F, 0.42F, 0.33F, 0.5F, 1.05F, 0.8F, 0.10F});
-    at(LeafKind::Lobed) = spray({2, 0.14F, 0.46F, 0.30F, 0.6F, 0.85F, 0.8F, 0.12F});
-    at(LeafKind::Palmate) = spray({2, 0.34F, 0.58F, 0.24F, 0.6F, 1.2F, 1.05F, 0.12F});
-    at(LeafKind::Heart) = spray({2, 0.14F, 0.44F, 0.34F, 0.34F, 0.95F, 0.82F, 0.16F});
-    at(LeafKind::Needles) = bough_of(5, 0.44F, 0.16F);
+    for (int kind = 0; kind < kLeafKinds; ++kind)
+        if (const auto twig = twig_of(static_cast<LeafKind>(kind)))
+            sprays[static_cast<std::size_t>(kind)] = with_plain_form(spray_of(*twig));
+    sprays[static_cast<std::size_t>(LeafKind::Needles)] = bough_of(5, 0.44F, 0.16F);
     return sprays;
 }
 
@@ -245,6 +298,14 @@ const LeafShape& leaf_shape(LeafKind kind) {
 const LeafShape& spray_shape(LeafKind kind) {
     static const std::vector<LeafShape> kSprays = make_sprays();
     return kSprays[static_cast<std::size_t>(kind)];
+}
+
+LeafShape spray_shape(LeafKind kind, float inhibition) {
+    const std::optional<Twig> twig = twig_of(kind);
+    if (!twig) return spray_shape(kind);
+    LeafShape shape = with_plain_form(arranged(*twig, inhibition));
+    shape.lift.resize(shape.outline.size(), 0);  // the plain form is flat
+    return shape;
 }
 
 }  // namespace quadrat::synthesis::trees

@@ -7,6 +7,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <numeric>
 
+#include "synthesis/trees/burden.hpp"
+
 namespace quadrat::synthesis::trees {
 namespace {
 
@@ -48,20 +50,6 @@ glm::quat turn_toward(const glm::vec3& from, const glm::vec3& to, float share, f
     return glm::angleAxis(std::min(share * angle, most_rad), axis / sine);
 }
 
-// What each limb carries, as length of wood and leaves beyond its nodes.
-std::vector<std::vector<float>> loads_of(const TreeSkeleton& skeleton) {
-    std::vector<std::vector<float>> loads;
-    loads.reserve(skeleton.limbs.size());
-    for (const Limb& limb : skeleton.limbs) loads.emplace_back(limb.nodes.size(), 0.0F);
-    for (std::size_t l = skeleton.limbs.size(); l-- > 0;) {
-        const Limb& limb = skeleton.limbs[l];
-        for (std::size_t i = limb.nodes.size() - 1; i-- > 0;)
-            loads[l][i] += loads[l][i + 1] + glm::length(limb.nodes[i + 1].at_m - limb.nodes[i].at_m);
-        if (limb.parent >= 0) loads[limb.parent][limb.parent_node] += loads[l][0];
-    }
-    return loads;
-}
-
 }  // namespace
 
 void measure(TreeSkeleton& skeleton) {
@@ -77,6 +65,18 @@ void measure(TreeSkeleton& skeleton) {
         reach(skeleton, site.at_m, site.path_m);
     }
     if (skeleton.limbs.empty()) skeleton.low_m = skeleton.high_m = glm::vec3{0};
+}
+
+void append(TreeSkeleton& to, TreeSkeleton from) {
+    const auto first = static_cast<int>(to.limbs.size());
+    for (Limb& limb : from.limbs) {
+        if (limb.parent >= 0) limb.parent += first;
+        to.limbs.push_back(std::move(limb));
+    }
+    for (Site& site : from.sites) {
+        site.limb += first;
+        to.sites.push_back(site);
+    }
 }
 
 void stretch(TreeSkeleton& skeleton, const glm::vec3& factors, float radius_factor) {
@@ -122,7 +122,7 @@ void set_pipe_radii(TreeSkeleton& skeleton, const PipeModel& model) {
 }
 
 void bend(TreeSkeleton& skeleton, const Forces& forces) {
-    const auto loads = loads_of(skeleton);
+    const auto stresses = stresses_of(skeleton);
     const TreeSkeleton before = skeleton;
     std::vector<std::vector<glm::quat>> turns;
     turns.reserve(skeleton.limbs.size());
@@ -154,9 +154,11 @@ void bend(TreeSkeleton& skeleton, const Forces& forces) {
             };
             if (forces.sag > 0 && (limb.order > 0 || limb.parent >= 0)) {
                 // Wood has grown thick enough to hold most of its load; twigs hang with what they bear.
-                const float own = std::max(old.nodes.back().path_m - old.nodes[i].path_m, length_m);
-                const float burden = std::min(loads[l][i] / (4 * own), 1.5F);
-                apply({0, -1, 0}, forces.sag * slender * (0.05F + 0.05F * burden), 0.25F);
+                const float burden = std::min(0.7F * stresses[l][i - 1], 1.5F);
+                apply({0, -1, 0}, forces.sag * slender * (0.05F + 0.07F * burden), 0.25F);
+                // Tension wood on the upper side of what is young, compression wood below it, turn the end up again.
+                const float young = static_cast<float>(i) / static_cast<float>(limb.nodes.size() - 1);
+                apply({0, 1, 0}, forces.straightening * forces.sag * slender * 0.5F * young * young, 0.25F);
             }
             if (wind > 0) apply(forces.wind / wind, wind * 0.22F * slender, 0.2F);
             if (light > 0 && limb.order > 0) apply(forces.light / light, light * 0.16F * slender, 0.2F);

@@ -45,6 +45,9 @@ struct TreeSkeleton {
 // Bounds, paths and sways anew, after nodes have moved. A twig's sway grows along the limbs with their slenderness.
 void measure(TreeSkeleton& skeleton);
 
+// One plant more, where it stands. Bounds, paths and sways are left as they were.
+void append(TreeSkeleton& to, TreeSkeleton from);
+
 // Everything larger by a factor each way, radii by radius_factor.
 void stretch(TreeSkeleton& skeleton, const glm::vec3& factors, float radius_factor);
 
@@ -58,9 +61,10 @@ void set_pipe_radii(TreeSkeleton& skeleton, const PipeModel& model);
 
 // What bends limbs after they have grown, in the order of their strength. Lengths and radii stay.
 struct Forces {
-    float sag = 0;       // 0 to 1: how far limbs hang under what they bear
-    glm::vec3 wind{0};   // direction times 0 to 1
-    glm::vec3 light{0};  // the same
+    float sag = 0;            // 0 to 1: how far limbs hang under what they bear
+    float straightening = 0;  // 0 to 1: how far the young ends of those that sagged have turned up again
+    glm::vec3 wind{0};        // direction times 0 to 1
+    glm::vec3 light{0};       // the same
 };
 void bend(TreeSkeleton& skeleton, const Forces& forces);
 

@@ -7,6 +7,7 @@
 #include "synthesis/trees/bark.hpp"
 #include "synthesis/trees/crown_fringe.hpp"
 #include "synthesis/trees/crown_mass.hpp"
+#include "synthesis/trees/inhibition.hpp"
 #include "synthesis/trees/leaf_picture.hpp"
 #include "synthesis/trees/wood_levels.hpp"
 
@@ -30,6 +31,7 @@ FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
     // Leaves of a large tree are seen from farther away: sprays of them.
     o.length_m = 0.68F * k.leaf * f.leaf_length_m * std::sqrt(std::clamp(species.height_m / 13.0F, 0.45F, 1.6F));
     o.width = f.leaf_width;
+    o.inhibition = inhibition_of(f.leaf_inhibition);
     o.fold = f.leaf_fold;
     o.scatter_m = 0.7F * k.scatter * species.height_m * (1 - 0.75F * f.bareness);
     o.clumping = f.leaf_clumping;
@@ -77,17 +79,8 @@ float crown_radius(const TreeSkeleton& skeleton) {
     return std::max(*most, 0.3F);
 }
 
-}  // namespace
-
-base::Seed seed_of_species(base::Seed flora, std::size_t index) { return flora.child("species").child(index); }
-
-TreeSkeleton skeleton_of_species(const Form& form, base::Seed seed) {
-    return grow_skeleton(form, seed.child("skeleton"));
-}
-
-scene::Species make_species(const Form& f, base::Seed seed) {
+scene::Species species_of(TreeSkeleton skeleton, const Form& f, base::Seed seed) {
     const Kind& k = kind(f.habit);
-    TreeSkeleton skeleton = skeleton_of_species(f, seed);
     if (k.blossom > 0) set_organs(skeleton, k.blossom * f.blossom, 0.2F * f.fruit, seed.child("organs"));
     scene::Species species;
     species.name = k.name;
@@ -115,12 +108,33 @@ scene::Species make_species(const Form& f, base::Seed seed) {
     if (species.leaves.blades > 0) species.foliage = foliage_picture(f.leaf, seed.child("leaf"));
     species.bark_tile_m = f.bark_tile_m * std::clamp(species.trunk_radius_m / 0.28F, 0.5F, 1.6F);
     species.lowest_m = k.lowest_m;
+    if (k.has_boughs) species.turn = std::clamp(1.3F - 1.5F * f.wind_crown, 0.06F, 1.0F);
     species.is_tender = k.is_tender;
     species.shore_liking = k.shore_liking;
     species.arid_liking = k.arid_liking;
     species.moisture = k.moisture;
     species.moisture_width = k.moisture_width;
     return species;
+}
+
+}  // namespace
+
+base::Seed seed_of_species(base::Seed flora, std::size_t index) { return flora.child("species").child(index); }
+
+TreeSkeleton skeleton_of_species(const Form& form, base::Seed seed) {
+    return grow_skeleton(form, seed.child("skeleton"));
+}
+
+scene::Species make_species(const Form& f, base::Seed seed) {
+    return species_of(skeleton_of_species(f, seed), f, seed);
+}
+
+StandSpecies make_stand_species(const Form& f, base::Seed seed) {
+    StandSkeletons two = grow_stand_skeletons(f, seed.child("stand"));
+    StandSpecies made{species_of(std::move(two.middle), f, seed), species_of(std::move(two.edge), f, seed)};
+    made.middle.is_form = made.edge.is_form = true;
+    made.middle.share = made.edge.share = 0;
+    return made;
 }
 
 }  // namespace quadrat::synthesis::trees

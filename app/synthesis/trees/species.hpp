@@ -12,6 +12,11 @@ inline constexpr std::size_t kMostWoodTriangles = 9000;  // of the finest level;
 
 // A finished tree: skeleton, smooth limbs, levels of detail, leaves and bark.
 scene::Species make_species(const Form& form, base::Seed seed);
+// The same as it grows among its like; only of forms that grow in stands.
+struct StandSpecies {
+    scene::Species middle, edge;
+};
+StandSpecies make_stand_species(const Form& form, base::Seed seed);
 TreeSkeleton skeleton_of_species(const Form& form, base::Seed seed);  // that it is made of
 
 // What the index-th tree of a flora of this seed is made from.

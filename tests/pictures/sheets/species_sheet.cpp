@@ -38,7 +38,8 @@ std::shared_ptr<scene::Land> lawn() {
     return land;
 }
 
-std::shared_ptr<const scene::Scene> stand_alone(const genome::ParameterValues& values, base::Seed seed) {
+std::shared_ptr<const scene::Scene> stand_alone(const genome::ParameterValues& values, base::Seed seed,
+                                                std::uint32_t form) {
     auto made = std::make_shared<scene::Scene>();
     const scene::SceneParameters p = scene::realise(values);
     auto flora = std::make_shared<scene::Flora>(synthesis::grow_trees(p.trees, seed));
@@ -46,6 +47,7 @@ std::shared_ptr<const scene::Scene> stand_alone(const genome::ParameterValues& v
     made->sky = std::make_shared<scene::Sky>(synthesis::grow_sky(p.sky, base::Seed{4}));
     scene::Plant plant;
     plant.root_m = {0, 2, 0};
+    plant.species = form;
     made->plants.push_back(plant);
     made->flora = flora;
     const synthesis::LandShadow shadow(*made->land, made->sky->sun_direction);
@@ -97,24 +99,32 @@ int main(int argc, char** argv) {
     for (int habit = 0; habit < synthesis::trees::kind_count(); ++habit) {
         if (!only.empty() && only.find(fmt::format(",{},", habit)) == std::string::npos) continue;
         values.set(genome::ParameterId::tree_habit, static_cast<float>(habit));
-        const auto scene = stand_alone(values, base::Seed{seed});
-        const scene::Species& species = scene->flora->species.front();
+        const auto alone = stand_alone(values, base::Seed{seed}, 0);
+        std::vector<std::pair<int, const char*>> forms{{0, ""}};
+        if (const int i = alone->flora->species.front().in_stand; i >= 0)
+            forms.insert(forms.end(), {{i, ", in a stand"}, {i + 1, ", at its edge"}});
         for (const Shot& shot : kShots) {
-            if (!only.empty() && (shot.growth < 1 || shot.alpha < 1)) continue;
-            pictures::Picture picture;
-            picture.width = width;
-            picture.height = height;
-            picture.growth = shot.growth;
-            picture.alpha = shot.alpha;
-            const float h = species.height_m;
-            const float reach = std::max(
-                1.1F * h, 2.3F * species.crown_radius_m * static_cast<float>(height) / static_cast<float>(width));
-            picture.camera = scene::Camera{{0.35F * reach, 2 + 0.30F * h, 1.36F * reach}, {0, 2 + 0.47F * h, 0}, 46};
-            if (zoom > 1)
+            for (const auto& [form, where] : forms) {
+                const auto scene =
+                    form == 0 ? alone : stand_alone(values, base::Seed{seed}, static_cast<std::uint32_t>(form));
+                const scene::Species& species = scene->flora->species[static_cast<std::size_t>(form)];
+                if (!only.empty() && (shot.growth < 1 || shot.alpha < 1)) continue;
+                pictures::Picture picture;
+                picture.width = width;
+                picture.height = height;
+                picture.growth = shot.growth;
+                picture.alpha = shot.alpha;
+                const float h = species.height_m;
+                const float reach = std::max(
+                    1.1F * h, 2.3F * species.crown_radius_m * static_cast<float>(height) / static_cast<float>(width));
                 picture.camera =
-                    scene::Camera{{0.3F * h / zoom, 2 + 0.18F * h, 1.5F * h / zoom}, {0, 2 + 0.16F * h, 0}, 46};
-            entries.push_back({easel.draw(picture, {scene}),
-                               fmt::format("{} · age {} · alpha {}", species.name, shot.growth, shot.alpha)});
+                    scene::Camera{{0.35F * reach, 2 + 0.30F * h, 1.36F * reach}, {0, 2 + 0.47F * h, 0}, 46};
+                if (zoom > 1)
+                    picture.camera =
+                        scene::Camera{{0.3F * h / zoom, 2 + 0.18F * h, 1.5F * h / zoom}, {0, 2 + 0.16F * h, 0}, 46};
+                entries.push_back({easel.draw(picture, {scene}), fmt::format("{}{} · age {} · alpha {}", species.name,
+                                                                             where, shot.growth, shot.alpha)});
+            }
         }
     }
     if (entries.size() == 1) {

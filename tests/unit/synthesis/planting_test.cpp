@@ -5,6 +5,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <map>
@@ -186,6 +187,52 @@ TEST(Planting, LeavesClearingsOpenWhateverCouldGrowThere) {
     const std::size_t open = planted(land, flora).size();
     EXPECT_LT(open, closed * 7 / 10);
     EXPECT_GT(open, closed * 3 / 10);
+}
+
+// Trees of a patch that has burnt are of an age: neighbours are alike in size, and some land is bare.
+TEST(Planting, StandsInPatchesOfSeveralAgesWhereItBurns) {
+    const scene::Land land = land_of([](float, float) { return 30.0F; });
+    scene::Flora flora = wood_of(tree());
+    flora.stand.young_share = 0;
+    flora.stand.size_spread = 0;
+    const std::size_t unburnt = planted(land, flora).size();
+    flora.stand.fires = 0.7F;
+    const auto plants = planted(land, flora);
+    std::size_t small = 0;
+    std::size_t old = 0;
+    double apart = 0;
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < plants.size(); ++i) {
+        EXPECT_LE(plants[i].scale, 1.51F);
+        small += plants[i].scale < 0.6F;
+        old += plants[i].scale > 0.99F;
+        for (std::size_t k = 0; k < i; ++k) {
+            if (glm::distance(plants[i].root_m, plants[k].root_m) > 8) continue;
+            apart += std::abs(plants[i].scale - plants[k].scale);
+            ++pairs;
+        }
+    }
+    EXPECT_GT(small, plants.size() / 10);
+    EXPECT_GT(old, plants.size() / 8);
+    EXPECT_LT(apart / static_cast<double>(pairs), 0.12);
+    EXPECT_NE(plants.size(), unburnt);
+}
+
+TEST(Planting, TakesAFormForItsKindAndNeverByItself) {
+    scene::Flora flora = wood_of(tree());
+    flora.species.resize(3, tree());
+    flora.species[0].in_stand = 1;
+    flora.species[0].at_edge = 2;
+    flora.species[1].is_form = flora.species[2].is_form = true;
+    flora.spacing_m = 5;
+    const auto plants = planted(land_of([](float x, float) { return x < 0 ? -3.0F : 30.0F; }), flora);
+    std::array<std::size_t, 3> of_form{};
+    for (const scene::Plant& plant : plants) ++of_form.at(plant.species);
+    EXPECT_GT(of_form[1], plants.size() / 8) << "in the middle";
+    EXPECT_GT(of_form[2], plants.size() / 50) << "along the shore";
+    flora.species[0].in_stand = flora.species[0].at_edge = -1;
+    for (const scene::Plant& plant : planted(land_of([](float, float) { return 30.0F; }), flora))
+        ASSERT_EQ(plant.species, 0U);
 }
 
 TEST(Planting, IsTheSameOnAnyNumberOfThreads) {

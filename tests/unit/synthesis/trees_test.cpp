@@ -192,7 +192,8 @@ TEST(Trees, OfRandomGenomesHoldTheirBudgets) {
             for (const Limb::Node& node : limb.nodes) {
                 if (!std::isfinite(node.at_m.x + node.at_m.y + node.at_m.z + node.radius_m))
                     return blame(i, "not a number");
-                if (node.at_m.y < -1.0F * foot_m) return blame(i, "a limb under the ground");
+                if (node.at_m.y < -1.0F * foot_m)
+                    return blame(i, std::string(kind(form.habit).name) + ": a limb under the ground");
                 if (std::abs(node.at_m.x) > 60 || std::abs(node.at_m.z) > 60 || node.at_m.y > 40)
                     return blame(i, "too large");
                 if (node.radius_m <= 0 || node.radius_m > 3) return blame(i, "too thick");
