@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/settlement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -32,6 +33,19 @@ std::vector<glm::vec2> outline_m(const Building& building, const House& house, f
         corners.emplace_back(p.x, p.z);
     }
     return corners;
+}
+
+std::vector<glm::vec2> along_outline_m(const Building& building, const House& house, float grown_m, float apart_m) {
+    const std::vector<glm::vec2> corners = outline_m(building, house, grown_m);
+    std::vector<glm::vec2> places;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::vec2 from = corners[i];
+        const glm::vec2 way = corners[(i + 1) % corners.size()] - from;
+        const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(way) / apart_m)));
+        for (int k = 0; k < steps; ++k)
+            places.push_back(from + way * (static_cast<float>(k) / static_cast<float>(steps)));
+    }
+    return places;
 }
 
 float to_house_m(const Building& building, const House& house, glm::vec2 at_m) {

@@ -104,7 +104,7 @@ void level_ground(scene::Land& land, Settled& settled) {
         }
         house.foot_m.y = sum + 0.3F * (high - sum);
         // Ground that is made level must not sink below the water beside it.
-        for (const glm::vec2 p : outline_m(building, house, kPadRoom_m + land.cell_m))
+        for (const glm::vec2 p : along_outline_m(building, house, kPadRoom_m + land.cell_m, land.cell_m))
             house.foot_m.y = std::max(house.foot_m.y, scene::water_surface_m(land, p) + kOverWater_m);
         if (house.foot_m.y > land.snow_line_m) house.roof_tint *= kSnow / roof_colour(building);
     }
