@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "synthesis/houses/bounds.hpp"
+#include "synthesis/houses/bridges.hpp"
 #include "synthesis/houses/grounds.hpp"
 #include "synthesis/houses/waterside.hpp"
 
@@ -44,6 +45,8 @@ void HouseBuilders::build(scene::Land& land) {
     land.settlement.bounds = houses::add_bounds(land, settled_, fields_, parameters_, seed_.child("bounds"));
     for (scene::Masses& jetty : houses::add_jetties(land, settled_, parameters_, seed_.child("jetties")))
         land.settlement.bounds.push_back(std::move(jetty));
+    for (scene::Masses& bridge : houses::add_bridges(land, settled_, parameters_))
+        land.settlement.bounds.push_back(std::move(bridge));
 }
 
 void HouseBuilders::keep_clear(const scene::Land& land, mesh::Field& to_edge_m) {

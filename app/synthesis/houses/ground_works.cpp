@@ -44,6 +44,13 @@ void for_samples(scene::Land& land, glm::vec2 at, float reach_m, const Visit& vi
 void level_lane(scene::Land& land, const Lane& lane) {
     std::vector<float> heights;
     for (const glm::vec2 p : lane.line_m) heights.push_back(scene::ground_height_m(land, p));
+    std::vector<bool> is_over_water(heights.size(), false);
+    for (const Lane::Crossing& crossing : lane.crossings)
+        for (std::size_t i = crossing.from; i < crossing.to; ++i) {
+            const float t = static_cast<float>(i - crossing.from) / static_cast<float>(crossing.to - crossing.from);
+            heights[i] = heights[crossing.from] + t * (heights[crossing.to] - heights[crossing.from]);
+            is_over_water[i] = true;
+        }
     for (int round = 0; round < 3; ++round) {
         std::vector<float> even = heights;
         for (std::size_t i = 1; i + 1 < heights.size(); ++i)
@@ -52,6 +59,7 @@ void level_lane(scene::Land& land, const Lane& lane) {
     }
     const float half_m = 0.5F * lane.width_m + 0.4F;
     for (std::size_t i = 0; i + 1 < lane.line_m.size(); ++i) {
+        if (is_over_water[i]) continue;
         const glm::vec2 a = lane.line_m[i];
         const glm::vec2 d = lane.line_m[i + 1] - a;
         const float length2 = glm::dot(d, d);

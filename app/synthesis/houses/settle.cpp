@@ -56,7 +56,7 @@ class Growth {
         : land_(land), p_(p), seed_(seed), middle_(middle), stock_(p, seed.child("stock")) {
         branches_ = grow_network(land, middle, p, seed.child("lanes"));
         for (const scene::Road& road : land.roads) {
-            Lane lane{{}, road.width_m, true};
+            Lane lane{{}, road.width_m, true, {}};
             for (const glm::vec3& at : road.line_m) lane.line_m.emplace_back(at.x, at.z);
             roads_.push_back(std::move(lane));
         }
@@ -106,15 +106,22 @@ class Growth {
         for (std::size_t b = 0; b < branches_.size(); ++b) {
             Lane lane = branches_[b].lane;
             if (lane.is_road || used_m_[b] <= 0) continue;
-            const auto last = static_cast<std::size_t>(std::ceil((used_m_[b] + 6) / kLaneStep_m));
-            lane.line_m.resize(std::min(lane.line_m.size(), last + 1));
-            settled.lanes.push_back(std::move(lane));
+            cut(lane, static_cast<std::size_t>(std::ceil((used_m_[b] + 6) / kLaneStep_m)));
+            if (lane.line_m.size() > 1) settled.lanes.push_back(std::move(lane));
         }
         for (Lane& path : paths_) settled.lanes.push_back(std::move(path));
         return settled;
     }
 
   private:
+    // After a point; before water that it would end in.
+    static void cut(Lane& lane, std::size_t last) {
+        for (const Lane::Crossing& crossing : lane.crossings)
+            if (last >= crossing.from && last <= crossing.to) last = crossing.from;
+        std::erase_if(lane.crossings, [last](const Lane::Crossing& crossing) { return crossing.from >= last; });
+        lane.line_m.resize(std::min(lane.line_m.size(), last + 1));
+    }
+
     glm::vec2 point(const Frontage& f, float at_m) const {
         const auto& line = branches_[static_cast<std::size_t>(f.branch)].lane.line_m;
         const float t = std::clamp(at_m / kLaneStep_m, 0.0F, static_cast<float>(line.size() - 1) - 1.0e-3F);
@@ -295,7 +302,7 @@ class Growth {
             const glm::vec3 door = placed(house, {0, 0, shell.half_m.y + 1});
             const glm::vec2 from{door.x, door.z};
             const glm::vec2 way = spots[i].at + to_lane - from;
-            Lane path{{}, 1.3F, false};
+            Lane path{{}, 1.3F, false, {}};
             const int steps = std::max(1, static_cast<int>(glm::length(way) / kLaneStep_m));
             for (int k = 0; k <= steps; ++k)
                 path.line_m.push_back(from + way * (static_cast<float>(k) / static_cast<float>(steps)));
