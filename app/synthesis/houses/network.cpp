@@ -126,8 +126,7 @@ class Beginning {
 }  // namespace
 
 Streets streets_of(const scene::LandParameters& parameters) {
-    if (parameters.settle_winding < 0.3F) return Streets::Raster;
-    return parameters.settle_winding < 0.5F ? Streets::Radial : Streets::Organic;
+    return static_cast<Streets>(std::clamp(static_cast<int>(std::lround(parameters.settle_streets)), 0, 2));
 }
 
 std::vector<Branch> grow_network(const scene::Land& land, glm::vec2 middle_m, const scene::LandParameters& parameters,

@@ -104,8 +104,8 @@ class Designer {
         return d;
     }
 
-    // Few houses are new, few fall down.
-    float wear() { return std::clamp(0.4F + 0.3F * random_.normal(), 0.0F, 1.0F); }
+    // Each is kept as its people can.
+    float wear() { return std::clamp(p_.settle_wear + 0.22F * random_.normal(), 0.0F, 1.0F); }
 
     void shape_dwelling(Design& d) {
         const float size = p_.settle_house_size * random_.between(0.8F, 1.2F);

@@ -206,6 +206,27 @@ TEST(Settlement, NoTwoHousesOfAHamletAreBuiltAlike) {
     }
 }
 
+// Moss and soot on roofs, where rain runs off last.
+TEST(Settlement, RoofsAreTheDarkerTheLessTheyAreKeptUp) {
+    const auto light = [](float wear) {
+        scene::LandParameters p = country(0.5F, 4);
+        p.settle_wear = wear;
+        double sum = 0;
+        std::size_t count = 0;
+        const houses::Stock stock = houses::sample_stock(p, base::Seed{9}, 12);
+        for (const scene::Building& building : stock.buildings()) {
+            const scene::Masses& far = building.levels.back();
+            for (std::size_t i = 0; i < far.colours.size(); ++i) {
+                if (far.claddings[i] < scene::Cladding::Tiles) continue;
+                sum += static_cast<double>(far.colours[i].r + far.colours[i].g + far.colours[i].b);
+                ++count;
+            }
+        }
+        return sum / static_cast<double>(count);
+    };
+    EXPECT_LT(light(1), 0.93 * light(0));
+}
+
 TEST(Settlement, SmokeDiffersFromHouseToHouseAndSomeHaveNone) {
     scene::LandParameters p = country(0.6F, 4);
     p.settle_smoke = 0.6F;

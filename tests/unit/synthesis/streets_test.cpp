@@ -35,7 +35,8 @@ scene::Land land_of(float slope, float brook_m = 0, float deep_m = 0) {
 
 scene::LandParameters of(Streets pattern) {
     scene::LandParameters p;
-    p.settle_winding = pattern == Streets::Raster ? 0.1F : pattern == Streets::Radial ? 0.4F : 0.8F;
+    p.settle_streets = static_cast<float>(pattern);
+    p.settle_winding = 0.3F;
     EXPECT_EQ(streets_of(p), pattern);
     return p;
 }
