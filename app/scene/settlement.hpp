@@ -51,12 +51,23 @@ struct House {
     Plume plume;
 };
 
+// What people have planted by their houses; which of a flora's kinds it is follows from that.
+enum class Bedded : std::uint8_t { FruitTree, Bush, Flower, Vegetable };
+struct GardenPlant {
+    glm::vec2 at_m{0};
+    Bedded what = Bedded::FruitTree;
+    float height_m = 4;
+
+    friend bool operator==(const GardenPlant&, const GardenPlant&) = default;
+};
+
 // What people have built on a land.
 struct Settlement {
     std::vector<Building> buildings;
     std::vector<House> houses;   // in the order they were built: a younger settlement has the first of them
     std::vector<Masses> bounds;  // fences, walls, hedges along plots and fields, a piece a plot, where they stand
-    float lit_share = 0.5F;      // of the windows, on a dark night
+    std::vector<GardenPlant> gardens;
+    float lit_share = 0.5F;  // of the windows, on a dark night
 
     bool is_empty() const { return houses.empty(); }
     std::size_t triangles() const;  // of the finest level of all

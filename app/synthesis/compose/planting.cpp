@@ -18,35 +18,15 @@
 
 #include "synthesis/compose/clearing.hpp"
 #include "synthesis/compose/competition.hpp"
+#include "synthesis/compose/gardens.hpp"
 #include "synthesis/compose/lookups.hpp"
 #include "synthesis/compose/site.hpp"
+#include "synthesis/compose/storeys.hpp"
 
 namespace quadrat::synthesis {
 namespace {
 
 constexpr float kWidestAside = 1.15F;  // of the view, that undergrowth is planted for
-
-struct Storeyed {
-    std::vector<std::uint32_t> trees, shrubs, herbs;
-};
-
-Storeyed by_storey(const scene::Flora& flora) {
-    Storeyed kinds;
-    for (std::uint32_t i = 0; i < flora.species.size(); ++i) {
-        switch (flora.species[i].storey) {
-            case scene::Storey::Tree:
-                kinds.trees.push_back(i);
-                break;
-            case scene::Storey::Shrub:
-                kinds.shrubs.push_back(i);
-                break;
-            case scene::Storey::Herb:
-                kinds.herbs.push_back(i);
-                break;
-        }
-    }
-    return kinds;
-}
 
 // One of the kinds by its share and how well it does, drawn by an own number of the place. best: of the best of them.
 // zone: where it lies, for kinds that keep to one.
@@ -98,19 +78,25 @@ class Planter {
     }
 
     std::vector<scene::Plant> plant() {
+        const Gardened gardens = gardens_in_sight(land_, flora_, sight_, {budget_.trees / 6, budget_.undergrowth / 5});
         std::vector<Candidate> trees;
         if (!kinds_.trees.empty()) {
             trees = grow_trees();
-            keep_most_seen(trees, budget_.trees - std::min<std::size_t>(budget_.trees, 3));
+            const std::size_t set = gardens.trees.size() + 3;
+            keep_most_seen(trees, budget_.trees - std::min(budget_.trees, set));
             frame_view(trees);
             set_hero(trees);
+            make_way(trees, gardens.trees, kOrchardRoom_m);
         }
         const Shade shade(flora_, trees, half_m_);
         const Near near(trees, half_m_);
         std::vector<Candidate> shrubs = grow_shrubs(near, shade);
         keep_most_seen(shrubs, budget_.undergrowth / 5);
         std::vector<Candidate> herbs = grow_herbs(near, shade);
-        keep_most_seen(herbs, budget_.undergrowth - shrubs.size());
+        make_way(shrubs, gardens.shrubs, kBedRoom_m);
+        keep_most_seen(herbs,
+                       budget_.undergrowth - std::min(budget_.undergrowth, shrubs.size() + gardens.herbs.size()));
+        make_way(herbs, gardens.herbs, kBedRoom_m);
         std::vector<scene::Plant> plants(trees.size() + shrubs.size() + herbs.size());
         std::size_t first = 0;
         for (const auto* storey : {&trees, &shrubs, &herbs}) {

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "synthesis/compose/gardens.hpp"
 #include "synthesis/houses/bounds.hpp"
 #include "synthesis/houses/bridges.hpp"
 #include "synthesis/houses/grounds.hpp"
@@ -41,6 +42,7 @@ void HouseBuilders::build(scene::Land& land) {
         land.roads.push_back(std::move(road));
     }
     land.settlement = settled_.settlement;
+    land.settlement.gardens = lay_gardens(land, parameters_, seed_.child("gardens"));
     fields_ = houses::lay_fields(land, settled_, parameters_, seed_.child("fields"));
     land.settlement.bounds = houses::add_bounds(land, settled_, fields_, parameters_, seed_.child("bounds"));
     for (scene::Masses& jetty : houses::add_jetties(land, settled_, parameters_, seed_.child("jetties")))

@@ -12,7 +12,8 @@ namespace quadrat::synthesis::houses {
 namespace {
 
 const glm::vec3 kEarth{0.53F, 0.46F, 0.35F};  // sRGB
-const glm::vec3 kBalk{0.36F, 0.45F, 0.24F};   // the grass between fields
+const glm::vec3 kDug{0.36F, 0.28F, 0.20F};
+const glm::vec3 kBalk{0.36F, 0.45F, 0.24F};  // the grass between fields
 
 void blend(std::uint8_t* pixel, const glm::vec3& srgb, float share) {
     for (int c = 0; c < 3; ++c) {
@@ -75,6 +76,17 @@ void paint_yard(const Canvas& canvas, const scene::Building& building, const sce
     });
 }
 
+// Dug earth under what is planted in it.
+void paint_bed(const Canvas& canvas, const scene::GardenPlant& plant, base::Seed seed) {
+    if (plant.what == scene::Bedded::FruitTree) return;
+    const float reach_m = plant.what == scene::Bedded::Vegetable ? 0.6F : 0.5F;
+    canvas.paint(plant.at_m - reach_m, plant.at_m + reach_m, [&](std::uint8_t* pixel, glm::vec2 at, int x, int y) {
+        const float share = 1 - glm::smoothstep(0.3F * reach_m, reach_m, glm::distance(at, plant.at_m));
+        const float chance = base::unit_of(base::hash_of(seed, x, y));
+        if (share > 0) blend(pixel, kDug * (0.9F + 0.2F * chance), 0.75F * share);
+    });
+}
+
 }  // namespace
 
 void paint_grounds(mesh::Image& albedo, const scene::Land& land, const Settled& settled,
@@ -84,6 +96,7 @@ void paint_grounds(mesh::Image& albedo, const scene::Land& land, const Settled& 
     const scene::Settlement& settlement = settled.settlement;
     for (const scene::House& house : settlement.houses)
         paint_yard(canvas, settlement.buildings[house.building], house, green, seed);
+    for (const scene::GardenPlant& plant : land.settlement.gardens) paint_bed(canvas, plant, seed.child("beds"));
     for (const Lane& lane : settled.lanes)
         for (std::size_t i = 0; i + 1 < lane.line_m.size(); ++i) {
             const glm::vec2 a = lane.line_m[i];
