@@ -70,7 +70,8 @@ struct Settlement {
     float lit_share = 0.5F;  // of the windows, on a dark night
 
     bool is_empty() const { return houses.empty(); }
-    std::size_t triangles() const;  // of the finest level of all
+    Settlement without_masses() const;  // of its buildings; nor bounds: where everything stands
+    std::size_t triangles() const;      // of the finest level of all
 };
 
 // The corners of a house's walls on the ground, counter-clockwise seen from above; grown by so much on all sides.
@@ -78,6 +79,17 @@ std::vector<glm::vec2> outline_m(const Building& building, const House& house, f
 
 // Places along that outline, no more than so far apart.
 std::vector<glm::vec2> along_outline_m(const Building& building, const House& house, float grown_m, float apart_m);
+
+// A house as it stands, to ask of many places.
+class HouseFrame {
+  public:
+    HouseFrame(const Building& building, const House& house);
+    float away_m(glm::vec2 at_m) const;  // from its walls; 0 within them
+
+  private:
+    glm::vec2 foot_m_, half_m_;
+    float cos_, sin_;
+};
 
 // How far a place lies from a house's walls; 0 within them.
 float to_house_m(const Building& building, const House& house, glm::vec2 at_m);

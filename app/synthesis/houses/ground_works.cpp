@@ -79,9 +79,10 @@ void level_pads(scene::Land& land, const scene::Settlement& settlement) {
     for (const scene::House& house : settlement.houses) {
         const scene::Building& building = settlement.buildings[house.building];
         const float reach_m = glm::length(building.half_m) + kPadRoom_m + kPadEase_m;
+        const scene::HouseFrame frame(building, house);
         for_samples(land, {house.foot_m.x, house.foot_m.z}, reach_m, [&](const float& h, glm::vec2 p) {
             const auto i = static_cast<std::size_t>(&h - land.height_m.samples.data());
-            const float its = 1 - smooth((to_house_m(building, house, p) - kPadRoom_m) / kPadEase_m);
+            const float its = 1 - smooth((frame.away_m(p) - kPadRoom_m) / kPadEase_m);
             const float says = its / (1.001F - its);
             weight.samples[i] += says;
             wished.samples[i] += says * house.foot_m.y;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/houses/grounds.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -11,6 +13,7 @@
 namespace quadrat::synthesis::houses {
 namespace {
 
+constexpr int kFewRows = 24;
 const glm::vec3 kEarth{0.53F, 0.46F, 0.35F};  // sRGB
 const glm::vec3 kDug{0.36F, 0.28F, 0.20F};
 const glm::vec3 kBalk{0.36F, 0.45F, 0.24F};  // the grass between fields
@@ -33,11 +36,19 @@ class Canvas {
 
     template <typename Paint>
     void paint(glm::vec2 low_m, glm::vec2 high_m, const Paint& paint_at) const {
-        for (int y = pixel_of(low_m.y); y <= pixel_of(high_m.y); ++y)
+        const int first = pixel_of(low_m.y);
+        const int last = pixel_of(high_m.y);
+        const auto row = [&](int y) {
             for (int x = pixel_of(low_m.x); x <= pixel_of(high_m.x); ++x) {
                 const glm::vec2 at = (glm::vec2{static_cast<float>(x), static_cast<float>(y)} + 0.5F - half_) / per_m_;
                 paint_at(albedo_.pixel(x, y), at, x, y);
             }
+        };
+        // Rows are nobody else's, so that threads do not matter; a few are not worth waking anybody.
+        if (last - first < kFewRows)
+            for (int y = first; y <= last; ++y) row(y);
+        else
+            oneapi::tbb::parallel_for(first, last + 1, row);
     }
 
   private:
@@ -65,9 +76,11 @@ void paint_yard(const Canvas& canvas, const scene::Building& building, const sce
                 base::Seed seed) {
     const glm::vec2 at_m{house.foot_m.x, house.foot_m.z};
     const float reach_m = glm::length(building.half_m) + 14;
+    const scene::HouseFrame frame(building, house);
     const glm::vec3 lawn{0.43F, 0.52F, 0.27F};
     canvas.paint(at_m - reach_m, at_m + reach_m, [&](std::uint8_t* pixel, glm::vec2 at, int x, int y) {
-        const float away_m = scene::to_house_m(building, house, at);
+        const float away_m = frame.away_m(at);
+        if (away_m > 12) return;
         const float ragged = base::unit_of(base::hash_of(seed, x, y));
         const float garden = 0.55F * green * (1 - glm::smoothstep(6.0F, 12.0F, away_m + 3 * ragged));
         if (garden > 0) blend(pixel, lawn * (0.93F + 0.14F * ragged), garden);

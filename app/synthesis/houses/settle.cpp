@@ -17,6 +17,7 @@ namespace {
 
 constexpr float kMostFall_m = 3.2F;  // of the ground under one house
 constexpr float kSounded_m = 3.5F;   // from place to place where the ground is looked at
+constexpr int kRounds = 3;           // along all lanes
 constexpr float kFlight_m = 42;      // around where the viewer's flight may pass no one builds
 constexpr int kChapelAt = 4;         // the chapel is the fifth building
 constexpr int kLandmarkAt = 7;       // mill or lighthouse
@@ -83,7 +84,9 @@ class Growth {
                 tried_landmark_ = true;
                 if (place_landmark()) continue;
             }
-            if (!build_along_lanes()) return;
+            if (build_along_lanes()) continue;
+            if (++rounds_ == kRounds) return;
+            look_for_gaps();
         }
     }
 
@@ -92,8 +95,7 @@ class Growth {
         settled.middle_m = middle_;
         for (const scene::House& house : houses_)
             settled.reach_m = std::max(settled.reach_m, glm::distance(middle_, {house.foot_m.x, house.foot_m.z}));
-        stock_.raise();
-        settled.settlement.buildings = stock_.buildings();
+        settled.settlement.buildings = stock_.raised();
         settled.settlement.houses = std::move(houses_);
         settled.settlement.lit_share = p_.settle_lit_share;
         for (std::size_t b = branches_.size(); b-- > 0;) {
@@ -114,6 +116,14 @@ class Growth {
     }
 
   private:
+    // Where all lanes are built along, people build closer: in what gaps there are left, smaller steps apart.
+    void look_for_gaps() {
+        for (Frontage& f : frontages_) {
+            f.at_m = branches_[static_cast<std::size_t>(f.branch)].from < 0 ? 2.0F : 4.0F;
+            f.price = price(f);
+        }
+    }
+
     // After a point; before water that it would end in.
     static void cut(Lane& lane, std::size_t last) {
         for (const Lane::Crossing& crossing : lane.crossings)
@@ -166,9 +176,8 @@ class Growth {
         const Lane& lane = branches_[static_cast<std::size_t>(f.branch)].lane;
         const glm::vec2 here = point(f, f.at_m);
         const Use use = use_at(here, random);
-        const Stock::Offer offer = stock_.draw(use, seed_.child("own").child(houses_.size()));
-        scene::Building shell;
-        shell.half_m = half_of(offer.design);
+        const Stock::Offer& offer = wished(use);
+        const scene::Building& shell = wished_shell_;
         const glm::vec2 half = shell.half_m;
         const glm::vec2 at = point(f, f.at_m + half.x);
         const glm::vec2 along = glm::normalize(point(f, f.at_m + 2 * half.x + 0.1F) - point(f, std::max(f.at_m, 0.0F)));
@@ -180,7 +189,7 @@ class Growth {
         const float turn = 0.06F * p_.settle_winding * random.normal();
         scene::House house = house_of(foot, -out, turn, random);
         if (f.at_m + 2 * half.x > f.end_m + 3 || !fits(shell, house, 0.45F)) {
-            f.at_m += 3.5F;
+            f.at_m += rounds_ == 0 ? 3.5F : 1.8F;
             return false;
         }
         f.at_m += 2 * half.x + gap_m;
@@ -188,6 +197,16 @@ class Growth {
         used = std::max(used, f.at_m - gap_m);
         move_in(house, offer);
         return true;
+    }
+
+    // What the next to come would build, wherever they may.
+    const Stock::Offer& wished(Use use) {
+        if (wished_by_ != houses_.size() || wished_.use != use) {
+            wished_ = stock_.draw(use, seed_.child("own").child(houses_.size()));
+            wished_by_ = houses_.size();
+            wished_shell_.half_m = half_of(wished_.design);
+        }
+        return wished_;
     }
 
     void move_in(scene::House house, const Stock::Offer& offer) {
@@ -255,13 +274,14 @@ class Growth {
     bool is_off_lanes(const scene::Building& building, const scene::House& house) const {
         const glm::vec2 at{house.foot_m.x, house.foot_m.z};
         const float near_m = glm::length(building.half_m) + 12;
+        const scene::HouseFrame frame(building, house);
         const auto is_off = [&](const std::vector<glm::vec2>& line, float half_m) {
             for (std::size_t i = 0; i < line.size(); ++i) {
                 if (glm::distance(line[i], at) > near_m) continue;
                 const glm::vec2 next = line[std::min(i + 1, line.size() - 1)];
                 for (int k = 0; k < 4; ++k) {
                     const glm::vec2 p = line[i] + 0.25F * static_cast<float>(k) * (next - line[i]);
-                    if (to_house_m(building, house, p) < half_m + 0.45F) return false;
+                    if (frame.away_m(p) < half_m + 0.45F) return false;
                 }
             }
             return true;
@@ -290,9 +310,8 @@ class Growth {
             }
         std::ranges::stable_sort(spots, [](const Spot& a, const Spot& b) { return a.wished > b.wished; });
         base::RandomStream random{seed_.child("alone").child(static_cast<std::uint64_t>(use))};
-        const Stock::Offer offer = stock_.draw(use, seed_.child("own").child(houses_.size()));
-        scene::Building shell;
-        shell.half_m = half_of(offer.design);
+        const Stock::Offer& offer = wished(use);
+        const scene::Building& shell = wished_shell_;
         for (std::size_t i = 0; i < std::min(spots.size(), std::size_t{60}); ++i) {
             const glm::vec2 to_lane = nearest_on_lanes(spots[i].at) - spots[i].at;
             if (glm::length(to_lane) < 1 || glm::length(to_lane) > 0.8F * reach_m) continue;
@@ -373,12 +392,16 @@ class Growth {
     base::Seed seed_;
     glm::vec2 middle_;
     Stock stock_;
+    Stock::Offer wished_;
+    std::size_t wished_by_ = static_cast<std::size_t>(-1);
+    scene::Building wished_shell_;
     std::vector<Lane> roads_;  // of the land
     std::vector<Branch> branches_;
     std::vector<Frontage> frontages_;
     std::vector<float> used_m_;  // of each branch
     std::vector<Lane> paths_;
     std::vector<scene::House> houses_;
+    int rounds_ = 0;
     bool tried_chapel_ = false, tried_landmark_ = false;
 };
 

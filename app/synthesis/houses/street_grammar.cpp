@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
@@ -53,6 +54,12 @@ struct Drawing {
     struct Line {
         Branch branch;
         bool has_met = false;
+        glm::vec2 low_m{0}, high_m{0};  // the rectangle about it
+
+        bool is_near(glm::vec2 at_m, float reach_m) const {
+            return at_m.x > low_m.x - reach_m && at_m.x < high_m.x + reach_m && at_m.y > low_m.y - reach_m &&
+                   at_m.y < high_m.y + reach_m;
+        }
     };
     struct Question {
         std::size_t symbol = 0;
@@ -141,7 +148,10 @@ class Pen {
         if (state_.line < 0) {
             state_.line = static_cast<int>(drawing_.lines.size());
             drawing_.lines.push_back(
-                {{{{state_.at_m}, state_.width_m, state_.is_road, {}}, state_.from, state_.from_at_m}, false});
+                {{{{state_.at_m}, state_.width_m, state_.is_road, {}}, state_.from, state_.from_at_m},
+                 false,
+                 state_.at_m,
+                 state_.at_m});
         }
         const std::size_t from = lane().line_m.size() - 1;
         const glm::vec2 way = toward(state_.heading_deg);
@@ -150,6 +160,9 @@ class Pen {
             state_.at_m += way * (length_m / static_cast<float>(steps));
             lane().line_m.push_back(state_.at_m);
         }
+        Drawing::Line& line = drawing_.lines[static_cast<std::size_t>(state_.line)];
+        line.low_m = glm::min(line.low_m, state_.at_m);
+        line.high_m = glm::max(line.high_m, state_.at_m);
         if (is_over_water) lane().crossings.push_back({from, lane().line_m.size() - 1});
         if (!is_over_water && !state_.is_road && std::abs(length_m - kLaneStep_m) > 1.0e-3F)
             drawing_.lines[static_cast<std::size_t>(state_.line)].has_met = true;
@@ -294,6 +307,7 @@ class Surveyor {
         };
         for (std::size_t i = 0; i < drawing_.lines.size(); ++i) {
             if (is_kin(kin_of(static_cast<int>(i)), q)) continue;
+            if (!drawing_.lines[i].is_near(to, kApart_m)) continue;
             const std::vector<glm::vec2>& line = drawing_.lines[i].branch.lane.line_m;
             for (std::size_t k = 0; k + 1 < line.size(); ++k) look(line[k], line[k + 1]);
         }

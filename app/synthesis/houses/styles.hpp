@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "base/seed.hpp"
@@ -40,6 +41,10 @@ class Stock {
     bool has_chimney(std::uint32_t building) const { return designs_[building].design.chimneys > 0; }
     // Makes what was taken; deterministic, in parallel.
     void raise();
+    std::vector<scene::Building> raised() {
+        raise();
+        return std::move(buildings_);
+    }
 
     static std::size_t most_of(Use use);
 

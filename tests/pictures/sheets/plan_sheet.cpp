@@ -110,8 +110,8 @@ std::string roofs() {
     const std::vector<tests::NamedPlan> plans = tests::degenerate_plans();
     std::string inner;
     for (std::size_t i = 0; i < kRoofs; ++i) {
-        // Every third, so that turned ones are among them.
-        const tests::NamedPlan& one = plans[(3 * i) % plans.size()];
+        // Every seventh, so that there are some of every shape, and turned ones.
+        const tests::NamedPlan& one = plans[(7 * i) % plans.size()];
         const Box box{kCell * static_cast<double>(i % kColumns), kCell * static_cast<double>(i / kColumns), kCell};
         inner += roof_svg(mesh::straight_skeleton(one.plan), box, one.name);
     }
