@@ -83,8 +83,9 @@ void HouseBuilders::keep_fields_clear(const scene::Land& land, mesh::Field& to_e
     constexpr float kHedge_m = 2;  // left to trees at a field's edge
     for (const houses::FieldPlot& field : fields_) {
         const auto [low, high] = houses::extent_of(field.outline_m);
+        const houses::Inside inside(field.outline_m);
         for_samples(to_edge_m, land.cell_m, low, high, [&](float& to_edge, glm::vec2 at) {
-            to_edge = std::min(to_edge, std::max(kHedge_m - houses::within_m(field.outline_m, at), -4.0F));
+            to_edge = std::min(to_edge, std::max(kHedge_m - inside.by_m(at), -4.0F));
         });
     }
 }

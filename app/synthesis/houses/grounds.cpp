@@ -60,8 +60,9 @@ class Canvas {
 void paint_field(const Canvas& canvas, const FieldPlot& field, base::Seed seed) {
     const auto [low, high] = extent_of(field.outline_m);
     const glm::vec2 across{-field.along.y, field.along.x};
+    const Inside inside(field.outline_m);
     canvas.paint(low, high, [&](std::uint8_t* pixel, glm::vec2 at, int x, int y) {
-        const float in = within_m(field.outline_m, at);
+        const float in = inside.by_m(at);
         if (in < 0) return;
         const float chance = base::unit_of(base::hash_of(seed, x, y));
         const float row = std::sin(glm::dot(at, across) * 1.6F);
