@@ -82,22 +82,25 @@ void add_water(Results& results) {
 // What people add to the growing of a land: a hamlet, a town.
 void add_settlement(Results& results) {
     scene::LandParameters p;
+    p.land_relief_m = 60;  // there is room for a town
+    p.land_sea_level = 0.05F;
     const scene::Land wild = synthesis::grow_land(p, base::Seed{11});
     mesh::Image albedo(1024, 1024, 4);
     const auto settle = [&](const char* row, float age) {
         p.settle_age = age;
-        scene::Land land = wild;
         std::size_t houses = 0;
-        const double ms = best_ms(5, [&] {
-            land.settlement = {};
-            land.roads.clear();
-            synthesis::HouseBuilders builders(p, base::Seed{11});
-            builders.build(land);
-            mesh::Field to_edge_m;
-            builders.keep_clear(land, to_edge_m);
-            builders.paint(land, albedo);
+        double ms = 1.0e30;
+        for (int run = 0; run < 5; ++run) {
+            scene::Land land = wild;  // the ground is levelled
+            ms = std::min(ms, milliseconds_of([&] {
+                              synthesis::HouseBuilders builders(p, base::Seed{11});
+                              builders.build(land);
+                              mesh::Field to_edge_m;
+                              builders.keep_clear(land, to_edge_m);
+                              builders.paint(land, albedo);
+                          }));
             houses = land.settlement.houses.size();
-        });
+        }
         results.push_back({row, ms, fmt::format("ms, {} houses", houses), 2});
     };
     const Threads two(2);

@@ -100,7 +100,7 @@ int plan(const Options& options) {
 void add_lots(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("lots", "Divide a region into blocks, streets and lots");
-    command->add_option("region", options->region, "JSON, metres: {\"outer\": [[x, y], …]}, convex")->required();
+    command->add_option("region", options->region, "JSON, metres: {\"outer\": [[x, y], …]}")->required();
     command->add_option("-o,--output", options->output, "NAME.json or .svg; -: JSON on standard output")
         ->capture_default_str();
     command->add_option("--seed", options->seed, "Of chance")->capture_default_str();

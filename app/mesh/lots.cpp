@@ -6,7 +6,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
+#include <optional>
 
+#include "mesh/clip.hpp"
 #include "mesh/straight_skeleton.hpp"
 #include "mesh/voronoi.hpp"
 
@@ -16,12 +18,6 @@ namespace {
 using Loop = std::vector<glm::dvec2>;
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
-
-double signed_area(const Loop& loop) {
-    double area = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) area += cross(loop[i], loop[(i + 1) % loop.size()]);
-    return 0.5 * area;
-}
 
 // The rectangle of least area round a shape has a side along one of its edges.
 struct Axis {
@@ -179,11 +175,6 @@ std::vector<VoronoiSite> sites_by_chance(const Loop& region, const TownRules& ru
     const double spacing = std::sqrt(std::abs(signed_area(region)) / rules.sites);
     std::vector<VoronoiSite> sites;
     base::RandomStream chance{seed};
-    const auto is_inside = [&region](glm::dvec2 p) {
-        for (std::size_t i = 0; i < region.size(); ++i)
-            if (cross(region[(i + 1) % region.size()] - region[i], p - region[i]) <= 0) return false;
-        return true;
-    };
     // Each of the best of some candidates (Mitchell 1991), so that no two crowd.
     constexpr int kCandidates = 6;
     for (int tries = 0; static_cast<int>(sites.size()) < rules.sites && tries < 100 * rules.sites; ++tries) {
@@ -191,7 +182,7 @@ std::vector<VoronoiSite> sites_by_chance(const Loop& region, const TownRules& ru
         double farthest = -1;
         for (int k = 0; k < kCandidates; ++k) {
             const glm::dvec2 p = low + (high - low) * glm::dvec2(chance.unit(), chance.unit());
-            if (!is_inside(p)) continue;
+            if (!is_inside({region}, p)) continue;
             double nearest = 1.0e300;
             for (const VoronoiSite& other : sites) nearest = std::min(nearest, glm::distance(p, other.at_m));
             if (nearest > farthest) {
@@ -239,21 +230,65 @@ std::vector<Loop> behind_streets(const std::vector<Loop>& block, double half_str
     return pieces;
 }
 
+namespace {
+
+bool is_convex(const Loop& loop) {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        if (cross(loop[(i + 1) % loop.size()] - loop[i], loop[(i + 2) % loop.size()] - loop[i]) < 0) return false;
+    return true;
+}
+
+// Well around it, so that no cell's edge runs along one of the region's.
+Loop box_around(const Loop& region) {
+    glm::dvec2 low(1.0e300);
+    glm::dvec2 high(-1.0e300);
+    for (const glm::dvec2& p : region) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    const glm::dvec2 more = 0.21 * (high - low);
+    low -= more;
+    high += more;
+    return {low, {high.x, low.y}, high, {low.x, high.y}};
+}
+
+// Nothing where the diagram cannot be clipped for certain; then others sites may.
+std::optional<std::vector<std::vector<Loop>>> blocks_of(const Loop& region, const TownRules& rules, base::Seed seed,
+                                                        base::Seed merging) {
+    const bool is_plain = is_convex(region);
+    const std::vector<VoronoiSite> sites = sites_by_chance(region, rules, seed);
+    const std::vector<VoronoiCell> cells = voronoi_cells(sites, is_plain ? region : box_around(region));
+    const double tolerance_m = 0.02 * std::sqrt(signed_area(region) / std::max(rules.sites, 1));
+    std::vector<std::vector<Loop>> blocks;
+    for (const std::vector<int>& group : groups_by_chance(cells, rules.merged, merging)) {
+        std::vector<Loop> block = merged_outline(sites, cells, group, tolerance_m);
+        if (block.empty()) continue;
+        if (!is_plain) {
+            const std::optional<std::vector<Loop>> within = common_area(block, {region});
+            if (!within) return std::nullopt;
+            for (std::vector<Loop>& shape : sorted_into_shapes(*within)) blocks.push_back(std::move(shape));
+            continue;
+        }
+        std::sort(block.begin(), block.end(),
+                  [](const Loop& a, const Loop& b) { return signed_area(a) > signed_area(b); });
+        blocks.push_back(std::move(block));
+    }
+    return blocks;
+}
+
+}  // namespace
+
 TownPlan plan_town(const Loop& region, const TownRules& rules, base::Seed seed) {
     Loop turned = region;
     if (signed_area(turned) < 0) std::reverse(turned.begin(), turned.end());
-    for (std::size_t i = 0; i < turned.size(); ++i)
-        if (cross(turned[(i + 1) % turned.size()] - turned[i], turned[(i + 2) % turned.size()] - turned[i]) < 0)
-            throw PlanError("the region is not convex: at least one of its corners points inward");
-    const std::vector<VoronoiSite> sites = sites_by_chance(turned, rules, seed.child("sites"));
-    const std::vector<VoronoiCell> cells = voronoi_cells(sites, turned);
+    constexpr std::uint64_t kTries = 8;
+    std::optional<std::vector<std::vector<Loop>>> blocks =
+        blocks_of(turned, rules, seed.child("sites"), seed.child("merged"));
+    for (std::uint64_t again = 1; !blocks && again < kTries; ++again)
+        blocks = blocks_of(turned, rules, seed.child("sites").child(again), seed.child("merged"));
+    if (!blocks) throw PlanError("the region's edges lie so near each other that cells cannot be told apart");
     TownPlan town;
-    const double tolerance_m = 0.02 * std::sqrt(signed_area(turned) / std::max(rules.sites, 1));
-    for (const std::vector<int>& group : groups_by_chance(cells, rules.merged, seed.child("merged"))) {
-        std::vector<Loop> block = merged_outline(sites, cells, group, tolerance_m);
-        if (block.empty()) continue;
-        std::sort(block.begin(), block.end(),
-                  [](const Loop& a, const Loop& b) { return signed_area(a) > signed_area(b); });
+    for (std::vector<Loop>& block : *blocks) {
         const auto number = static_cast<int>(town.blocks.size());
         for (const Loop& land : behind_streets(block, 0.5 * rules.street_m)) {
             if (signed_area(land) <= 0) continue;

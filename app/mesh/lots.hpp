@@ -48,8 +48,9 @@ struct TownRules {
     LotRules lots;
 };
 
-// Figure 5 of Kelly's report: cells of points by chance within a convex region, some merged with a neighbour, then
-// streets between them and lots. Throws PlanError for a region that is not convex.
+// Figure 5 of Kelly's report: cells of points by chance within a region, a simple polygon either way round, some merged
+// with a neighbour, then streets between them and lots. Where a bay cuts a cell in two, each part is a block. Throws
+// PlanError where edges of the region all but touch; what crosses itself is the caller's to find, see plan_check.
 TownPlan plan_town(const std::vector<glm::dvec2>& region, const TownRules& rules, base::Seed seed);
 
 }  // namespace quadrat::mesh

@@ -39,7 +39,7 @@ scene::Settlement hut() {
     settlement.buildings.push_back({{masses}, {4, 4}, 6, {{0, 7, 0}}});
     scene::House house;
     house.foot_m = {120, 18, 90};
-    house.has_smoke = true;
+    house.plume.strength = 1;
     settlement.houses.push_back(house);
     return settlement;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/settlement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -34,12 +35,43 @@ std::vector<glm::vec2> outline_m(const Building& building, const House& house, f
     return corners;
 }
 
+std::vector<glm::vec2> along_outline_m(const Building& building, const House& house, float grown_m, float apart_m) {
+    const std::vector<glm::vec2> corners = outline_m(building, house, grown_m);
+    std::vector<glm::vec2> places;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::vec2 from = corners[i];
+        const glm::vec2 way = corners[(i + 1) % corners.size()] - from;
+        const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(way) / apart_m)));
+        for (int k = 0; k < steps; ++k)
+            places.push_back(from + way * (static_cast<float>(k) / static_cast<float>(steps)));
+    }
+    return places;
+}
+
+HouseFrame::HouseFrame(const Building& building, const House& house)
+    : foot_m_(house.foot_m.x, house.foot_m.z),
+      half_m_(building.half_m),
+      cos_(std::cos(house.yaw_rad)),
+      sin_(std::sin(house.yaw_rad)) {}
+
+float HouseFrame::away_m(glm::vec2 at_m) const {
+    const glm::vec2 d = at_m - foot_m_;
+    const glm::vec2 local{cos_ * d.x - sin_ * d.y, sin_ * d.x + cos_ * d.y};
+    return glm::length(glm::max(glm::abs(local) - half_m_, glm::vec2{0}));
+}
+
 float to_house_m(const Building& building, const House& house, glm::vec2 at_m) {
-    const glm::vec2 d = at_m - glm::vec2{house.foot_m.x, house.foot_m.z};
-    const float c = std::cos(house.yaw_rad);
-    const float s = std::sin(house.yaw_rad);
-    const glm::vec2 local{c * d.x - s * d.y, s * d.x + c * d.y};
-    return glm::length(glm::max(glm::abs(local) - building.half_m, glm::vec2{0}));
+    return HouseFrame(building, house).away_m(at_m);
+}
+
+Settlement Settlement::without_masses() const {
+    Settlement bare;
+    for (const Building& building : buildings)
+        bare.buildings.push_back({{}, building.half_m, building.height_m, building.chimneys_m});
+    bare.houses = houses;
+    bare.gardens = gardens;
+    bare.lit_share = lit_share;
+    return bare;
 }
 
 }  // namespace quadrat::scene

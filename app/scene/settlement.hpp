@@ -30,6 +30,17 @@ struct Building {
     std::vector<glm::vec3> chimneys_m;
 };
 
+// Smoke from one of a house's chimneys.
+struct Plume {
+    float strength = 0;  // how dense it is: 0 none to 1
+    float width = 1;     // factors of the usual
+    float rise = 1;
+    float phase = 0;    // 0 to 1: how far its puffs are ahead of another's
+    float chimney = 0;  // 0 to 1: which of them, in their order
+
+    friend bool operator==(const Plume&, const Plume&) = default;
+};
+
 struct House {
     std::uint32_t building = 0;
     glm::vec3 foot_m{0};
@@ -37,7 +48,17 @@ struct House {
     glm::vec3 wall_tint{1};  // factors
     glm::vec3 roof_tint{1};
     float evening = 0;  // 0 to 1: added to its lamps, so that no two houses wake alike
-    bool has_smoke = false;
+    Plume plume;
+};
+
+// What people have planted by their houses; which of a flora's kinds it is follows from that.
+enum class Bedded : std::uint8_t { FruitTree, Bush, Flower, Vegetable };
+struct GardenPlant {
+    glm::vec2 at_m{0};
+    Bedded what = Bedded::FruitTree;
+    float height_m = 4;
+
+    friend bool operator==(const GardenPlant&, const GardenPlant&) = default;
 };
 
 // What people have built on a land.
@@ -45,14 +66,30 @@ struct Settlement {
     std::vector<Building> buildings;
     std::vector<House> houses;   // in the order they were built: a younger settlement has the first of them
     std::vector<Masses> bounds;  // fences, walls, hedges along plots and fields, a piece a plot, where they stand
-    float lit_share = 0.5F;      // of the windows, on a dark night
+    std::vector<GardenPlant> gardens;
+    float lit_share = 0.5F;  // of the windows, on a dark night
 
     bool is_empty() const { return houses.empty(); }
-    std::size_t triangles() const;  // of the finest level of all
+    Settlement without_masses() const;  // of its buildings; nor bounds: where everything stands
+    std::size_t triangles() const;      // of the finest level of all
 };
 
 // The corners of a house's walls on the ground, counter-clockwise seen from above; grown by so much on all sides.
 std::vector<glm::vec2> outline_m(const Building& building, const House& house, float grown_m = 0);
+
+// Places along that outline, no more than so far apart.
+std::vector<glm::vec2> along_outline_m(const Building& building, const House& house, float grown_m, float apart_m);
+
+// A house as it stands, to ask of many places.
+class HouseFrame {
+  public:
+    HouseFrame(const Building& building, const House& house);
+    float away_m(glm::vec2 at_m) const;  // from its walls; 0 within them
+
+  private:
+    glm::vec2 foot_m_, half_m_;
+    float cos_, sin_;
+};
 
 // How far a place lies from a house's walls; 0 within them.
 float to_house_m(const Building& building, const House& house, glm::vec2 at_m);

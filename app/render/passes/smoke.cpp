@@ -25,14 +25,22 @@ constexpr std::array<glm::vec2, 4> kCorners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}
 struct PuffCorner {
     glm::vec3 chimney_m;
     glm::vec4 corner_age;
+    glm::vec3 strength_width_rise;
 };
 
-std::vector<glm::vec3> chimneys_of(const scene::Settlement& settlement) {
-    std::vector<glm::vec3> all;
+struct Smoking {
+    glm::vec3 chimney_m;
+    scene::Plume plume;
+};
+
+std::vector<Smoking> chimneys_of(const scene::Settlement& settlement) {
+    std::vector<Smoking> all;
     for (const scene::House& house : settlement.houses) {
         const scene::Building& building = settlement.buildings[house.building];
-        if (!house.has_smoke || building.chimneys_m.empty() || all.size() == kMostChimneys) continue;
-        all.push_back(scene::placed(house, building.chimneys_m.front()));
+        const std::vector<glm::vec3>& chimneys = building.chimneys_m;
+        if (house.plume.strength <= 0 || chimneys.empty() || all.size() == kMostChimneys) continue;
+        const auto which = static_cast<std::size_t>(house.plume.chimney * static_cast<float>(chimneys.size()));
+        all.push_back({scene::placed(house, chimneys[std::min(which, chimneys.size() - 1)]), house.plume});
     }
     return all;
 }
@@ -40,16 +48,17 @@ std::vector<glm::vec3> chimneys_of(const scene::Settlement& settlement) {
 }  // namespace
 
 void add_smoke(gl::Slices& slices, SmokeOnGpu& smoke, const std::shared_ptr<const scene::Land>& land) {
-    const auto chimneys = std::make_shared<std::vector<glm::vec3>>(chimneys_of(land->settlement));
+    const auto chimneys = std::make_shared<std::vector<Smoking>>(chimneys_of(land->settlement));
     smoke.puffs = chimneys->size() * kPuffs;
     if (smoke.puffs == 0) return;
     gl::add_made<PuffCorner>(slices, smoke.corners, GL_ARRAY_BUFFER, 4 * smoke.puffs, [chimneys](std::size_t i) {
         const std::size_t puff = i / 4;
         const std::size_t chimney = puff / kPuffs;
         const float chance = base::unit_of(base::hash_of(base::Seed{7}, static_cast<std::int64_t>(puff), 0));
-        const float first = base::unit_of(base::hash_of(base::Seed{8}, static_cast<std::int64_t>(chimney), 0));
-        const float age = first + (static_cast<float>(puff % kPuffs) + 0.6F * chance) / kPuffs;
-        return PuffCorner{(*chimneys)[chimney], {kCorners[i % 4], age - std::floor(age), chance}};
+        const auto& [chimney_m, plume] = (*chimneys)[chimney];
+        const float age = plume.phase + (static_cast<float>(puff % kPuffs) + 0.6F * chance) / kPuffs;
+        return PuffCorner{
+            chimney_m, {kCorners[i % 4], age - std::floor(age), chance}, {plume.strength, plume.width, plume.rise}};
     });
     gl::add_made<std::uint16_t>(slices, smoke.indices, GL_ELEMENT_ARRAY_BUFFER, 6 * smoke.puffs, [](std::size_t i) {
         constexpr std::array<std::size_t, 6> kOfQuad{0, 1, 2, 0, 2, 3};
@@ -63,7 +72,8 @@ SmokePass::SmokePass()
                  sizeof(PuffCorner),
                  gl::Advance::PerVertex,
                  {{0, 3, GL_FLOAT, gl::Numbers::AsTheyAre, 0},
-                  {1, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(PuffCorner, corner_age)}}}} {}
+                  {1, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(PuffCorner, corner_age)},
+                  {2, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(PuffCorner, strength_width_rise)}}}} {}
 
 gl::Work SmokePass::draw(const SmokeOnGpu& smoke, glm::vec2 wind_m_s, float growth, const Reach& reach) const {
     const auto chimneys = static_cast<std::size_t>(growth * static_cast<float>(smoke.puffs / kPuffs));

@@ -8,32 +8,10 @@
 
 #include "scene/flora.hpp"
 #include "synthesis/compose/site.hpp"
+#include "synthesis/compose/storeys.hpp"
 
 // Which kind of plant grows where one can.
 namespace quadrat::synthesis {
-
-struct Storeyed {
-    std::vector<std::uint32_t> trees, shrubs, herbs;
-};
-
-inline Storeyed by_storey(const scene::Flora& flora) {
-    Storeyed kinds;
-    for (std::uint32_t i = 0; i < flora.species.size(); ++i) {
-        if (flora.species[i].is_form) continue;
-        switch (flora.species[i].storey) {
-            case scene::Storey::Tree:
-                kinds.trees.push_back(i);
-                break;
-            case scene::Storey::Shrub:
-                kinds.shrubs.push_back(i);
-                break;
-            case scene::Storey::Herb:
-                kinds.herbs.push_back(i);
-                break;
-        }
-    }
-    return kinds;
-}
 
 // One of the kinds by its share and how well it does, drawn by an own number of the place. best: of the best of them.
 // zone: where it lies, for kinds that keep to one.

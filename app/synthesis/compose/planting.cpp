@@ -18,10 +18,12 @@
 
 #include "synthesis/compose/clearing.hpp"
 #include "synthesis/compose/competition.hpp"
+#include "synthesis/compose/gardens.hpp"
 #include "synthesis/compose/kinds_of_plants.hpp"
 #include "synthesis/compose/lookups.hpp"
 #include "synthesis/compose/neighbours.hpp"
 #include "synthesis/compose/site.hpp"
+#include "synthesis/compose/storeys.hpp"
 
 namespace quadrat::synthesis {
 namespace {
@@ -49,12 +51,15 @@ class Planter {
     }
 
     std::vector<scene::Plant> plant() {
+        const Gardened gardens = gardens_in_sight(land_, flora_, sight_, {budget_.trees / 6, budget_.undergrowth / 5});
         std::vector<Candidate> trees;
         if (!kinds_.trees.empty()) {
             trees = grow_trees();
-            keep_most_seen(trees, budget_.trees - std::min<std::size_t>(budget_.trees, 3));
+            const std::size_t set = gardens.trees.size() + 3;
+            keep_most_seen(trees, budget_.trees - std::min(budget_.trees, set));
             frame_view(trees);
             set_hero(trees);
+            make_way(trees, gardens.trees, kOrchardRoom_m);
             grow_among_neighbours(trees, flora_);
         }
         const Shade shade(flora_, trees, half_m_);
@@ -62,7 +67,10 @@ class Planter {
         std::vector<Candidate> shrubs = grow_shrubs(near, shade);
         keep_most_seen(shrubs, budget_.undergrowth / 5);
         std::vector<Candidate> herbs = grow_herbs(near, shade);
-        keep_most_seen(herbs, budget_.undergrowth - shrubs.size());
+        make_way(shrubs, gardens.shrubs, kBedRoom_m);
+        keep_most_seen(herbs,
+                       budget_.undergrowth - std::min(budget_.undergrowth, shrubs.size() + gardens.herbs.size()));
+        make_way(herbs, gardens.herbs, kBedRoom_m);
         std::vector<scene::Plant> plants(trees.size() + shrubs.size() + herbs.size());
         std::size_t first = 0;
         for (const auto* storey : {&trees, &shrubs, &herbs}) {

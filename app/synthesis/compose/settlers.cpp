@@ -5,8 +5,11 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
+#include "synthesis/compose/gardens.hpp"
 #include "synthesis/houses/bounds.hpp"
+#include "synthesis/houses/bridges.hpp"
 #include "synthesis/houses/grounds.hpp"
 #include "synthesis/houses/waterside.hpp"
 
@@ -39,11 +42,15 @@ void HouseBuilders::build(scene::Land& land) {
         for (const glm::vec2 p : lane.line_m) road.line_m.emplace_back(p.x, scene::ground_height_m(land, p), p.y);
         land.roads.push_back(std::move(road));
     }
-    land.settlement = settled_.settlement;
+    land.settlement = std::move(settled_.settlement);
+    settled_.settlement = land.settlement.without_masses();
+    land.settlement.gardens = lay_gardens(land, parameters_, seed_.child("gardens"));
     fields_ = houses::lay_fields(land, settled_, parameters_, seed_.child("fields"));
     land.settlement.bounds = houses::add_bounds(land, settled_, fields_, parameters_, seed_.child("bounds"));
     for (scene::Masses& jetty : houses::add_jetties(land, settled_, parameters_, seed_.child("jetties")))
         land.settlement.bounds.push_back(std::move(jetty));
+    for (scene::Masses& bridge : houses::add_bridges(land, settled_, parameters_))
+        land.settlement.bounds.push_back(std::move(bridge));
 }
 
 void HouseBuilders::keep_clear(const scene::Land& land, mesh::Field& to_edge_m) {
@@ -57,8 +64,8 @@ void HouseBuilders::keep_clear(const scene::Land& land, mesh::Field& to_edge_m) 
         const scene::Building& building = land.settlement.buildings[house.building];
         const glm::vec2 foot{house.foot_m.x, house.foot_m.z};
         const float reach_m = glm::length(building.half_m);
-        lower(foot - reach_m, foot + reach_m,
-              [&](glm::vec2 at) { return scene::to_house_m(building, house, at) - kAboutWalls_m; });
+        const scene::HouseFrame frame(building, house);
+        lower(foot - reach_m, foot + reach_m, [&](glm::vec2 at) { return frame.away_m(at) - kAboutWalls_m; });
     }
     for (const houses::Lane& lane : settled_.lanes)
         for (std::size_t i = 0; i + 1 < lane.line_m.size(); ++i) {
@@ -76,8 +83,9 @@ void HouseBuilders::keep_fields_clear(const scene::Land& land, mesh::Field& to_e
     constexpr float kHedge_m = 2;  // left to trees at a field's edge
     for (const houses::FieldPlot& field : fields_) {
         const auto [low, high] = houses::extent_of(field.outline_m);
+        const houses::Inside inside(field.outline_m);
         for_samples(to_edge_m, land.cell_m, low, high, [&](float& to_edge, glm::vec2 at) {
-            to_edge = std::min(to_edge, std::max(kHedge_m - houses::within_m(field.outline_m, at), -4.0F));
+            to_edge = std::min(to_edge, std::max(kHedge_m - inside.by_m(at), -4.0F));
         });
     }
 }

@@ -79,7 +79,7 @@ Extent extent_of(const std::vector<glm::vec2>& outline_m) {
     return extent;
 }
 
-float within_m(const std::vector<glm::vec2>& outline, glm::vec2 at) {
+Inside::Inside(const std::vector<glm::vec2>& outline) {
     float area = 0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const glm::vec2 p = outline[i];
@@ -87,15 +87,14 @@ float within_m(const std::vector<glm::vec2>& outline, glm::vec2 at) {
         area += p.x * q.y - p.y * q.x;
     }
     const float sign = area > 0 ? 1.0F : -1.0F;
-    float least = 1.0e9F;
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const glm::vec2 p = outline[i];
         const glm::vec2 d = outline[(i + 1) % outline.size()] - p;
         const float length = glm::length(d);
         if (length < 1.0e-4F) continue;
-        least = std::min(least, sign * (d.x * (at.y - p.y) - d.y * (at.x - p.x)) / length);
+        const glm::vec2 in = sign / length * glm::vec2{-d.y, d.x};
+        sides_.emplace_back(in, -glm::dot(in, p));
     }
-    return least;
 }
 
 std::vector<FieldPlot> lay_fields(const scene::Land& land, const Settled& settled,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -28,7 +29,18 @@ struct Extent {
 };
 Extent extent_of(const std::vector<glm::vec2>& outline_m);
 
-// How far within a convex outline, either way round; less than 0 outside.
-float within_m(const std::vector<glm::vec2>& outline, glm::vec2 at);
+// A convex outline, either way round, to ask of many places.
+class Inside {
+  public:
+    explicit Inside(const std::vector<glm::vec2>& outline);
+    float by_m(glm::vec2 at) const {  // less than 0 outside
+        float least = 1.0e9F;
+        for (const glm::vec3& side : sides_) least = std::min(least, side.x * at.x + side.y * at.y + side.z);
+        return least;
+    }
+
+  private:
+    std::vector<glm::vec3> sides_;  // x, y inward, z offset
+};
 
 }  // namespace quadrat::synthesis::houses

@@ -44,6 +44,13 @@ void for_samples(scene::Land& land, glm::vec2 at, float reach_m, const Visit& vi
 void level_lane(scene::Land& land, const Lane& lane) {
     std::vector<float> heights;
     for (const glm::vec2 p : lane.line_m) heights.push_back(scene::ground_height_m(land, p));
+    std::vector<bool> is_over_water(heights.size(), false);
+    for (const Lane::Crossing& crossing : lane.crossings)
+        for (std::size_t i = crossing.from; i < crossing.to; ++i) {
+            const float t = static_cast<float>(i - crossing.from) / static_cast<float>(crossing.to - crossing.from);
+            heights[i] = heights[crossing.from] + t * (heights[crossing.to] - heights[crossing.from]);
+            is_over_water[i] = true;
+        }
     for (int round = 0; round < 3; ++round) {
         std::vector<float> even = heights;
         for (std::size_t i = 1; i + 1 < heights.size(); ++i)
@@ -52,6 +59,7 @@ void level_lane(scene::Land& land, const Lane& lane) {
     }
     const float half_m = 0.5F * lane.width_m + 0.4F;
     for (std::size_t i = 0; i + 1 < lane.line_m.size(); ++i) {
+        if (is_over_water[i]) continue;
         const glm::vec2 a = lane.line_m[i];
         const glm::vec2 d = lane.line_m[i + 1] - a;
         const float length2 = glm::dot(d, d);
@@ -71,9 +79,10 @@ void level_pads(scene::Land& land, const scene::Settlement& settlement) {
     for (const scene::House& house : settlement.houses) {
         const scene::Building& building = settlement.buildings[house.building];
         const float reach_m = glm::length(building.half_m) + kPadRoom_m + kPadEase_m;
+        const scene::HouseFrame frame(building, house);
         for_samples(land, {house.foot_m.x, house.foot_m.z}, reach_m, [&](const float& h, glm::vec2 p) {
             const auto i = static_cast<std::size_t>(&h - land.height_m.samples.data());
-            const float its = 1 - smooth((to_house_m(building, house, p) - kPadRoom_m) / kPadEase_m);
+            const float its = 1 - smooth((frame.away_m(p) - kPadRoom_m) / kPadEase_m);
             const float says = its / (1.001F - its);
             weight.samples[i] += says;
             wished.samples[i] += says * house.foot_m.y;
@@ -104,7 +113,7 @@ void level_ground(scene::Land& land, Settled& settled) {
         }
         house.foot_m.y = sum + 0.3F * (high - sum);
         // Ground that is made level must not sink below the water beside it.
-        for (const glm::vec2 p : outline_m(building, house, kPadRoom_m + land.cell_m))
+        for (const glm::vec2 p : along_outline_m(building, house, kPadRoom_m + land.cell_m, land.cell_m))
             house.foot_m.y = std::max(house.foot_m.y, scene::water_surface_m(land, p) + kOverWater_m);
         if (house.foot_m.y > land.snow_line_m) house.roof_tint *= kSnow / roof_colour(building);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/houses/grounds.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -11,8 +13,10 @@
 namespace quadrat::synthesis::houses {
 namespace {
 
+constexpr int kFewRows = 24;
 const glm::vec3 kEarth{0.53F, 0.46F, 0.35F};  // sRGB
-const glm::vec3 kBalk{0.36F, 0.45F, 0.24F};   // the grass between fields
+const glm::vec3 kDug{0.36F, 0.28F, 0.20F};
+const glm::vec3 kBalk{0.36F, 0.45F, 0.24F};  // the grass between fields
 
 void blend(std::uint8_t* pixel, const glm::vec3& srgb, float share) {
     for (int c = 0; c < 3; ++c) {
@@ -32,11 +36,19 @@ class Canvas {
 
     template <typename Paint>
     void paint(glm::vec2 low_m, glm::vec2 high_m, const Paint& paint_at) const {
-        for (int y = pixel_of(low_m.y); y <= pixel_of(high_m.y); ++y)
+        const int first = pixel_of(low_m.y);
+        const int last = pixel_of(high_m.y);
+        const auto row = [&](int y) {
             for (int x = pixel_of(low_m.x); x <= pixel_of(high_m.x); ++x) {
                 const glm::vec2 at = (glm::vec2{static_cast<float>(x), static_cast<float>(y)} + 0.5F - half_) / per_m_;
                 paint_at(albedo_.pixel(x, y), at, x, y);
             }
+        };
+        // Rows are nobody else's, so that threads do not matter; a few are not worth waking anybody.
+        if (last - first < kFewRows)
+            for (int y = first; y <= last; ++y) row(y);
+        else
+            oneapi::tbb::parallel_for(first, last + 1, row);
     }
 
   private:
@@ -48,8 +60,9 @@ class Canvas {
 void paint_field(const Canvas& canvas, const FieldPlot& field, base::Seed seed) {
     const auto [low, high] = extent_of(field.outline_m);
     const glm::vec2 across{-field.along.y, field.along.x};
+    const Inside inside(field.outline_m);
     canvas.paint(low, high, [&](std::uint8_t* pixel, glm::vec2 at, int x, int y) {
-        const float in = within_m(field.outline_m, at);
+        const float in = inside.by_m(at);
         if (in < 0) return;
         const float chance = base::unit_of(base::hash_of(seed, x, y));
         const float row = std::sin(glm::dot(at, across) * 1.6F);
@@ -64,14 +77,27 @@ void paint_yard(const Canvas& canvas, const scene::Building& building, const sce
                 base::Seed seed) {
     const glm::vec2 at_m{house.foot_m.x, house.foot_m.z};
     const float reach_m = glm::length(building.half_m) + 14;
+    const scene::HouseFrame frame(building, house);
     const glm::vec3 lawn{0.43F, 0.52F, 0.27F};
     canvas.paint(at_m - reach_m, at_m + reach_m, [&](std::uint8_t* pixel, glm::vec2 at, int x, int y) {
-        const float away_m = scene::to_house_m(building, house, at);
+        const float away_m = frame.away_m(at);
+        if (away_m > 12) return;
         const float ragged = base::unit_of(base::hash_of(seed, x, y));
         const float garden = 0.55F * green * (1 - glm::smoothstep(6.0F, 12.0F, away_m + 3 * ragged));
         if (garden > 0) blend(pixel, lawn * (0.93F + 0.14F * ragged), garden);
         const float worn = 0.8F * (1 - glm::smoothstep(0.4F, 2.2F + 1.4F * ragged, away_m));
         if (worn > 0) blend(pixel, kEarth * (0.9F + 0.15F * ragged), worn);
+    });
+}
+
+// Dug earth under what is planted in it.
+void paint_bed(const Canvas& canvas, const scene::GardenPlant& plant, base::Seed seed) {
+    if (plant.what == scene::Bedded::FruitTree) return;
+    const float reach_m = plant.what == scene::Bedded::Vegetable ? 0.6F : 0.5F;
+    canvas.paint(plant.at_m - reach_m, plant.at_m + reach_m, [&](std::uint8_t* pixel, glm::vec2 at, int x, int y) {
+        const float share = 1 - glm::smoothstep(0.3F * reach_m, reach_m, glm::distance(at, plant.at_m));
+        const float chance = base::unit_of(base::hash_of(seed, x, y));
+        if (share > 0) blend(pixel, kDug * (0.9F + 0.2F * chance), 0.75F * share);
     });
 }
 
@@ -84,6 +110,7 @@ void paint_grounds(mesh::Image& albedo, const scene::Land& land, const Settled& 
     const scene::Settlement& settlement = settled.settlement;
     for (const scene::House& house : settlement.houses)
         paint_yard(canvas, settlement.buildings[house.building], house, green, seed);
+    for (const scene::GardenPlant& plant : land.settlement.gardens) paint_bed(canvas, plant, seed.child("beds"));
     for (const Lane& lane : settled.lanes)
         for (std::size_t i = 0; i + 1 < lane.line_m.size(); ++i) {
             const glm::vec2 a = lane.line_m[i];

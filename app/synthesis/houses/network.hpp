@@ -16,8 +16,12 @@ struct Branch {
     float from_at_m = 0;  // along that
 };
 
+// How lanes lie to each other: crossing at right angles, in rings and rays, as feet have worn them.
+enum class Streets : std::uint8_t { Raster, Radial, Organic };
+Streets streets_of(const scene::LandParameters& parameters);
+
 // All lanes that a settlement about this place could ever have: the land's roads near by, a street through the middle
-// where there is none, and lanes off them, nearest first.
+// where there is none, and lanes off them.
 std::vector<Branch> grow_network(const scene::Land& land, glm::vec2 middle_m, const scene::LandParameters& parameters,
                                  base::Seed seed);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -24,12 +25,11 @@ glm::dvec2 unit(glm::dvec2 d) { return d / glm::length(d); }
 
 // Each side moved outward by its own distance.
 std::vector<glm::dvec2> grown(const Design& design) {
-    const std::vector<glm::dvec2>& plan = design.plan;
+    const std::vector<glm::dvec2>& plan = design.footprint.plan;
     const std::size_t n = plan.size();
     const auto out_of = [&](std::size_t i) {
         const glm::dvec2 d = unit(plan[(i + 1) % n] - plan[i]);
-        const bool is_gable = design.is_gable[i] && design.form != RoofForm::Hipped;
-        return glm::dvec2(d.y, -d.x) * (is_gable ? design.verge_m : design.eave_m);
+        return glm::dvec2(d.y, -d.x) * (is_gable(design, i) ? design.verge_m : design.eave_m);
     };
     std::vector<glm::dvec2> out;
     for (std::size_t i = 0; i < n; ++i) {
@@ -45,6 +45,13 @@ std::vector<glm::dvec2> grown(const Design& design) {
     return out;
 }
 
+bool is_broken(const Design& design) { return design.form == RoofForm::Mansard || design.form == RoofForm::Gambrel; }
+
+// Moss and soot begin where water runs off last.
+glm::vec3 mossy(const glm::vec3& roof, float wear) {
+    return glm::mix(roof, 0.75F * glm::mix(roof, glm::vec3{0.055F, 0.06F, 0.03F}, 0.6F), wear);
+}
+
 class RoofOver {
   public:
     RoofOver(scene::Building& to, const Design& design) : to_(to), design_(design) {
@@ -53,15 +60,18 @@ class RoofOver {
         thick_m_ = design.roof.cladding == scene::Cladding::Thatch ? kThatch_m : kThick_m;
         mesh::Plan plan{grown(design), {}};
         mesh::RoofOptions options;
+        const std::vector<glm::dvec2>& walls = design.footprint.plan;
         const auto cut = [&](std::size_t i) {
-            const glm::dvec2 d = design.plan[(i + 1) % design.plan.size()] - design.plan[i];
-            return rise_m(design, glm::length(d)) - hip_cut_m(design, glm::length(d)) + design.eave_m * pitch;
+            const double width_m = glm::length(walls[(i + 1) % walls.size()] - walls[i]);
+            return rise_m(design, width_m) - hip_cut_m(design, width_m) + design.eave_m * pitch;
         };
         options.profiles = {{{{0, design.pitch_deg}}}, {{{0, 90}}}};
+        if (is_broken(design))
+            options.profiles[0].courses.push_back({design.break_m + design.eave_m * pitch, design.upper_pitch_deg});
         for (std::size_t i = 0; i < plan.outer.size(); ++i) {
-            const bool is_gable = design.is_gable[i] && design.form != RoofForm::Hipped;
-            options.profile_of_edge.push_back(is_gable ? 1 : 0);
-            if (!is_gable || design.form != RoofForm::HalfHipped) continue;
+            const bool is_open = is_gable(design, i);
+            options.profile_of_edge.push_back(is_open ? 1 : 0);
+            if (!is_open || design.form != RoofForm::HalfHipped) continue;
             options.profile_of_edge.back() = static_cast<int>(options.profiles.size());
             options.profiles.push_back({{{0, 90}, {cut(i), design.pitch_deg + 8}}});
         }
@@ -103,11 +113,19 @@ class RoofOver {
     void add_slope(const mesh::RoofFace& face) {
         const std::vector<std::uint32_t> triangles = mesh::face_triangles(roof_, face);
         const Look above{design_.roof.colour, design_.roof.cladding, 0};
+        const Look moss{mossy(design_.roof.colour, design_.wear), design_.roof.cladding, 0};
         const Look below{design_.wood * 0.9F, scene::Cladding::Plain, 0};
         const glm::vec3 down{0, -static_cast<float>(thick_m_), 0};
         for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
             const std::array corners{at(triangles[i]), at(triangles[i + 1]), at(triangles[i + 2])};
-            for (std::size_t level = 0; level < kLevels; ++level) add_face(to_.levels[level], corners, above);
+            for (std::size_t level = 0; level < kLevels; ++level) {
+                scene::Masses& masses = to_.levels[level];
+                const std::size_t first = masses.colours.size();
+                add_face(masses, corners, above);
+                if (masses.colours.size() == first) continue;
+                for (std::size_t c = 0; c < 3; ++c)
+                    if (roof_.vertices[triangles[i + c]].z < 0.4) masses.colours[first + c] = moss.colour;
+            }
             const std::array<float, 3> dark{kUnder, kUnder, kUnder};
             add_face(to_.levels[0], std::array{corners[2] + down, corners[1] + down, corners[0] + down}, below, dark);
         }
@@ -148,7 +166,23 @@ class RoofOver {
 
 }  // namespace
 
-double rise_m(const Design& design, double width_m) { return 0.5 * width_m * std::tan(glm::radians(design.pitch_deg)); }
+double rise_m(const Design& design, double width_m) {
+    const double steep = std::tan(glm::radians(design.pitch_deg));
+    const double below = 0.5 * width_m * steep;
+    if (!is_broken(design) || below <= design.break_m) return below;
+    return design.break_m + (0.5 * width_m - design.break_m / steep) * std::tan(glm::radians(design.upper_pitch_deg));
+}
+
+std::vector<glm::dvec2> gable_of(const Design& design, double width_m) {
+    const double rise = rise_m(design, width_m);
+    const double cut = hip_cut_m(design, width_m);
+    const double steep = std::tan(glm::radians(design.pitch_deg));
+    if (cut > 0) return {{0.5 * width_m + cut / steep, rise - cut}, {0.5 * width_m - cut / steep, rise - cut}};
+    const glm::dvec2 ridge{0.5 * width_m, rise};
+    if (!is_broken(design) || rise <= design.break_m) return {ridge};
+    const double run = design.break_m / steep;
+    return {{width_m - run, design.break_m}, ridge, {run, design.break_m}};
+}
 
 double hip_cut_m(const Design& design, double width_m) {
     return design.form == RoofForm::HalfHipped ? kHipShare * rise_m(design, width_m) : 0;

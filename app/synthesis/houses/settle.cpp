@@ -16,6 +16,8 @@ namespace quadrat::synthesis::houses {
 namespace {
 
 constexpr float kMostFall_m = 3.2F;  // of the ground under one house
+constexpr float kSounded_m = 3.5F;   // from place to place where the ground is looked at
+constexpr int kRounds = 3;           // along all lanes
 constexpr float kFlight_m = 42;      // around where the viewer's flight may pass no one builds
 constexpr int kChapelAt = 4;         // the chapel is the fifth building
 constexpr int kLandmarkAt = 7;       // mill or lighthouse
@@ -52,10 +54,10 @@ struct Frontage {
 class Growth {
   public:
     Growth(const scene::Land& land, const scene::LandParameters& p, base::Seed seed, glm::vec2 middle)
-        : land_(land), p_(p), seed_(seed), middle_(middle), stock_(make_stock(p, seed.child("stock"))) {
+        : land_(land), p_(p), seed_(seed), middle_(middle), stock_(p, seed.child("stock")) {
         branches_ = grow_network(land, middle, p, seed.child("lanes"));
         for (const scene::Road& road : land.roads) {
-            Lane lane{{}, road.width_m, true};
+            Lane lane{{}, road.width_m, true, {}};
             for (const glm::vec3& at : road.line_m) lane.line_m.emplace_back(at.x, at.z);
             roads_.push_back(std::move(lane));
         }
@@ -69,7 +71,6 @@ class Growth {
             }
             used_m_.push_back(0);
         }
-        for (std::uint32_t use = 0; use < of_use_.size(); ++use) of_use_[use] = stock_.of(static_cast<Use>(use));
     }
 
     void grow(int count) {
@@ -83,7 +84,9 @@ class Growth {
                 tried_landmark_ = true;
                 if (place_landmark()) continue;
             }
-            if (!build_along_lanes()) return;
+            if (build_along_lanes()) continue;
+            if (++rounds_ == kRounds) return;
+            look_for_gaps();
         }
     }
 
@@ -92,7 +95,7 @@ class Growth {
         settled.middle_m = middle_;
         for (const scene::House& house : houses_)
             settled.reach_m = std::max(settled.reach_m, glm::distance(middle_, {house.foot_m.x, house.foot_m.z}));
-        settled.settlement.buildings = std::move(stock_.buildings);
+        settled.settlement.buildings = stock_.raised();
         settled.settlement.houses = std::move(houses_);
         settled.settlement.lit_share = p_.settle_lit_share;
         for (std::size_t b = branches_.size(); b-- > 0;) {
@@ -105,15 +108,30 @@ class Growth {
         for (std::size_t b = 0; b < branches_.size(); ++b) {
             Lane lane = branches_[b].lane;
             if (lane.is_road || used_m_[b] <= 0) continue;
-            const auto last = static_cast<std::size_t>(std::ceil((used_m_[b] + 6) / kLaneStep_m));
-            lane.line_m.resize(std::min(lane.line_m.size(), last + 1));
-            settled.lanes.push_back(std::move(lane));
+            cut(lane, static_cast<std::size_t>(std::ceil((used_m_[b] + 6) / kLaneStep_m)));
+            if (lane.line_m.size() > 1) settled.lanes.push_back(std::move(lane));
         }
         for (Lane& path : paths_) settled.lanes.push_back(std::move(path));
         return settled;
     }
 
   private:
+    // Where all lanes are built along, people build closer: in what gaps there are left, smaller steps apart.
+    void look_for_gaps() {
+        for (Frontage& f : frontages_) {
+            f.at_m = branches_[static_cast<std::size_t>(f.branch)].from < 0 ? 2.0F : 4.0F;
+            f.price = price(f);
+        }
+    }
+
+    // After a point; before water that it would end in.
+    static void cut(Lane& lane, std::size_t last) {
+        for (const Lane::Crossing& crossing : lane.crossings)
+            if (last >= crossing.from && last <= crossing.to) last = crossing.from;
+        std::erase_if(lane.crossings, [last](const Lane::Crossing& crossing) { return crossing.from >= last; });
+        lane.line_m.resize(std::min(lane.line_m.size(), last + 1));
+    }
+
     glm::vec2 point(const Frontage& f, float at_m) const {
         const auto& line = branches_[static_cast<std::size_t>(f.branch)].lane.line_m;
         const float t = std::clamp(at_m / kLaneStep_m, 0.0F, static_cast<float>(line.size() - 1) - 1.0e-3F);
@@ -125,11 +143,6 @@ class Growth {
         const glm::vec2 at = point(f, f.at_m + 4);
         const Branch& branch = branches_[static_cast<std::size_t>(f.branch)];
         return glm::distance(at, middle_) + 45 * steepness(land_, at) - (branch.lane.is_road ? 6.0F : 0.0F);
-    }
-
-    std::uint32_t one_of(Use use, base::RandomStream& random) const {
-        const auto& all = of_use_[static_cast<std::size_t>(use)];
-        return all[random.below(static_cast<std::uint32_t>(all.size()))];
     }
 
     // Core, craft and farms, by how far out it is (Groenewegen et al. 2009), and by how large the place has become.
@@ -162,32 +175,48 @@ class Growth {
             seed_.child("house").child(houses_.size()).child(static_cast<std::uint64_t>(f.at_m * 8))};
         const Lane& lane = branches_[static_cast<std::size_t>(f.branch)].lane;
         const glm::vec2 here = point(f, f.at_m);
-        const std::uint32_t number = one_of(use_at(here, random), random);
-        const glm::vec2 half = stock_.buildings[number].half_m;
+        const Use use = use_at(here, random);
+        const Stock::Offer& offer = wished(use);
+        const scene::Building& shell = wished_shell_;
+        const glm::vec2 half = shell.half_m;
         const glm::vec2 at = point(f, f.at_m + half.x);
         const glm::vec2 along = glm::normalize(point(f, f.at_m + 2 * half.x + 0.1F) - point(f, std::max(f.at_m, 0.0F)));
         const glm::vec2 out = f.side * glm::vec2{-along.y, along.x};
-        const float close = p_.settle_density * (stock_.uses[number] == Use::Townhouse ? 1.0F : 0.7F);
+        const float close = p_.settle_density * (use == Use::Townhouse ? 1.0F : 0.7F);
         const float front_m = 1.1F + (1 - close) * random.between(1.5F, 6.0F);
         const float gap_m = 0.5F + (1 - close) * (1 - close) * random.between(4.0F, 26.0F);
         const glm::vec2 foot = at + out * (0.5F * lane.width_m + front_m + half.y);
         const float turn = 0.06F * p_.settle_winding * random.normal();
-        scene::House house = house_of(number, foot, -out, turn, random);
-        if (f.at_m + 2 * half.x > f.end_m + 3 || !fits(house, 0.45F)) {
-            f.at_m += 3.5F;
+        scene::House house = house_of(foot, -out, turn, random);
+        if (f.at_m + 2 * half.x > f.end_m + 3 || !fits(shell, house, 0.45F)) {
+            f.at_m += rounds_ == 0 ? 3.5F : 1.8F;
             return false;
         }
         f.at_m += 2 * half.x + gap_m;
         float& used = used_m_[static_cast<std::size_t>(f.branch)];
         used = std::max(used, f.at_m - gap_m);
-        houses_.push_back(house);
+        move_in(house, offer);
         return true;
     }
 
-    scene::House house_of(std::uint32_t number, glm::vec2 foot, glm::vec2 facing, float turn,
-                          base::RandomStream& random) const {
+    // What the next to come would build, wherever they may.
+    const Stock::Offer& wished(Use use) {
+        if (wished_by_ != houses_.size() || wished_.use != use) {
+            wished_ = stock_.draw(use, seed_.child("own").child(houses_.size()));
+            wished_by_ = houses_.size();
+            wished_shell_.half_m = half_of(wished_.design);
+        }
+        return wished_;
+    }
+
+    void move_in(scene::House house, const Stock::Offer& offer) {
+        house.building = stock_.take(offer);
+        if (!stock_.has_chimney(house.building)) house.plume.strength = 0;
+        houses_.push_back(house);
+    }
+
+    scene::House house_of(glm::vec2 foot, glm::vec2 facing, float turn, base::RandomStream& random) const {
         scene::House house;
-        house.building = number;
         house.foot_m = {foot.x, scene::ground_height_m(land_, foot), foot.y};
         house.yaw_rad = std::atan2(facing.x, facing.y) + turn;
         const float light = 1 + 0.09F * random.normal() * (0.4F + p_.settle_colourful);
@@ -196,31 +225,39 @@ class Growth {
         const float rust = 0.05F * std::clamp(random.normal(), -2.0F, 2.0F);
         house.roof_tint = (1 + 0.10F * std::clamp(random.normal(), -2.0F, 2.0F)) * glm::vec3{1 + rust, 1, 1 - rust};
         house.evening = random.unit_f();
-        house.has_smoke = random.unit_f() < p_.settle_smoke && !stock_.buildings[number].chimneys_m.empty();
+        if (random.unit_f() < p_.settle_smoke) house.plume = plume_of(random);
         return house;
     }
 
-    bool fits(const scene::House& house, float apart_m) const {
-        const scene::Building& building = stock_.buildings[house.building];
-        const std::vector<glm::vec2> ground = outline_m(building, house, 0.7F);
+    // Most fires smoulder; some have just been lit, or burn wet wood.
+    static scene::Plume plume_of(base::RandomStream& random) {
+        const float fire = random.unit_f();
+        scene::Plume plume;
+        plume.strength = 0.3F + 0.7F * fire * fire;
+        plume.width = random.between(0.6F, 1.5F);
+        plume.rise = 0.45F + 0.8F * fire * random.between(0.6F, 1.0F);
+        plume.phase = random.unit_f();
+        plume.chimney = random.unit_f();
+        return plume;
+    }
+
+    bool fits(const scene::Building& building, const scene::House& house, float apart_m) const {
         float low = house.foot_m.y;
         float high = low;
-        for (std::size_t i = 0; i < 4; ++i) {
-            for (const glm::vec2 p : {ground[i], 0.5F * (ground[i] + ground[(i + 1) % 4])}) {
-                if (!is_buildable(land_, p)) return false;
-                low = std::min(low, scene::ground_height_m(land_, p));
-                high = std::max(high, scene::ground_height_m(land_, p));
-            }
+        for (const glm::vec2 p : along_outline_m(building, house, 0.7F, kSounded_m)) {
+            if (!is_buildable(land_, p)) return false;
+            low = std::min(low, scene::ground_height_m(land_, p));
+            high = std::max(high, scene::ground_height_m(land_, p));
         }
         if (high - low > kMostFall_m) return false;
         // Its ground is made level: water must not come onto it.
-        for (const glm::vec2 p : outline_m(building, house, 3))
+        for (const glm::vec2 p : along_outline_m(building, house, 3, kSounded_m))
             if (!is_buildable(land_, p)) return false;
         const glm::vec2 at{house.foot_m.x, house.foot_m.z};
         const float radius = glm::length(building.half_m) + 1;
         if (is_in_flight(at, radius)) return false;
         for (const scene::House& other : houses_) {
-            const scene::Building& its = stock_.buildings[other.building];
+            const scene::Building& its = stock_.buildings()[other.building];
             const glm::vec2 there{other.foot_m.x, other.foot_m.z};
             if (glm::distance(at, there) > radius + glm::length(its.half_m) + apart_m) continue;
             if (overlap(outline_m(building, house, 0.5F * apart_m), outline_m(its, other, 0.5F * apart_m)))
@@ -237,13 +274,14 @@ class Growth {
     bool is_off_lanes(const scene::Building& building, const scene::House& house) const {
         const glm::vec2 at{house.foot_m.x, house.foot_m.z};
         const float near_m = glm::length(building.half_m) + 12;
+        const scene::HouseFrame frame(building, house);
         const auto is_off = [&](const std::vector<glm::vec2>& line, float half_m) {
             for (std::size_t i = 0; i < line.size(); ++i) {
                 if (glm::distance(line[i], at) > near_m) continue;
                 const glm::vec2 next = line[std::min(i + 1, line.size() - 1)];
                 for (int k = 0; k < 4; ++k) {
                     const glm::vec2 p = line[i] + 0.25F * static_cast<float>(k) * (next - line[i]);
-                    if (to_house_m(building, house, p) < half_m + 0.45F) return false;
+                    if (frame.away_m(p) < half_m + 0.45F) return false;
                 }
             }
             return true;
@@ -272,24 +310,25 @@ class Growth {
             }
         std::ranges::stable_sort(spots, [](const Spot& a, const Spot& b) { return a.wished > b.wished; });
         base::RandomStream random{seed_.child("alone").child(static_cast<std::uint64_t>(use))};
-        const std::uint32_t number = one_of(use, random);
+        const Stock::Offer& offer = wished(use);
+        const scene::Building& shell = wished_shell_;
         for (std::size_t i = 0; i < std::min(spots.size(), std::size_t{60}); ++i) {
             const glm::vec2 to_lane = nearest_on_lanes(spots[i].at) - spots[i].at;
             if (glm::length(to_lane) < 1 || glm::length(to_lane) > 0.8F * reach_m) continue;
-            scene::House house = house_of(number, spots[i].at, glm::normalize(to_lane), 0, random);
+            scene::House house = house_of(spots[i].at, glm::normalize(to_lane), 0, random);
             house.wall_tint = glm::vec3{1};
-            if (!fits(house, 3)) continue;
-            const glm::vec3 door = placed(house, {0, 0, stock_.buildings[number].half_m.y + 1});
+            if (!fits(shell, house, 3)) continue;
+            const glm::vec3 door = placed(house, {0, 0, shell.half_m.y + 1});
             const glm::vec2 from{door.x, door.z};
             const glm::vec2 way = spots[i].at + to_lane - from;
-            Lane path{{}, 1.3F, false};
+            Lane path{{}, 1.3F, false, {}};
             const int steps = std::max(1, static_cast<int>(glm::length(way) / kLaneStep_m));
             for (int k = 0; k <= steps; ++k)
                 path.line_m.push_back(from + way * (static_cast<float>(k) / static_cast<float>(steps)));
             if (!std::ranges::all_of(path.line_m, [&](glm::vec2 p) { return is_buildable(land_, p) && is_open(p); }))
                 continue;
             paths_.push_back(std::move(path));
-            houses_.push_back(house);
+            move_in(house, offer);
             return true;
         }
         return false;
@@ -297,7 +336,7 @@ class Growth {
 
     bool is_open(glm::vec2 at) const {
         return std::ranges::all_of(houses_, [&](const scene::House& house) {
-            return to_house_m(stock_.buildings[house.building], house, at) > 1.4F;
+            return to_house_m(stock_.buildings()[house.building], house, at) > 1.4F;
         });
     }
 
@@ -353,13 +392,16 @@ class Growth {
     base::Seed seed_;
     glm::vec2 middle_;
     Stock stock_;
-    std::array<std::vector<std::uint32_t>, 6> of_use_;
+    Stock::Offer wished_;
+    std::size_t wished_by_ = static_cast<std::size_t>(-1);
+    scene::Building wished_shell_;
     std::vector<Lane> roads_;  // of the land
     std::vector<Branch> branches_;
     std::vector<Frontage> frontages_;
     std::vector<float> used_m_;  // of each branch
     std::vector<Lane> paths_;
     std::vector<scene::House> houses_;
+    int rounds_ = 0;
     bool tried_chapel_ = false, tried_landmark_ = false;
 };
 

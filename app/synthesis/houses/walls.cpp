@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A façade's panels as the faces of a wall: with reveals and panes where it is near, with the larger panels and whole
-// windows from some way off, with a wall and its windows from afar.
+// A façade's panels as the faces of a wall: with panes set back in it where it is near, with the larger panels and
+// whole windows from some way off, with a wall and its windows from afar.
 #include "synthesis/houses/walls.hpp"
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 
 #include "scene/colour.hpp"
 #include "synthesis/houses/masses.hpp"
+#include "synthesis/houses/recesses.hpp"
 
 namespace quadrat::synthesis::houses {
 namespace {
@@ -25,9 +26,12 @@ constexpr float kLeast_m = 8.0e-3F;  // of a panel before what it lies on
 constexpr float kSide_m = 0.035F;    // a panel that stands out less shows no sides
 constexpr double kSides_m2 = 0.25;   // nor does a smaller one
 constexpr double kBalcony_m = 0.3;
+constexpr double kDoor_m2 = 0.8;
+constexpr float kThickReveal_m = 0.19F;  // of walls of stone and plaster,
+constexpr float kThinReveal_m = 0.11F;   // and of wood
+constexpr float kBehind_m = 0.35F;
+constexpr float kUnderLintel = 0.62F;
 constexpr std::array<float, kLevels> kBefore_m{0, 0.05F, 0.10F};  // the wall, of windows that have no frames
-
-using Outline = std::vector<glm::dvec2>;
 
 bool is_glass(std::string_view symbol) { return symbol == "Glass" || symbol == "Dark" || symbol == "Light"; }
 
@@ -40,19 +44,24 @@ struct Window {
     glm::vec3 colour;
     float lamp;
     float front = 0;
+    std::size_t panel = 0;  // its first pane
 };
 
 class Wall {
   public:
     Wall(scene::Building& to, const Design& design, const Side& side, base::Seed seed)
         : to_(to), design_(design), side_(side) {
-        FacadeShape shape{side.width_m, side.height_m, side.gable_m - side.gable_cut_m, {}};
+        double top = 0;
+        for (const glm::dvec2 p : side.gable) top = std::max(top, p.y - side.height_m);
+        FacadeShape shape{side.width_m, side.height_m, top, side.covered};
         const double half = 0.5 * side.width_m;
         if (!side.is_front) shape.covered.push_back({{half - 1.0, -1}, {half + 1.0, 0.55}});
         panels_ = derive_facade(*design.facade, shape, seed);
         find_fronts();
         find_windows(seed.child("lamps").child(
             static_cast<std::uint64_t>(std::lround(100 * (side.corner_m.x + 9 * side.corner_m.z + 999)))));
+        lose_shutters(seed.child("shutters"));
+        set_back();
     }
 
     void add() {
@@ -60,14 +69,16 @@ class Wall {
             const FacadePanel& panel = panels_[i];
             const glm::dvec2 size = panel.high_m - panel.low_m;
             const bool is_large = size.x * size.y > kLarge_m2 && !is_glass(panel.symbol);
-            add_front(i, 0, fronts_[i]);
-            add_reveals(i, 0);
+            if (is_lost_[i]) continue;
+            add_near(i);
+            add_sides(i, 0, near_fronts_[i]);
             if (i == 0) add_front(i, 2, 0);
             if (!is_large) continue;
             add_front(i, 1, i == 0 ? 0.0F : fronts_[i] + kStep_m);
-            if (panel.depth_m > kBalcony_m) add_reveals(i, 1);
+            if (panel.depth_m > kBalcony_m) add_sides(i, 1, fronts_[i]);
             if (i > 0 && size.x * size.y > kWall_m2) add_front(i, 2, fronts_[i] + kBefore_m[1]);
         }
+        for (const Recess& recess : recesses_) add_recess(recess);
         for (const Window& window : windows_) {
             add_window(window, 1);
             add_window(window, 2);
@@ -80,22 +91,25 @@ class Wall {
                side_.out * out_m;
     }
 
-    Outline clipped(glm::dvec2 low, glm::dvec2 high) const {
-        Outline outline{low, {high.x, low.y}, high, {low.x, high.y}};
-        if (side_.gable_m <= 0) return outline;
-        const glm::dvec2 ridge{0.5 * side_.width_m, side_.height_m + side_.gable_m};
-        outline = left_of(outline, {side_.width_m, side_.height_m}, ridge);
-        outline = left_of(outline, ridge, {0, side_.height_m});
-        const double top = ridge.y - side_.gable_cut_m;
-        return left_of(outline, {side_.width_m, top}, {0, top});
+    Outline under_roof(Outline outline) const {
+        if (side_.gable.empty()) return outline;
+        glm::dvec2 from{side_.width_m, side_.height_m};
+        for (std::size_t i = 0; i <= side_.gable.size(); ++i) {
+            const glm::dvec2 to = i < side_.gable.size() ? side_.gable[i] : glm::dvec2{0, side_.height_m};
+            outline = left_of(outline, from, to);
+            from = to;
+        }
+        return outline;
     }
+    static Outline rectangle(glm::dvec2 low, glm::dvec2 high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
+    Outline clipped(glm::dvec2 low, glm::dvec2 high) const { return under_roof(rectangle(low, high)); }
 
     // Under the eaves it is dark, at the foot a little.
     float shade_at(double y) const {
-        const double below = side_.gable_m > 0 ? 9.0 : side_.height_m - y;
+        const double below = !side_.gable.empty() ? 9.0 : side_.height_m - y;
         const auto under = static_cast<float>(glm::smoothstep(0.0, 0.9, below));
         const auto over = static_cast<float>(glm::smoothstep(-0.3, 0.5, y));
-        return (0.60F + 0.40F * under) * (0.80F + 0.20F * over);
+        return (0.60F + 0.40F * under) * (1 - (0.20F + 0.28F * design_.wear) * (1 - over));
     }
 
     Look look_of(const FacadePanel& panel) const {
@@ -110,6 +124,7 @@ class Wall {
             look.colour = scene::mix_colours(look.colour, toward, 0.45F * std::abs(design_.wall_warmth));
             // Limewash and paint on a wall are darker than a swatch of them.
             look.colour = scene::shifted_colour(look.colour, 0.94F * design_.wall_lightness);
+            look.colour = scene::mix_colours(look.colour, scene::linear_from_srgb_hex(0x8B8271), 0.4F * design_.wear);
         }
         return look;
     }
@@ -137,21 +152,98 @@ class Wall {
         const FacadePanel& panel = panels_[i];
         Look look = look_of(panel);
         if (is_glass(panel.symbol)) look.lamp = lamps_[i];
-        Outline left = clipped(panel.low_m, panel.high_m);
+        const Outline left = clipped(panel.low_m, panel.high_m);
         scene::Masses& masses = to_.levels[level];
-        const glm::dvec2 size = panel.high_m - panel.low_m;
-        if (size.x * size.y > kWall_m2 && level < 2) {
-            for (const double y : {0.5, side_.height_m - 0.85}) {
-                add_outline(masses, left_of(left, {1, y}, {0, y}), look, out_m);
-                left = left_of(left, {0, y}, {1, y});
-            }
+        if (is_shaded(panel) && level < 2) {
+            for (const Outline& piece : without(left, {}, shading_cuts())) add_outline(masses, piece, look, out_m);
+            return;
         }
-        add_outline(masses, left, look, out_m, is_cut(panel) ? 0.62F : 1.0F);
+        add_outline(masses, left, look, out_m, is_cut(panel) ? kUnderLintel : 1.0F);
+    }
+
+    static bool is_shaded(const FacadePanel& panel) {
+        const glm::dvec2 size = panel.high_m - panel.low_m;
+        return size.x * size.y > kWall_m2;
+    }
+    std::vector<double> shading_cuts() const { return {0.5, side_.height_m - 0.85}; }
+
+    // With holes where windows and doors are set back. Behind the wall there is another, so that no light comes through
+    // where its pieces meet.
+    void add_near(std::size_t i) {
+        const FacadePanel& panel = panels_[i];
+        std::vector<Opening> holes;
+        for (const Recess& recess : recesses_)
+            if (i < recess.opening.panel && !is_glass(panel.symbol) && holds(panel, recess.opening))
+                holes.push_back(recess.opening);
+        if (holes.empty()) return add_front(i, 0, near_fronts_[i]);
+        const Outline left = clipped(panel.low_m, panel.high_m);
+        const Look look = look_of(panel);
+        const std::vector<double> cuts = is_shaded(panel) ? shading_cuts() : std::vector<double>{};
+        for (const Outline& piece : without(left, holes, cuts))
+            add_outline(to_.levels[0], piece, look, near_fronts_[i]);
+        if (i == 0) add_outline(to_.levels[0], left, look, -kBehind_m, 0.6F);
+    }
+
+    void add_recess(const Recess& recess) {
+        const Opening& opening = recess.opening;
+        const float front = near_fronts_[recess.in];
+        const float back = floor_of(recess);
+        Look look = look_of(panels_[recess.in]);
+        look.cladding = scene::Cladding::Plain;
+        const Outline outline = rectangle(opening.low_m, opening.high_m);
+        if (!opening.is_panel) add_outline(to_.levels[0], outline, look, back, kUnderLintel);
+        constexpr std::array<float, 4> kLight{1.0F, 0.72F, 0.5F, 0.72F};  // of the sill, a side, the lintel, a side
+        for (std::size_t k = 0; k < 4; ++k) {
+            const glm::dvec2 p = outline[k];
+            const glm::dvec2 q = outline[(k + 1) % 4];
+            const float light = kLight[k] * shade_at(p.y);
+            add_face(to_.levels[0], std::array{at(q, back), at(p, back), at(p, front), at(q, front)}, look,
+                     std::array{0.8F * light, 0.8F * light, light, light});
+        }
+    }
+
+    float floor_of(const Recess& recess) const {
+        const bool is_thick = design_.wall == scene::Cladding::Plaster || design_.wall == scene::Cladding::Rubble;
+        return std::min(near_fronts_[recess.in], 0.02F) - (is_thick ? kThickReveal_m : kThinReveal_m);
+    }
+
+    // An old house has lost some.
+    void lose_shutters(base::Seed seed) {
+        for (std::size_t i = 0; i < panels_.size(); ++i) {
+            const bool is_shutter = panels_[i].symbol == "Leaf" && panels_[i].depth_m > 0 && panels_[i].low_m.y > 0.5;
+            const float chance = base::unit_of(base::hash_of(seed, static_cast<std::int64_t>(i), side_.is_front));
+            is_lost_.push_back(is_shutter && chance < 0.5F * (design_.wear - 0.5F));
+        }
+    }
+
+    // What is cut in, and what lies in it, as far back as the wall is thick.
+    void set_back() {
+        near_fronts_ = fronts_;
+        std::vector<Opening> openings;
+        for (std::size_t i = 0; i < panels_.size(); ++i) {
+            const glm::dvec2 size = panels_[i].high_m - panels_[i].low_m;
+            if (is_cut(panels_[i]) && !is_glass(panels_[i].symbol) && size.x * size.y > kDoor_m2 &&
+                panels_[i].symbol != "Reveal")
+                openings.push_back({panels_[i].low_m, panels_[i].high_m, true, i});
+        }
+        for (const Window& window : windows_)
+            openings.push_back({window.low - 0.02, window.high + 0.02, false, window.panel});
+        std::erase_if(openings, [this](const Opening& opening) {
+            return under_roof(rectangle(opening.low_m, opening.high_m)) != rectangle(opening.low_m, opening.high_m);
+        });
+        recesses_ = recesses_of(panels_, openings);
+        for (const Recess& recess : recesses_) {
+            const float by = floor_of(recess) - fronts_[recess.in];
+            for (std::size_t i = recess.in + 1; i < panels_.size(); ++i)
+                if (glm::all(glm::lessThanEqual(recess.opening.low_m, panels_[i].low_m + 1.0e-6)) &&
+                    glm::all(glm::greaterThanEqual(recess.opening.high_m, panels_[i].high_m - 1.0e-6)))
+                    near_fronts_[i] += by;
+        }
     }
 
     static bool is_cut(const FacadePanel& panel) { return panel.depth_m < panel.depth_from_m - 0.02; }
 
-    // What is cut into a wall is drawn on it, in its own shade: a wall has no holes.
+    // What is cut into a wall is drawn on it, in its own shade: from some way off a wall has no holes.
     void find_fronts() {
         for (std::size_t i = 0; i < panels_.size(); ++i) {
             const FacadePanel& panel = panels_[i];
@@ -171,9 +263,8 @@ class Wall {
     }
 
     // The sides of what stands out.
-    void add_reveals(std::size_t i, std::size_t level) {
+    void add_sides(std::size_t i, std::size_t level, float front) {
         const FacadePanel& panel = panels_[i];
-        const float front = fronts_[i];
         const auto back = front - static_cast<float>(panel.depth_m - panel.depth_from_m);
         const glm::dvec2 size = panel.high_m - panel.low_m;
         if (front - back < kSide_m || (size.x * size.y < kSides_m2 && front - back < 0.1F)) return;
@@ -209,7 +300,8 @@ class Wall {
             }
             of[i] = static_cast<int>(windows_.size());
             const float lamp = base::unit_of(base::hash_of(seed, of[i], 0));
-            windows_.push_back({panel.low_m, panel.high_m, linear_of(panel.colour), 0.02F + 0.98F * lamp, fronts_[i]});
+            windows_.push_back(
+                {panel.low_m, panel.high_m, linear_of(panel.colour), 0.02F + 0.98F * lamp, fronts_[i], i});
         }
         for (std::size_t i = 0; i < panels_.size(); ++i)
             if (of[i] >= 0) lamps_[i] = windows_[static_cast<std::size_t>(of[i])].lamp;
@@ -231,6 +323,9 @@ class Wall {
     std::vector<Window> windows_;
     std::vector<float> lamps_;
     std::vector<float> fronts_;  // of each panel, before the wall
+    std::vector<float> near_fronts_;
+    std::vector<bool> is_lost_;
+    std::vector<Recess> recesses_;
 };
 
 }  // namespace

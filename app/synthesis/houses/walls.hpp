@@ -13,9 +13,9 @@ struct Side {
     glm::vec3 along{1, 0, 0};
     glm::vec3 out{0, 0, 1};
     double width_m = 8, height_m = 3;
-    double gable_m = 0;      // above its height, in the middle
-    double gable_cut_m = 0;  // of it, what a half hip takes
-    bool is_front = true;    // only there are doors
+    std::vector<glm::dvec2> gable;  // its outline over that, from right to left; empty: none
+    std::vector<FacadeShape::Covered> covered;
+    bool is_front = true;  // only there are doors
 };
 void add_side(scene::Building& to, const Design& design, const Side& side, base::Seed seed);
 

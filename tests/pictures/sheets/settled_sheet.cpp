@@ -2,7 +2,9 @@
 // One landscape with a settlement, full size, to be looked at:
 //     settled_sheet LAND TREES SKY FILE.png [NAME=VALUE …]      by the names of archetypes; by.side=WIDTH,
 //     by.height=HEIGHT,
-//         by.seed=N, by.seconds=N, by.over=M and by.away=M: from so far south of the settlement and so high over it
+//         by.seed=N, by.seconds=N, by.over=M and by.away=M: from so far south of the settlement and so high over it;
+//         by.bearing=DEGREES: rather from there than from the south; by.last=N: of what stands about it, the N-th from
+//         the end instead: bridges and fords are last
 #include <fmt/core.h>
 
 #include <cmath>
@@ -44,15 +46,29 @@ float taken(Values& values, const char* name, float otherwise) {
     return value;
 }
 
-scene::Camera camera_south_of(const scene::Land& land, float away_m, float over_m, float bearing_deg) {
-    const scene::Settlement& settlement = land.settlement;
+glm::vec3 middle_of(const scene::Settlement& settlement, std::size_t last) {
     glm::vec3 middle{0};
+    if (last > 0 && last <= settlement.bounds.size()) {
+        const std::vector<glm::vec3>& places = settlement.bounds[settlement.bounds.size() - last].mesh.positions_m;
+        for (const glm::vec3& at : places) middle += at / static_cast<float>(places.size());
+        return middle;
+    }
     for (const scene::House& house : settlement.houses)
         middle += house.foot_m / static_cast<float>(settlement.houses.size());
-    const float turn = bearing_deg * 0.0174533F;
-    glm::vec3 eye = middle + away_m * glm::vec3{-std::sin(turn), 0, std::cos(turn)};
-    eye.y = std::max({scene::ground_height_m(land, {eye.x, eye.z}) + 1.7F, 2.5F, middle.y + over_m});
-    return {eye, middle + glm::vec3{0, 3, 0}, 42};
+    return middle;
+}
+
+struct Stand {
+    float away_m = 0, over_m = 12, bearing_deg = 0;
+    std::size_t last = 0;
+};
+
+scene::Camera camera_by(const scene::Land& land, const Stand& stand) {
+    const glm::vec3 middle = middle_of(land.settlement, stand.last);
+    const float turn = stand.bearing_deg * 0.0174533F;
+    glm::vec3 eye = middle + stand.away_m * glm::vec3{-std::sin(turn), 0, std::cos(turn)};
+    eye.y = std::max({scene::ground_height_m(land, {eye.x, eye.z}) + 1.7F, 2.5F, middle.y + stand.over_m});
+    return {eye, middle + glm::vec3{0, stand.last > 0 ? 0.0F : 3.0F, 0}, 42};
 }
 
 }  // namespace
@@ -69,9 +85,8 @@ int main(int argc, char** argv) {
     picture.height = static_cast<int>(taken(extra, "by.height", 1080));
     picture.seconds = taken(extra, "by.seconds", 12);
     const base::Seed seed{static_cast<std::uint64_t>(taken(extra, "by.seed", 4))};
-    const float away_m = taken(extra, "by.away", 0);
-    const float over_m = taken(extra, "by.over", 12);
-    const float bearing = taken(extra, "by.bearing", 0);
+    const Stand stand{taken(extra, "by.away", 0), taken(extra, "by.over", 12), taken(extra, "by.bearing", 0),
+                      static_cast<std::size_t>(taken(extra, "by.last", 0))};
     genome::Recipe recipe;
     take(recipe, genome::Aspect::Land, rest[0]);
     take(recipe, genome::Aspect::Trees, rest[1]);
@@ -84,7 +99,7 @@ int main(int argc, char** argv) {
     fmt::print("{} houses, {} triangles, {} bounds\n", land.settlement.houses.size(), land.settlement.triangles(),
                land.settlement.bounds.size());
     picture.scenes = {recipe};
-    if (away_m > 0 && !land.settlement.is_empty()) picture.camera = camera_south_of(land, away_m, over_m, bearing);
+    if (stand.away_m > 0 && !land.settlement.is_empty()) picture.camera = camera_by(land, stand);
     stage::Easel easel(picture.width, picture.height);
     pictures::write_picture(rest[3], easel.draw(picture), to_json(picture));
     return 0;

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "mesh/clip.hpp"
 #include "mesh/straight_skeleton.hpp"
 #include "mesh/voronoi.hpp"
 #include "support/plans.hpp"
@@ -146,8 +148,89 @@ TEST(Lots, AreCutFromBlocksThatAreNotConvex) {
     EXPECT_NEAR(area, signed_area(u), 1e-6);
 }
 
-TEST(Lots, NeedARegionThatIsConvex) {
-    EXPECT_THROW(plan_town({{0, 0}, {50, 50}, {100, 0}, {100, 100}, {0, 100}}, {}, base::Seed{1}), PlanError);
+// A bay, a comb, a spiral, a star.
+const std::vector<Loop> kBent{
+    {{0, 0}, {150, 120}, {300, 0}, {300, 240}, {0, 240}},
+    {{0, 0},
+     {400, 0},
+     {400, 200},
+     {340, 200},
+     {330, 60},
+     {270, 60},
+     {260, 200},
+     {140, 200},
+     {130, 60},
+     {70, 60},
+     {60, 200},
+     {0, 200}},
+    {{0, 0},
+     {300, 0},
+     {300, 300},
+     {60, 300},
+     {60, 120},
+     {200, 120},
+     {200, 200},
+     {120, 200},
+     {120, 240},
+     {240, 240},
+     {240, 60},
+     {0, 60}},
+};
+
+TEST(Lots, CoverARegionOfAnyShape) {
+    base::RandomStream chance{base::Seed{3}};
+    std::vector<Loop> regions = kBent;
+    for (int k = 0; k < 10; ++k) regions.push_back(star_loop(9 + 3 * k, 60, 200, {0, 0}, chance));
+    for (std::size_t r = 0; r < regions.size(); ++r)
+        for (std::uint64_t run = 0; run < 6; ++run) {
+            TownRules rules;
+            rules.uneven = run % 2 == 0 ? 0 : 0.7;
+            const TownPlan town = plan_town(regions[r], rules, base::Seed{run});
+            double blocks = 0;
+            for (const auto& block : town.blocks)
+                for (const Loop& loop : block) blocks += signed_area(loop);
+            // An arc's points from either side may leave it by a little.
+            EXPECT_NEAR(blocks / signed_area(regions[r]), 1, rules.uneven > 0 ? 5e-3 : 1e-9) << r << ", " << run;
+            for (const Lot& lot : town.lots) {
+                EXPECT_GT(lot.area_m2(), 0) << r << ", " << run;
+                for (const glm::dvec2 p : lot.outline_m) EXPECT_TRUE(is_in(regions[r], p)) << r << ", " << run;
+            }
+        }
+}
+
+TEST(Clip, AgreesWithCountingPoints) {
+    for (std::uint64_t run = 0; run < 200; ++run) {
+        base::RandomStream chance{base::Seed{77}.child(run)};
+        const Loop a = star_loop(12, 3, 10, {0, 0}, chance);
+        const Loop b = star_loop(15, 3, 10, {5, 2}, chance);
+        const auto common = common_area({a}, {b});
+        ASSERT_TRUE(common) << run;
+        for (int k = 0; k < 300; ++k) {
+            const glm::dvec2 p(20 * chance.unit() - 8, 20 * chance.unit() - 9);
+            EXPECT_EQ(is_inside(*common, p), is_in(a, p) && is_in(b, p)) << run;
+        }
+    }
+}
+
+TEST(Clip, KeepsHolesAndParts) {
+    Loop hole = rectangle(4.01, 4.02, 2, 2);
+    std::reverse(hole.begin(), hole.end());
+    const auto within = common_area({rectangle(0, 0, 10, 10), hole}, {rectangle(-1.03, -1.04, 20, 20)});
+    ASSERT_TRUE(within);
+    const auto shapes = sorted_into_shapes(*within);
+    ASSERT_EQ(shapes.size(), 1U);
+    EXPECT_EQ(shapes[0].size(), 2U);
+    const Loop u{{0, 0}, {9, 0}, {9, 7}, {6, 7}, {6, 2}, {3, 2}, {3, 7}, {0, 7}};
+    const auto apart = common_area({u}, {rectangle(-1.1, 3.3, 20, 2)});
+    ASSERT_TRUE(apart);
+    EXPECT_EQ(sorted_into_shapes(*apart).size(), 2U);
+}
+
+TEST(Clip, SaysWhereItCannotTell) {
+    EXPECT_FALSE(common_area({rectangle(0, 0, 4, 4)}, {rectangle(2, 0, 4, 4)}));
+    const auto none = common_area({rectangle(0, 0, 4, 4)}, {rectangle(10, 0, 4, 4)});
+    ASSERT_TRUE(none);
+    EXPECT_TRUE(none->empty());
 }
 
 }  // namespace

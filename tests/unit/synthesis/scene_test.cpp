@@ -69,11 +69,11 @@ bool are_same(const scene::Settlement& a, const scene::Settlement& b) {
     const auto stands_alike = [](const scene::House& one, const scene::House& two) {
         return one.building == two.building && one.foot_m == two.foot_m && one.yaw_rad == two.yaw_rad &&
                one.wall_tint == two.wall_tint && one.roof_tint == two.roof_tint && one.evening == two.evening &&
-               one.has_smoke == two.has_smoke;
+               one.plume == two.plume;
     };
     return std::ranges::equal(a.buildings, b.buildings, is_built_alike) &&
            std::ranges::equal(a.houses, b.houses, stands_alike) && all_same(a.bounds, b.bounds) &&
-           a.lit_share == b.lit_share;
+           a.gardens == b.gardens && a.lit_share == b.lit_share;
 }
 
 bool are_same(const scene::Land& a, const scene::Land& b) {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "synthesis/trees/grammar.hpp"
-#include "synthesis/trees/grammar_line.hpp"
+#include "synthesis/lsystem/grammar.hpp"
+#include "synthesis/lsystem/grammar_line.hpp"
 
-namespace quadrat::synthesis::trees {
+namespace quadrat::synthesis::lsystem {
 namespace {
 
 using text::Constants;
@@ -246,14 +246,4 @@ Grammar read_grammar(std::string_view text, const std::string& source, std::span
     return GrammarReader(source, instead).read(text);
 }
 
-Grammar library_grammar(std::string_view name, std::span<const Redefinition> instead) {
-    std::string known;
-    for (const NamedGrammar& one : grammar_library()) {
-        if (one.name == name) return read_grammar(one.text, std::string(name), instead);
-        known += fmt::format("{}{}", known.empty() ? "" : ", ", one.name);
-    }
-    throw base::InputError(
-        fmt::format("{}: no grammar of this name comes with the program; there are {}", name, known));
-}
-
-}  // namespace quadrat::synthesis::trees
+}  // namespace quadrat::synthesis::lsystem

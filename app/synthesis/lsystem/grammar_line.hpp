@@ -9,10 +9,10 @@
 #include <string_view>
 
 #include "base/error.hpp"
-#include "synthesis/trees/expression.hpp"
+#include "synthesis/lsystem/expression.hpp"
 
 // How a line of a grammar is read.
-namespace quadrat::synthesis::trees::text {
+namespace quadrat::synthesis::lsystem::text {
 
 using Op = Expression::Op;
 inline constexpr int kDeepestNesting = 64;
@@ -243,4 +243,4 @@ class ExpressionReader {
     int depth_ = 0;
 };
 
-}  // namespace quadrat::synthesis::trees::text
+}  // namespace quadrat::synthesis::lsystem::text

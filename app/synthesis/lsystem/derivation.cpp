@@ -3,9 +3,9 @@
 #include <array>
 #include <cstdio>
 
-#include "synthesis/trees/grammar.hpp"
+#include "synthesis/lsystem/grammar.hpp"
 
-namespace quadrat::synthesis::trees {
+namespace quadrat::synthesis::lsystem {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -255,4 +255,4 @@ Derivation derive(const Grammar& grammar, const DeriveOptions& options) {
     return result;
 }
 
-}  // namespace quadrat::synthesis::trees
+}  // namespace quadrat::synthesis::lsystem

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "synthesis/trees/expression.hpp"
+#include "synthesis/lsystem/expression.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-namespace quadrat::synthesis::trees {
+namespace quadrat::synthesis::lsystem {
 namespace {
 
 using Op = Expression::Op;
@@ -144,4 +144,4 @@ float Expression::run(std::span<const float> parameters, Chance& chance) const {
     return stack[top];
 }
 
-}  // namespace quadrat::synthesis::trees
+}  // namespace quadrat::synthesis::lsystem

@@ -7,7 +7,7 @@
 
 #include "base/seed.hpp"
 
-namespace quadrat::synthesis::trees {
+namespace quadrat::synthesis::lsystem {
 
 // Where an expression's chance comes from: the same numbers for the same symbol of the same step.
 class Chance {
@@ -79,4 +79,4 @@ class Expression {
     int deepest_ = 0;
 };
 
-}  // namespace quadrat::synthesis::trees
+}  // namespace quadrat::synthesis::lsystem

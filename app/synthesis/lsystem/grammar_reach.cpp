@@ -3,9 +3,9 @@
 #include <set>
 #include <utility>
 
-#include "synthesis/trees/grammar.hpp"
+#include "synthesis/lsystem/grammar.hpp"
 
-namespace quadrat::synthesis::trees {
+namespace quadrat::synthesis::lsystem {
 namespace {
 
 using Pattern = Production::Pattern;
@@ -53,4 +53,4 @@ std::vector<const Production*> contexts_in_vain(const Grammar& grammar) {
     return vain;
 }
 
-}  // namespace quadrat::synthesis::trees
+}  // namespace quadrat::synthesis::lsystem
