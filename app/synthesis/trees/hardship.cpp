@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 
 #include "synthesis/trees/prune.hpp"
@@ -12,6 +13,9 @@
 
 namespace quadrat::synthesis::trees {
 namespace {
+
+constexpr float kLivesBy = 0.6F;  // of its leafy ends, which a tree never sheds
+constexpr int kSteps = 12;        // toward it; a tree that is still too shaded sheds nothing
 
 // The light at each site of a tree of height 1.
 std::vector<float> lights_of(const TreeSkeleton& skeleton) {
@@ -57,7 +61,24 @@ void shed_shaded(TreeSkeleton& skeleton, float least_share) {
     float all = 0;
     for (std::size_t i = 0; i < skeleton.limbs.size(); ++i)
         if (skeleton.limbs[i].parent < 0) all += light[i];
-    const float least = least_share * all / static_cast<float>(skeleton.sites.size());
+    float least = least_share * all / static_cast<float>(skeleton.sites.size());
+    // A tree that sheds its crown is a pole: it keeps what it lives by.
+    std::vector<float> own(skeleton.limbs.size(), 0);
+    for (const Site& site : skeleton.sites) own[site.limb] += 1;
+    const auto share_left = [&] {
+        std::vector<std::uint8_t> stays(skeleton.limbs.size(), 1);
+        float left = 0;
+        for (std::size_t i = 0; i < skeleton.limbs.size(); ++i) {
+            const int parent = skeleton.limbs[i].parent;
+            if (parent >= 0) stays[i] = stays[parent] != 0 && (ends[i] == 0 || light[i] >= least * ends[i]) ? 1 : 0;
+            if (stays[i] != 0) left += own[i];
+        }
+        return left / static_cast<float>(skeleton.sites.size());
+    };
+    for (int step = 0; share_left() < kLivesBy; ++step) {
+        if (step == kSteps) return;
+        least *= 0.85F;
+    }
     prune(skeleton, [&](const Limb&, std::size_t i) { return ends[i] == 0 || light[i] >= least * ends[i]; });
 }
 

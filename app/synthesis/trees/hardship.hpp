@@ -9,7 +9,8 @@
 namespace quadrat::synthesis::trees {
 
 // Limbs fall, of any order but the stems', whose leafy ends get less than this share of the light that the tree's ends
-// get in the mean, 0 to 0.9: what stands over them is its own crown. Takes and leaves a tree of height 1.
+// get in the mean, 0 to 0.9: what stands over them is its own crown. Three in five ends stay whatever is asked. Takes
+// and leaves a tree of height 1.
 void shed_shaded(TreeSkeleton& skeleton, float least_share);
 
 // Leaves gather where there is light (by -1), or are as many more where the crown shades them (by 1); 0: as they are.
