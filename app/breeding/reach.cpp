@@ -19,7 +19,8 @@ constexpr double kStill = 0.001;       // of a range
 constexpr double kEnough = 0.5;        // of a range
 constexpr double kOftenEnough = 0.01;  // of offers
 
-// Countries and patterns of streets lie on a line, so that there is something between them; a visitor sees the nearer one.
+// Countries and patterns of streets lie on a line, so that there is something between them; a visitor sees the nearer
+// one.
 bool is_kind(const genome::Parameter& p) {
     return p.unit == genome::kChoice || p.id == ParameterId::ground_country || p.id == ParameterId::settle_region ||
            p.id == ParameterId::settle_streets;

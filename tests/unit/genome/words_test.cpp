@@ -111,8 +111,8 @@ TEST(Speech, FallsBackToEnglish) {
 }
 
 TEST(Speech, KnowsEveryWordInEveryLanguageAndNoTwoEndsOfAnAspectAlike) {
-    EXPECT_THAT(language_codes(), testing::IsSupersetOf({"ar", "de", "el", "en", "es", "fr", "he", "hi", "it", "ja", "nl",
-                                                       "pl", "pt", "tr", "uk", "xh", "zh"}));
+    EXPECT_THAT(language_codes(), testing::IsSupersetOf({"ar", "de", "el", "en", "es", "fr", "he", "hi", "it", "ja",
+                                                         "nl", "pl", "pt", "tr", "uk", "xh", "zh"}));
     for (const std::string_view code : language_codes())
         for (const Aspect aspect : kAspects) {
             std::set<std::string_view> ends;
