@@ -197,11 +197,22 @@ void turn(TreeSkeleton& skeleton, const glm::quat& q, const glm::vec3& shift) {
     }
 }
 
+constexpr std::size_t kFewestEnds = 60;  // of a tree that lives
+
 // Several stems lean away from one another.
 TreeSkeleton grow_stems(const Form& f, base::Seed seed) {
     if (kind(f.habit).grower == Grower::SelfOrganised) {
         TreeSkeleton all = grow_organised(f, seed);
         crowd(all, f, seed.child("crowding"));
+        // Where wind and hunger killed it, it grows once more where it has less of both.
+        Form kinder = f;
+        for (int again = 0; all.sites.size() < kFewestEnds && again < 4; ++again) {
+            kinder.wind_crown *= 0.5F;
+            kinder.wind_lean *= 0.5F;
+            kinder.shade_bearing = 0.5F * (1 + kinder.shade_bearing);
+            all = grow_organised(kinder, seed);
+            crowd(all, kinder, seed.child("crowding"));
+        }
         set_leaves_by_light(all, 2 * f.shade_bearing - 1);
         return all;
     }

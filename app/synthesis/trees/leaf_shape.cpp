@@ -86,7 +86,7 @@ void add_leaflet(LeafShape& shape, const Twig& twig, glm::vec2 foot, float angle
 
 // The same leaves where the shoot's own pattern has them: across the twig they show their whole length, toward and away
 // from its upper side they stand on end.
-LeafShape arranged(const Twig& twig, float inhibition) {
+LeafShape arranged_as_wide(const Twig& twig, float inhibition) {
     LeafShape shape;
     shape.width = twig.width;
     shape.arch = twig.arch;
@@ -142,24 +142,32 @@ LeafShape spray_of(const Twig& twig) {
     return shape;
 }
 
+float area_of(const LeafShape& shape) {
+    float sum = 0;
+    for (std::size_t t = 0; t < shape.triangles.size(); t += 3) {
+        const glm::vec2 a = shape.outline[shape.triangles[t + 1]] - shape.outline[shape.triangles[t]];
+        const glm::vec2 b = shape.outline[shape.triangles[t + 2]] - shape.outline[shape.triangles[t]];
+        sum += 0.5F * std::abs(a.x * b.y - a.y * b.x);
+    }
+    return sum;
+}
+
+// Leaves on end cover less: wider ones make up for it, or every crown would be thinner.
+LeafShape arranged(const Twig& twig, float inhibition) {
+    Twig wider = twig;
+    wider.leaf_width *= std::clamp(area_of(spray_of(twig)) / area_of(arranged_as_wide(twig, inhibition)), 1.0F, 2.0F);
+    return arranged_as_wide(wider, inhibition);
+}
+
 // From afar a spray is three leaves of a triangle each that cover as much, about a gap: each shares its corners with
 // its neighbours, six vertices in all.
 LeafShape with_plain_form(LeafShape shape) {
-    const auto area = [&shape](const std::vector<std::uint32_t>& triangles) {
-        float sum = 0;
-        for (std::size_t t = 0; t < triangles.size(); t += 3) {
-            const glm::vec2 a = shape.outline[triangles[t + 1]] - shape.outline[triangles[t]];
-            const glm::vec2 b = shape.outline[triangles[t + 2]] - shape.outline[triangles[t]];
-            sum += 0.5F * std::abs(a.x * b.y - a.y * b.x);
-        }
-        return sum;
-    };
     // The corners of the gap lie on a circle, and the tips between them on a wider one; both are then sized to cover as
     // much as the spray does.
     constexpr float kGap = 0.42F;
     constexpr float kTurn_rad = 2.0943951F;
     constexpr glm::vec2 kMiddle{0.52F, 0};
-    const float wanted = area(shape.triangles) * shape.width;
+    const float wanted = area_of(shape) * shape.width;
     // Each leaf: a side of the gap times what the tip stands over it, halved.
     const float unit_area = 3 * 0.5F * (1.7320508F * kGap) * (1 - 0.5F * kGap);
     const float size = std::sqrt(wanted / unit_area);

@@ -374,5 +374,28 @@ TEST(Neighbours, MakeTheMiddleBareTheEdgeOpenAndLeaveTheLoneOneRound) {
     EXPECT_LT(open(north).y, -0.9F);
 }
 
+// Whatever wind and hunger genes ask for together: a tree that dies of them would be none.
+TEST(OrganisedTrees, LiveUnderTheHarshestGenes) {
+    for (int habit = 0; habit < kind_count(); ++habit) {
+        if (kind(habit).grower != Grower::SelfOrganised) continue;
+        for (const float wind : {0.0F, 1.0F})
+            for (const float bearing : {0.0F, 1.0F})
+                for (const float stems : {0.0F, 1.0F}) {
+                    scene::TreeParameters p;
+                    p.tree_habit = static_cast<float>(habit);
+                    p.tree_wind_crown = wind;
+                    p.tree_wind_lean = wind;
+                    p.tree_shade_bearing = bearing;
+                    p.tree_stems = stems;
+                    p.tree_crowding = 1;
+                    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+                        const TreeSkeleton tree = grow_skeleton(form_of(p, Rank::First), base::Seed{seed});
+                        EXPECT_GE(tree.limbs.size(), 20U) << kind(habit).name << " " << wind << " " << bearing;
+                        EXPECT_GE(tree.sites.size(), 20U) << kind(habit).name << " " << wind << " " << bearing;
+                    }
+                }
+    }
+}
+
 }  // namespace
 }  // namespace quadrat::synthesis::trees
