@@ -286,8 +286,7 @@ std::vector<std::string_view> language_codes() {
         for (const auto& [code, file] : from_outside.files) codes.push_back(code);
     }
     std::ranges::sort(codes);
-    const auto again = std::ranges::unique(codes);
-    codes.erase(again.begin(), again.end());
+    codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
     return codes;
 }
 

@@ -197,7 +197,7 @@ TEST(Settlement, NoTwoHousesOfAHamletAreBuiltAlike) {
             heights_m.push_back(s.buildings[s.houses[i].building].height_m);
         }
         std::ranges::sort(numbers);
-        EXPECT_EQ(std::ranges::unique(numbers).begin(), numbers.end());
+        EXPECT_EQ(std::unique(numbers.begin(), numbers.end()), numbers.end());
         const auto [low, high] = std::ranges::minmax(heights_m);
         EXPECT_GT(high, low + 1);
         for (std::size_t a = 0; a < hamlet; ++a)
