@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/text_file.hpp"
 #include "genome/json_text.hpp"
 #include "genome/speech.hpp"
 
@@ -220,7 +221,8 @@ std::string json_of_po(std::string_view po, std::string_view source) {
     for (const Text& text : texts_of("en")) known[text.key] = 0;
     const json english = parse_json(language_json("en"), "en");
     json root = json::object();
-    Reader reader(po, source);
+    const std::string text_of_po = base::text_from(std::string(po), source, base::kJsonLimits);
+    Reader reader(text_of_po, source);
     for (const auto& [text, line] : reader.entries()) {
         const auto found = known.find(text.key);
         if (found == known.end()) reader.refuse(fmt::format("there is no text {}", brief(json(text.key))), line);

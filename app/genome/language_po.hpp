@@ -13,7 +13,8 @@ namespace quadrat::genome {
 std::string po_of(std::string_view code);
 
 // The same as genome/languages/*.json has it. What is not translated yet is left out: it is spoken in English. Throws
-// InputError "SOURCE:LINE: …" for what is no PO, for a key that there is not, and for one that comes twice.
+// InputError "SOURCE:LINE: …" for bytes that are no UTF-8, for what is no PO, for a key that there is not, and for one
+// that comes twice.
 std::string json_of_po(std::string_view po, std::string_view source);
 
 }  // namespace quadrat::genome

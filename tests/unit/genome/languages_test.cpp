@@ -54,6 +54,7 @@ TEST(LanguagePo, TakesWhatGettextsToolsWrite) {
 
 TEST(LanguagePo, RefusesByLine) {
     EXPECT_THAT(refusal("msgctxt \"prompts/attract\"\nmsgid \"a\nmsgstr \"b\"\n"), testing::HasSubstr("xx.po:2: "));
+    EXPECT_THAT(refusal("msgctxt \"and\"\nmsgid \"a\"\nmsgstr \"\xE4\"\n"), testing::HasSubstr("is not UTF-8"));
     EXPECT_THAT(refusal("\n\nhello\n"), testing::HasSubstr("xx.po:3: is no line of a PO file"));
     EXPECT_THAT(refusal("msgctxt \"prompts/sea\"\nmsgid \"a\"\nmsgstr \"b\"\n"),
                 testing::HasSubstr("xx.po:1: there is no text \"prompts/sea\""));
