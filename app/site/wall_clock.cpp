@@ -175,7 +175,7 @@ std::string time_text(const WallClock& wall) {
     return fmt::format("{} {:02}:{:02} {}", date_text(wall.date), wall.minute / 60, wall.minute % 60, wall.zone);
 }
 
-ZoneWatch::ZoneWatch(fs::path zoneinfo) {
+ZoneWatch::ZoneWatch(const fs::path& zoneinfo) {
     ::tzset();
     const char* tz = std::getenv("TZ");
     if (tz == nullptr || *tz == '\0') return;

@@ -44,7 +44,7 @@ std::string time_text(const WallClock& wall);
 // the file that TZ names. The C library alone reads it once for localtime_r. One thread.
 class ZoneWatch {
   public:
-    explicit ZoneWatch(std::filesystem::path zoneinfo = "/usr/share/zoneinfo");
+    explicit ZoneWatch(const std::filesystem::path& zoneinfo = "/usr/share/zoneinfo");
     void look();
 
   private:
