@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kLevels = 10;          // of the light's grid, from base to top
 constexpr int kSide = 128;           // of it, over the tile
-constexpr float kRelief = 1.3F;      // of a closed sky's underside, in its light
+constexpr float kRelief = 1.3F;      // of thick clouds' undersides, in their light
 constexpr float kStep = 1.036F;      // of the distance from one slab to the next
 constexpr std::size_t kAround = 4;   // halvings of the tile: sixteenths of a cloud
 constexpr float kGapHeight = 0.24F;  // sine of how high a whole gap reaches
@@ -99,13 +99,19 @@ class LightGrid {
     std::vector<mesh::Field> levels_;
 };
 
-// The eye is used to a dark sky: under a closed one it sees which parts are thinner, not that all are thick. Of the
-// optical depth, what counts for the light that comes down through it.
+// The eye is used to a dark sky: under thick clouds it sees which parts of them are thinner, not that all are thick. Of
+// the optical depth, what counts for the light that comes down through it.
 float told_apart(const mesh::Field& depth) {
-    constexpr float kMean = 1.7F;
+    constexpr float kMean = 1.7F;  // of what is cloud
+    constexpr float kCloud = 0.3F;
     double sum = 0;
-    for (const float d : depth.samples) sum += d;
-    return kMean / std::max(static_cast<float>(sum / static_cast<double>(depth.samples.size())), kMean);
+    std::size_t count = 0;
+    for (const float d : depth.samples) {
+        if (d < kCloud) continue;
+        sum += d;
+        ++count;
+    }
+    return count > 0 ? kMean / std::max(static_cast<float>(sum / static_cast<double>(count)), kMean) : 1.0F;
 }
 
 // Bulges with creases between them, over the tile and finer and finer: what makes heaps of domes.
