@@ -9,6 +9,9 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <queue>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "mesh/nearness.hpp"
 #include "synthesis/trees/limb_mesh.hpp"
@@ -51,60 +54,99 @@ Ways nearest_on(const mesh::Mesh& next, const std::vector<glm::vec3>& from_m) {
     return ways;
 }
 
-std::vector<std::vector<std::uint32_t>> neighbours_in(const mesh::Mesh& mesh) {
-    std::vector<std::vector<std::uint32_t>> neighbours(mesh.positions_m.size());
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
-        const std::uint32_t from = mesh.indices[i];
-        const std::uint32_t to = mesh.indices[i % 3 == 2 ? i - 2 : i + 1];
-        neighbours[from].push_back(to);
-        neighbours[to].push_back(from);
+// Which vertices edges lead to from each, one list after the other.
+class Neighbours {
+  public:
+    explicit Neighbours(const mesh::Mesh& mesh) : first_(mesh.positions_m.size() + 1, 0), all_(mesh.indices.size()) {
+        for (const std::uint32_t from : mesh.indices) ++first_[from + 1];
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+        // A closed surface has each edge both ways.
+        for (std::size_t i = 0; i < mesh.indices.size(); ++i)
+            all_[next[mesh.indices[i]]++] = mesh.indices[i % 3 == 2 ? i - 2 : i + 1];
     }
-    return neighbours;
-}
+    std::span<const std::uint32_t> of(std::uint32_t vertex) const {
+        return std::span(all_).subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
+    }
+
+  private:
+    std::vector<std::uint32_t> first_;
+    std::vector<std::uint32_t> all_;
+};
 
 // The tip of a limb that is left out may be nearest to another limb than its foot: its triangles would be drawn out to
-// a web between both. From where a piece moves least the ways spread along it, and a vertex whose own way leads off
-// from its neighbours' takes theirs: so a limb goes into the one that bears it.
-Ways untorn(const mesh::Mesh& mesh, Ways ways) {
-    const auto neighbours = neighbours_in(mesh);
-    std::vector<char> is_settled(ways.size(), 0);
-    const auto apart_m = [&](std::uint32_t a, std::uint32_t b) {
-        return glm::distance(mesh.positions_m[a], mesh.positions_m[b]);
-    };
-    const auto is_torn = [&](std::uint32_t a, std::uint32_t b) {
-        return glm::distance(ways[a].at_m, ways[b].at_m) > kMostStretched * apart_m(a, b);
-    };
-    struct Reached {
-        float distance_m;
-        std::uint32_t vertex, from;
-        auto operator<=>(const Reached&) const = default;
-    };
-    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> reached;
-    std::vector<std::uint32_t> by_distance(ways.size());
-    std::iota(by_distance.begin(), by_distance.end(), 0U);
-    std::ranges::stable_sort(by_distance, {}, [&](std::uint32_t v) { return ways[v].distance_m; });
-    for (const std::uint32_t first : by_distance) {
-        if (is_settled[first] != 0) continue;
-        reached.push({ways[first].distance_m, first, first});
+// a web between both.
+class Untorn {
+  public:
+    Untorn(const mesh::Mesh& mesh, Ways ways)
+        : mesh_(mesh), neighbours_(mesh), ways_(std::move(ways)), is_settled_(ways_.size(), 1) {
+        std::vector<std::uint32_t> torn = in_torn_pieces();
+        std::ranges::stable_sort(torn, {}, [&](std::uint32_t v) { return ways_[v].distance_m; });
+        for (const std::uint32_t vertex : torn)
+            if (is_settled_[vertex] == 0) spread_from(vertex);
+    }
+    const Ways& ways() const { return ways_; }
+
+  private:
+    float apart2(std::uint32_t a, std::uint32_t b) const {
+        const glm::vec3 off = mesh_.positions_m[a] - mesh_.positions_m[b];
+        return glm::dot(off, off);
+    }
+    bool is_torn(std::uint32_t a, std::uint32_t b) const {
+        const glm::vec3 off = ways_[a].at_m - ways_[b].at_m;
+        return glm::dot(off, off) > kMostStretched * kMostStretched * apart2(a, b);
+    }
+    // All vertices of pieces that have a torn edge, which are no longer settled.
+    std::vector<std::uint32_t> in_torn_pieces() {
+        std::vector<std::uint32_t> found;
+        const auto find = [&](std::uint32_t vertex) {
+            if (is_settled_[vertex] == 0) return;
+            is_settled_[vertex] = 0;
+            found.push_back(vertex);
+        };
+        std::size_t followed = 0;
+        for (std::uint32_t vertex = 0; vertex < ways_.size(); ++vertex) {
+            if (std::ranges::any_of(neighbours_.of(vertex), [&](std::uint32_t to) { return is_torn(vertex, to); }))
+                find(vertex);
+            for (; followed < found.size(); ++followed)
+                for (const std::uint32_t to : neighbours_.of(found[followed])) find(to);
+        }
+        return found;
+    }
+    // From where a piece moves least its ways spread along it. A vertex whose own way leads off from its neighbours'
+    // takes that of the closest: so a limb goes into the one that bears it.
+    void spread_from(std::uint32_t first) {
+        struct Reached {
+            float distance_m;
+            std::uint32_t vertex;
+            auto operator<=>(const Reached&) const = default;
+        };
+        std::priority_queue<Reached, std::vector<Reached>, std::greater<>> reached;
+        reached.push({ways_[first].distance_m, first});
         while (!reached.empty()) {
-            const auto [distance_m, vertex, from] = reached.top();
+            const std::uint32_t vertex = reached.top().vertex;
             reached.pop();
-            if (is_settled[vertex] != 0) continue;
+            if (is_settled_[vertex] != 0) continue;
             bool leads_off = false;
-            std::uint32_t closest = from;
-            for (const std::uint32_t other : neighbours[vertex]) {
-                if (is_settled[other] == 0) continue;
+            std::uint32_t closest = vertex;
+            for (const std::uint32_t other : neighbours_.of(vertex)) {
+                if (is_settled_[other] == 0) {
+                    reached.push({ways_[other].distance_m, other});
+                    continue;
+                }
                 leads_off = leads_off || is_torn(vertex, other);
-                if (apart_m(vertex, other) < apart_m(vertex, closest)) closest = other;
+                if (closest == vertex || apart2(vertex, other) < apart2(vertex, closest)) closest = other;
             }
-            if (leads_off) ways[vertex] = ways[closest];
-            is_settled[vertex] = 1;
-            for (const std::uint32_t other : neighbours[vertex])
-                if (is_settled[other] == 0) reached.push({ways[other].distance_m, other, vertex});
+            if (leads_off) ways_[vertex] = ways_[closest];
+            is_settled_[vertex] = 1;
         }
     }
-    return ways;
-}
+
+    const mesh::Mesh& mesh_;
+    const Neighbours neighbours_;
+    Ways ways_;
+    std::vector<char> is_settled_;
+};
 
 }  // namespace
 
@@ -179,7 +221,8 @@ void set_coarser(std::vector<scene::Wood>& levels) {
         if (next.mesh.indices.empty()) continue;
         wood.coarser_m.clear();
         wood.coarser_sways.clear();
-        for (const mesh::Nearness::Nearest& on : untorn(wood.mesh, nearest_on(next.mesh, wood.mesh.positions_m))) {
+        const Untorn untorn(wood.mesh, nearest_on(next.mesh, wood.mesh.positions_m));
+        for (const mesh::Nearness::Nearest& on : untorn.ways()) {
             wood.coarser_m.push_back(on.at_m);
             wood.coarser_sways.push_back(between(next.mesh, next.sways, on));
         }
