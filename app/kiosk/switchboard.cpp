@@ -68,6 +68,14 @@ std::optional<base::Instant> Switchboard::next_deadline() const {
     return switches::next_deadline(state_, beside(), switch_options_of(configuration_));
 }
 
+hearing::Subject Switchboard::heard(base::Instant now) const {
+    hearing::Subject subject = show_.heard(now);
+    subject.is_marking = switches::is_marking(state_, show_.state());
+    if (const auto shown = scanned(now)) subject.hint = shown->hint;
+    if (subject.is_marking && state_.screen == show_.state().screen) subject.marked = state_.marked;
+    return subject;
+}
+
 firmware_io::Lamps Switchboard::lamps() const {
     firmware_io::Lamps lamps = lamps_for(show_);
     if (!switches::is_marking(state_, show_.state())) return lamps;
