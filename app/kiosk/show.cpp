@@ -190,7 +190,8 @@ std::string Show::heredity(const genome::Candidate& before, const genome::Candid
         if (!answers[aspect]) continue;
         const std::string in_words = language.heredity(*before.words, *now.words, aspect);
         const std::string detail = language.detail(moved, aspect);
-        const std::string both = in_words.empty() || detail.empty() ? in_words + detail : in_words + ", " + detail;
+        const char* between = in_words.empty() || detail.empty() ? "" : ", ";
+        const std::string both = fmt::format("{}{}{}", in_words, between, detail);
         if (!both.empty()) text += (text.empty() ? "→ " : " · ") + both;
     }
     return text;
