@@ -24,7 +24,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION misc)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "systemd, libegl-mesa0, libegl1, libgles2, libgl1-mesa-dri, fonts-lato, fonts-noto-core, fonts-droid-fallback")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "systemd, libegl-mesa0, libegl1, libgles2, libgl1-mesa-dri, fonts-lato, fonts-noto-core, fonts-droid-fallback, espeak-ng")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/deploy/system/conffiles
     ${CMAKE_SOURCE_DIR}/deploy/system/postinst ${CMAKE_SOURCE_DIR}/deploy/system/prerm)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)

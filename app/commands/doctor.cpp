@@ -52,10 +52,11 @@ int examine(const Options& options) {
 
 void add_doctor(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
-        "doctor",
-        "Look at settings, GPU, screen, buttons, state, clock and service, and say what is wrong and what mends it.\n"
-        "Ends with 0 when all is good, 3 when something is doubtful, 4 when something is bad");
+    CLI::App* command =
+        app.add_subcommand("doctor",
+                           "Look at settings, GPU, screen, buttons, sound, state, clock and service, and say what is "
+                           "wrong and what mends it.\n"
+                           "Ends with 0 when all is good, 3 when something is doubtful, 4 when something is bad");
     command
         ->add_option("--config", options->configuration,
                      "The site's settings, which are checked too; without it, the service's where it is installed")
@@ -65,9 +66,10 @@ void add_doctor(CLI::App& app, Action& chosen) {
                      "Folder of what is kept between runs; without it, the service's where it is installed")
         ->default_str("the service's, else ~/.local/state/quadrat");
     command
-        ->add_option("--only", options->only,
-                     "Look at this part alone, repeatable: settings, gpu, screen, buttons, state, clock, service")
-        ->check(CLI::IsMember({"settings", "gpu", "screen", "buttons", "state", "clock", "service"}))
+        ->add_option(
+            "--only", options->only,
+            "Look at this part alone, repeatable: settings, gpu, screen, buttons, sound, state, clock, service")
+        ->check(CLI::IsMember({"settings", "gpu", "screen", "buttons", "sound", "state", "clock", "service"}))
         ->expected(1)
         ->take_all()
         ->default_str("all");

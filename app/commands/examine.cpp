@@ -57,6 +57,7 @@ std::vector<doctor::Finding> examine_parts(const std::string& named_configuratio
         {"gpu", [] { return doctor::examine_gpu(); }},
         {"screen", [&] { return screen_findings(configuration, user); }},
         {"buttons", [&] { return button_findings(configuration, user); }},
+        {"sound", [&] { return doctor::examine_sound(configuration, user); }},
         {"state", [&] { return doctor::examine_state(site::tended_state_folder(named_state), user); }},
         {"clock",
          [&] {

@@ -316,6 +316,7 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
     parts.album = album.get();
     parts.ends_after_visit = options.rounds.has_value() || is_demonstration;
     parts.stop = &stop_flag();
+    parts.seed = seed;
     const kiosk::RunEnd end = kiosk::run_loop(parts);
     machine::announce_stopping();
     show.remember("buttons", staff::to_text(panel.health().memory()));

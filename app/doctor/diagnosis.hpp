@@ -44,6 +44,11 @@ std::vector<Finding> examine_buttons(const site::Configuration& configuration,
 // What is plugged in that no input names, so that nobody has to guess what to write.
 std::vector<Finding> examine_boards(const site::Configuration& configuration,
                                     const OpenButtons& open = firmware_io::open_buttons);
+// Whether the cards that the settings name are there, and every language has a voice. Makes no sound.
+std::vector<Finding> examine_sound(const site::Configuration& configuration,
+                                   const std::optional<machine::Account>& exhibit = {},
+                                   const std::filesystem::path& dev_snd = "/dev/snd",
+                                   const std::string& voice = "espeak-ng");
 std::vector<Finding> examine_state(const std::filesystem::path& directory,
                                    const std::optional<machine::Account>& exhibit = {});
 // The same on a disk with so much room.

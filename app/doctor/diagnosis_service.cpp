@@ -62,6 +62,9 @@ std::vector<Finding> findings_in(const json& health) {
     if (const std::string trouble = text_in(health, "state_trouble"); !trouble.empty())
         add(Health::Doubtful, "it keeps nothing: " + trouble,
             "make room, or give it a working disk: df -h; dmesg | tail");
+    const json sound = health.value("sound", json::object());
+    if (const std::string trouble = sound.is_object() ? text_in(sound, "trouble") : ""; !trouble.empty())
+        add(Health::Doubtful, "its sound: " + trouble, "see what mends it: quadrat doctor --only sound");
     for (std::string& line : settings_trouble_in(health))
         add(Health::Doubtful, std::move(line), "correct it: quadrat doctor --only settings; it is then taken over");
     const json buttons = health.value("buttons", json::object());

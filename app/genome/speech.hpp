@@ -12,12 +12,12 @@
 
 namespace quadrat::genome {
 
-// What the screen asks and says, by key.
-inline constexpr std::array<std::string_view, 25> kPrompts{
+// What the screen asks and says, and what is heard alone (hear.again), by key.
+inline constexpr std::array<std::string_view, 26> kPrompts{
     "attract",    "ask.language", "ask.trees",      "ask.land",      "ask.sky",      "breed",     "still-there",
     "finale",     "first",        "describe.trees", "describe.land", "describe.sky", "slide",     "back",
     "invite.one", "invite.two",   "hold.one",       "hold.two",      "scan.one",     "scan.step", "scan.two",
-    "scan.rest",  "take-home",    "closed",         "settings"};
+    "scan.rest",  "hear.again",   "take-home",      "closed",        "settings"};
 
 // A number for each parameter of the table, in its order.
 using ParameterShares = std::array<float, kParameterCount>;

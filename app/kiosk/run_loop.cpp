@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/log.hpp"
+#include "hearing/hearing.hpp"
 #include "kiosk/announcer.hpp"
 #include "kiosk/captures.hpp"
 #include "kiosk/gpu_measuring.hpp"
@@ -34,7 +35,9 @@ class Loop {
           theatre_(parts.configuration),
           captures_(parts),
           measuring_(parts),
-          switchboard_(parts.configuration, parts.show) {}
+          switchboard_(parts.configuration, parts.show),
+          hearing_(parts.configuration, parts.seed,
+                   parts.clock.is_simulated() ? hearing::Aloud::Told : hearing::Aloud::Played) {}
 
     RunEnd run() {
         parts_.show.open(parts_.clock.now());
@@ -83,12 +86,14 @@ class Loop {
         look_after(now);
         for (const firmware_io::ButtonEdge& edge : edges) {
             if (parts_.caretaker != nullptr && parts_.caretaker->hear(edge, now))
-                switchboard_.let_go(now);
+                let_go(now);
             else
-                switchboard_.hear(edge, now);
+                pass_on(edge, now);
         }
+        be_patient_while_speaking(now);
         parts_.show.happen(exhibit::Tick{}, now);
         switchboard_.look(now);
+        listen(now);
         const auto lamps = parts_.caretaker != nullptr ? parts_.caretaker->lamps(now) : std::nullopt;
         parts_.panel.light(lamps.value_or(switchboard_.lamps()), now);
         if (parts_.caretaker == nullptr) return;
@@ -96,12 +101,57 @@ class Loop {
         if (power != power_) parts_.display.set_power(power_ = power);
     }
 
+    void let_go(base::Instant now) {
+        switchboard_.let_go(now);
+        hearing_.let_go();
+    }
+
+    // Where the exhibit speaks, Back may be held for it to speak again. Where any press will do, it is one at once.
+    bool may_be_held(const firmware_io::ButtonEdge& edge) const {
+        const Screen screen = parts_.show.state().screen;
+        const bool is_one_of_any = screen == Screen::Attract || screen == Screen::StillThere;
+        return edge.button == firmware_io::Button::Back && switchboard_.has_four_buttons() &&
+               (edge.motion == Motion::Up || !is_one_of_any);
+    }
+
+    void pass_on(firmware_io::ButtonEdge edge, base::Instant now) {
+        using Passes = hearing::Hearing::Passes;
+        const bool is_down = edge.motion == Motion::Down;
+        const Passes passes = may_be_held(edge) ? hearing_.hear_back(is_down, now) : Passes::AsItIs;
+        if (passes == Passes::Nothing) return parts_.show.happen(exhibit::Stirred{}, now);
+        if (passes == Passes::WholePress) {
+            edge.motion = Motion::Down;
+            switchboard_.hear(edge, now);
+            edge.motion = Motion::Up;
+        }
+        switchboard_.hear(edge, now);
+    }
+
+    // Nobody is asked whether they are there while they are being told something.
+    void be_patient_while_speaking(base::Instant now) {
+        const bool is_speaking = hearing_.is_speaking(now);
+        if (std::exchange(was_speaking_, is_speaking) || is_speaking) parts_.show.happen(exhibit::Stirred{}, now);
+    }
+
+    void listen(base::Instant now) {
+        if (!hearing_.is_on()) return;
+        if (parts_.caretaker != nullptr && parts_.caretaker->curtain() != site::Curtain::Open)
+            return hearing_.be_silent(now);
+        hearing_.look(switchboard_.heard(now), parts_.show.recipes_on_stage(), parts_.show.on_stage().number);
+        switchboard_.wait_for_speech(hearing_.speaks() ? hearing_.speaks_until() : base::Instant{0});
+    }
+
     void look_after(base::Instant now) {
         if (parts_.caretaker == nullptr) return;
         Show& show = parts_.show;
         const staff::Orders orders = parts_.caretaker->look(
-            parts_.panel, {show.state().screen != Screen::Attract, show.visits_ended(), show.state_trouble()}, now);
-        if (orders.follows_settings) show.follow(parts_.configuration);
+            parts_.panel,
+            {show.state().screen != Screen::Attract, show.visits_ended(), show.state_trouble(), hearing_.health()},
+            now);
+        if (orders.follows_settings) {
+            show.follow(parts_.configuration);
+            hearing_.follow();
+        }
         if (orders.buttons_memory) show.remember("buttons", *orders.buttons_memory);
     }
 
@@ -249,8 +299,9 @@ class Loop {
     // When something will happen by itself.
     std::optional<base::Instant> next_moment() const {
         std::optional<base::Instant> next;
-        for (const auto& at : {parts_.buttons.next_event_at(), switchboard_.next_deadline(),
-                               exhibit::next_deadline(parts_.show.state(), parts_.show.timings())})
+        for (const auto& at :
+             {parts_.buttons.next_event_at(), switchboard_.next_deadline(), hearing_.next_deadline(parts_.clock.now()),
+              exhibit::next_deadline(parts_.show.state(), parts_.show.timings())})
             if (at) next = std::min(*at, next.value_or(*at));
         return next;
     }
@@ -271,12 +322,14 @@ class Loop {
     Announcer announcer_;
     GpuMeasuring measuring_;
     Switchboard switchboard_;
+    hearing::Hearing hearing_;
     std::optional<display::Presented> presented_;  // the last frame; nothing before it
     render::Drawn drawn_;                          // last
     display::Power power_ = display::Power::On;
     std::string glimpsed_;         // the file of the picture that is on its way
     bool has_given_back_ = false;  // what the first landscapes took, once they were there
     bool wants_to_quit_ = false;
+    bool was_speaking_ = false;
     std::optional<base::Instant> remembered_at_;
 };
 

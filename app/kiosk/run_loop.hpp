@@ -46,6 +46,7 @@ struct RunLoopParts {
     pictures::Album* album = nullptr;  // borrowed; nothing: no pictures are kept
     bool ends_after_visit = false;     // the program ends with the first visit that ends
     const std::atomic<bool>* stop = nullptr;
+    base::Seed seed{};            // names all chance in what is heard
     RunRecord* record = nullptr;  // borrowed; nothing: none is kept
 };
 

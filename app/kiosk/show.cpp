@@ -190,7 +190,8 @@ std::string Show::heredity(const genome::Candidate& before, const genome::Candid
         if (!answers[aspect]) continue;
         const std::string in_words = language.heredity(*before.words, *now.words, aspect);
         const std::string detail = language.detail(moved, aspect);
-        const std::string both = in_words.empty() || detail.empty() ? in_words + detail : in_words + ", " + detail;
+        const char* between = in_words.empty() || detail.empty() ? "" : ", ";
+        const std::string both = fmt::format("{}{}{}", in_words, between, detail);
         if (!both.empty()) text.append(text.empty() ? "→ " : " · ").append(both);
     }
     return text;
@@ -369,6 +370,10 @@ const nursery::Act& Show::on_stage() const {
     return offered_;
 }
 
+std::span<const genome::Recipe> Show::recipes_on_stage() const {
+    return &on_stage() == &gallery_.act() ? gallery_.recipes() : std::span(on_stage().recipes);
+}
+
 std::vector<const nursery::Act*> Show::in_use() const {
     return {&offered_, &finale_, &gallery_.act(), refined_ ? &*refined_ : nullptr};
 }
@@ -403,6 +408,22 @@ std::optional<stage::Asked> Show::asked() const {
         shown = {std::string(language.end(*slider->word, false)), std::string(language.end(*slider->word, true)),
                  shown.share};
     return stage::Asked{"slide", {"←", "→", "−", "+"}, shown};
+}
+
+hearing::Subject Show::heard(base::Instant now) const {
+    hearing::Subject subject{state_, now, spoken_.code(), hearing::key_of(exhibit::prompt_of(state_))};
+    subject.caption = caption_;
+    subject.pressed = last_press_;
+    subject.pressed_at = last_press_at_;
+    if (const auto asked = this->asked()) {
+        subject.prompt = asked->prompt;
+        subject.labels = asked->labels;
+        if (asked->slider) subject.labels = {"", "", asked->slider->low, asked->slider->high};
+    }
+    if (state_.screen == Screen::Language) subject.label_languages = spoken_.codes(state_.first_language);
+    if (state_.screen == Screen::Ask && session_)
+        for (std::size_t i = 0; i < subject.four.size(); ++i) subject.four[i] = session_->offer().candidates[i].words;
+    return subject;
 }
 
 }  // namespace quadrat::kiosk

@@ -9,6 +9,7 @@
 #include "base/clock.hpp"
 #include "breeding/session.hpp"
 #include "exhibit/visit.hpp"
+#include "hearing/narrator.hpp"
 #include "kiosk/keeper.hpp"
 #include "kiosk/school.hpp"
 #include "kiosk/show_settings.hpp"
@@ -78,7 +79,8 @@ class Show {
 
     const exhibit::State& state() const { return state_; }
     const exhibit::Timings& timings() const { return timings_; }
-    const nursery::Act& on_stage() const;             // may be empty, before the very first four have grown
+    const nursery::Act& on_stage() const;  // may be empty, before the very first four have grown
+    std::span<const genome::Recipe> recipes_on_stage() const;
     std::vector<const nursery::Act*> in_use() const;  // whose landscapes must stay on the GPU
     bool is_growing() { return grower_.stock().is_busy; }
     float growing_progress() { return waiting_ ? grower_.progress() : 0.0F; }
@@ -94,6 +96,8 @@ class Show {
     bool can_go_back() const;
     // In Describe and Slide.
     std::optional<stage::Asked> asked() const;
+    // What is to be heard of it, but for how it is pressed.
+    hearing::Subject heard(base::Instant now) const;
 
     // From now on everything waits so many times as long as the site says.
     void wait_longer(double times);

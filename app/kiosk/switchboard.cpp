@@ -41,8 +41,8 @@ switches::Options switch_options_of(const site::Configuration& configuration) {
     return options;
 }
 
-void Switchboard::take(const switches::Step& step, base::Instant now) {
-    const Buttons before = std::exchange(state_, step.state).buttons;
+void Switchboard::take(switches::Step step, base::Instant now) {
+    const Buttons before = std::exchange(state_, std::move(step.state)).buttons;
     if (before != state_.buttons) {
         constexpr const char* kNames[] = {"four buttons", "two buttons", "one button"};
         base::log::info("played with {}", kNames[static_cast<std::size_t>(state_.buttons)]);
@@ -66,6 +66,14 @@ void Switchboard::look(base::Instant now) {
 
 std::optional<base::Instant> Switchboard::next_deadline() const {
     return switches::next_deadline(state_, beside(), switch_options_of(configuration_));
+}
+
+hearing::Subject Switchboard::heard(base::Instant now) const {
+    hearing::Subject subject = show_.heard(now);
+    subject.is_marking = switches::is_marking(state_, show_.state());
+    if (const auto shown = scanned(now)) subject.hint = shown->hint;
+    if (subject.is_marking && state_.screen == show_.state().screen) subject.marked = state_.marked;
+    return subject;
 }
 
 firmware_io::Lamps Switchboard::lamps() const {

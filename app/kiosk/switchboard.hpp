@@ -26,19 +26,25 @@ class Switchboard {
     void look(base::Instant now);
 
     std::optional<base::Instant> next_deadline() const;
+    // What is marked waits until then.
+    void wait_for_speech(base::Instant until) { speaks_until_ = until; }
+    bool has_four_buttons() const { return state_.buttons == switches::Buttons::Four; }
+    // With what is marked.
+    hearing::Subject heard(base::Instant now) const;
     // What lights up is what can be pressed now, or is marked.
     firmware_io::Lamps lamps() const;
     // How it is shown; nothing while four buttons are played with and none is held.
     std::optional<stage::Scanned> scanned(base::Instant now) const;
 
   private:
-    void take(const switches::Step& step, base::Instant now);
-    switches::Beside beside() const { return {show_.state(), show_.can_go_back()}; }
+    void take(switches::Step step, base::Instant now);
+    switches::Beside beside() const { return {show_.state(), show_.can_go_back(), speaks_until_}; }
     std::string hint(const switches::Options& options) const;
 
     const site::Configuration& configuration_;
     Show& show_;
     switches::State state_;
+    base::Instant speaks_until_{0};
 };
 
 }  // namespace quadrat::kiosk

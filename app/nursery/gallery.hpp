@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "genome/recipe.hpp"
@@ -28,6 +29,8 @@ class Gallery {
 
     // Of those that are here. Without recipes: they had their pictures taken as finales.
     const Act& act() const { return act_; }
+    // What they are grown from.
+    std::span<const genome::Recipe> recipes() const { return std::span(recipes_).first(act_.scenes.size()); }
 
   private:
     Act act_;

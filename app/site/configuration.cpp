@@ -49,6 +49,24 @@ void read_visit(Reader& reader, Configuration::Visit& visit) {
     reader.read("visit", "languages", visit.languages, spoken);
 }
 
+void read_sound(Reader& reader, Configuration::Sound& sound) {
+    reader.read("sound", "on", sound.is_on);
+    reader.read("sound", "level", sound.level, 0, 1);
+    reader.read("sound", "soundscape", sound.soundscape, 0, 1);
+    reader.read("sound", "signals", sound.signals, 0, 1);
+    reader.read("sound", "speech", sound.speaks);
+    reader.read_checked("sound", "speech_folder", sound.speech_folder, check_folder);
+    reader.read_checked("sound", "device", sound.device, check_sound_device);
+    reader.read_checked("sound", "private_device", sound.private_device, check_sound_device);
+    reader.read("sound", "private_level", sound.private_level, 0, 1);
+    const toml::node* node = reader.find("sound", "private_device");
+    if (node == nullptr || sound.private_device.empty()) return;
+    if (sound.private_device == sound.device)
+        reader.refuse(*node, "sound.private_device", "is the same card as sound.device", "name another: aplay -L");
+    else if (!sound.speaks)
+        reader.refuse(*node, "sound.private_device", "is there, and nobody speaks on it", "add speech = true");
+}
+
 // A time that 0 switches off, and that makes no sense when it is shorter than a hand.
 void read_or_never(Reader& reader, const char* key, double& value, double low, double high) {
     reader.read("play", key, value, 0, high);
@@ -193,6 +211,7 @@ void read_all(Reader& reader, Configuration& configuration, const LettersWithout
     reader.read_checked("buttons", "inputs", configuration.inputs, InputCheck{});
     read_visit(reader, configuration.visit);
     read_play(reader, configuration);
+    read_sound(reader, configuration.sound);
     read_breeding(reader, configuration.breeding);
     read_words(reader, configuration.words);
     read_picture(reader, configuration.picture);

@@ -62,6 +62,20 @@ struct Configuration {
         bool shows_how = true;         // ghostly presses, now and then while nobody is there
     } play;
 
+    // What is heard. Off, because a room of exhibits is loud enough, unless the site decides otherwise.
+    struct Sound {
+        bool is_on = false;
+        double level = 0.5;              // 0 to 1: nothing is ever louder
+        double soundscape = 0.6;         // 0 to 1, of that: the landscape's; 0: none
+        double signals = 1;              // 0 to 1, of that: of presses, choices and rounds
+        bool speaks = false;             // questions, and the four in words
+        std::string speech_folder;       // recordings, LANGUAGE/KEY.wav, in place of espeak-ng
+        std::string device = "default";  // ALSA's name of the card
+        std::string private_device;      // of a handset: then speech is heard there alone; "": there is none
+        double private_level = 0.5;      // 0 to 1, at the start of a visit
+        friend bool operator==(const Sound&, const Sound&) = default;
+    } sound;
+
     struct Breeding {
         std::string genome = "words";               // words, classic
         std::string breeder = "belief";             // belief, pbil, pbil-gaussian, random, sliders

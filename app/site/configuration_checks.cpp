@@ -162,6 +162,18 @@ void check_fleet_user(const std::string& name) {
         refuse(fmt::format("is no name; write one of {} bytes at most, on one line", kLongestName));
 }
 
+void check_folder(const std::string& path) {
+    std::error_code error;
+    if (!path.empty() && !std::filesystem::is_directory(path, error))
+        refuse(fmt::format("names no folder that is there: {}; make it, or name another", path));
+}
+
+void check_sound_device(const std::string& name) {
+    constexpr std::size_t kLongest = 200;
+    const bool is_plain = std::ranges::all_of(name, [](char c) { return c > ' ' && c < 127; });
+    if (!is_plain || name.size() > kLongest) refuse("is no name of a sound card; take one that aplay -L lists");
+}
+
 void check_file(const std::string& path) {
     if (!path.empty()) require_file(path);
 }

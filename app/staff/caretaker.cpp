@@ -329,6 +329,7 @@ Vitals Caretaker::vitals(const Panel& panel, const VisitNow& visit, base::Instan
     vitals.tests_lamps = (tests_lamps_until_ && now < *tests_lamps_until_) || service_.is_testing_lamps();
     vitals.visits = visit.visits_ended;
     vitals.state_trouble = visit.state_trouble;
+    vitals.sound = visit.sound;
     vitals.free_mb = seen_.free_mb;
     vitals.faults = base::recent_warnings().lines;
     vitals.settings = settings_.news();

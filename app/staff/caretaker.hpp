@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "display/display.hpp"
+#include "hearing/health.hpp"
 #include "machine/heap.hpp"
 #include "mesh/image.hpp"
 #include "site/hours.hpp"
@@ -39,6 +40,7 @@ struct VisitNow {
     bool has_visitor = false;
     int visits_ended = 0;
     std::string state_trouble = {};  // why what visitors do is not being kept, or ""
+    hearing::Health sound = {};
 };
 
 // What the caretaker leaves to whoever runs the visit.

@@ -56,6 +56,11 @@ std::string disk_line(const Vitals& vitals) {
     return line;
 }
 
+std::string sound_line(const Vitals& vitals) {
+    if (!vitals.sound.trouble.empty()) return "NO SOUND: " + vitals.sound.trouble;
+    return fmt::format("sound plays · {} gaps", vitals.sound.underruns);
+}
+
 std::string live_line(const Vitals& vitals) {
     std::string line = "now ";
     for (const Button button : firmware_io::kButtons)
@@ -161,6 +166,7 @@ stage::Board ServiceScreen::board(const Vitals& vitals, Instant now) const {
     lines.push_back(frames_line(vitals));
     lines.push_back(machine_line(vitals));
     lines.push_back(disk_line(vitals));
+    if (vitals.sound.is_wanted) lines.push_back(sound_line(vitals));
     lines.push_back(fmt::format("{} visits · {} presses · {} failures in ten minutes", vitals.visits, vitals.presses,
                                 vitals.failures));
     lines.push_back(live_line(vitals));

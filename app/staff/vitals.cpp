@@ -76,6 +76,14 @@ std::string settings_metrics(const SettingsNews& news) {
                   static_cast<int>(news.from));
 }
 
+nlohmann::json sound_of(const hearing::Health& sound) {
+    return {{"wanted", sound.is_wanted},
+            {"plays", sound.is_playing},
+            {"trouble", sound.trouble},
+            {"underruns", sound.underruns},
+            {"dropped", sound.dropped}};
+}
+
 }  // namespace
 
 void FrameCount::frame(const tempo::FrameRecord& record) {
@@ -100,7 +108,8 @@ Verdict verdict_of(const Vitals& vitals) {
     if (vitals.buttons.presence == Presence::Absent || !vitals.screen_trouble.empty()) return Verdict::Bad;
     const bool is_doubtful = vitals.mode == Mode::Safe || !vitals.state_trouble.empty() ||
                              !vitals.settings.mistakes.empty() || vitals.machine.is_throttled.value_or(false) ||
-                             vitals.free_mb.value_or(1000) < 20 || (vitals.has_hours && !vitals.wall.is_trusted) ||
+                             vitals.free_mb.value_or(1000) < 20 || !vitals.sound.trouble.empty() ||
+                             (vitals.has_hours && !vitals.wall.is_trusted) ||
                              std::any_of(vitals.findings.begin(), vitals.findings.end(), is_serious);
     return is_doubtful ? Verdict::Doubtful : Verdict::Good;
 }
@@ -150,6 +159,7 @@ std::string to_json(const Vitals& vitals) {
                 vitals.ailments[static_cast<std::size_t>(ailment)][index_of(button)];
     json["visits"] = vitals.visits;
     json["state_trouble"] = vitals.state_trouble;
+    json["sound"] = sound_of(vitals.sound);
     if (vitals.free_mb) json["free_mb"] = *vitals.free_mb;
     if (vitals.machine.temperature_c) json["temperature_c"] = *vitals.machine.temperature_c;
     if (vitals.machine.is_throttled) json["throttled"] = *vitals.machine.is_throttled;
@@ -185,6 +195,10 @@ std::string to_prometheus(const Vitals& vitals) {
     text += one_metric("button_ailments_total", "counter", "How often each ailment of each button began", ailments);
     text += metric("visits_total", "counter", "Visits that ended", vitals.visits);
     text += metric("state_up", "gauge", "1 while visits are kept", vitals.state_trouble.empty() ? 1 : 0);
+    if (vitals.sound.is_wanted) {
+        text += metric("sound_up", "gauge", "1 while sound is played", vitals.sound.is_playing ? 1 : 0);
+        text += metric("sound_underruns_total", "counter", "Gaps in the sound", vitals.sound.underruns);
+    }
     if (vitals.free_mb) text += metric("free_megabytes", "gauge", "Left on the state's disk", *vitals.free_mb);
     if (vitals.machine.temperature_c)
         text += metric("temperature_celsius", "gauge", "The warmest sensor", *vitals.machine.temperature_c);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "firmware-io/button_health.hpp"
+#include "hearing/health.hpp"
 #include "machine/machine.hpp"
 #include "site/hours.hpp"
 #include "staff/ladder.hpp"
@@ -64,6 +65,7 @@ struct Vitals {
     bool tests_lamps = false;
     int visits = 0;
     std::string state_trouble;  // "" while everything is kept
+    hearing::Health sound;
     std::optional<double> free_mb;
     std::vector<std::string> faults;          // the last warnings, oldest first
     std::vector<std::string> earlier_faults;  // those of the runs before this one, with their dates

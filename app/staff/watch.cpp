@@ -80,9 +80,17 @@ std::string apply(const site::Configuration& changed, site::Configuration& runni
     note("words", changed.words == now.words);
     note("picture.land_samples", changed.picture.land_samples == now.picture.land_samples);
     note("picture.ground", changed.picture.ground == now.picture.ground);
+    note("sound", changed.sound.is_on == now.sound.is_on && changed.sound.speaks == now.sound.speaks &&
+                      changed.sound.speech_folder == now.sound.speech_folder &&
+                      changed.sound.device == now.sound.device &&
+                      changed.sound.private_device == now.sound.private_device);
     note("fleet (systemctl restart quadrat-fleet)", changed.fleet == now.fleet);
     running.visit = changed.visit;
     running.play = changed.play;
+    running.sound.level = changed.sound.level;
+    running.sound.soundscape = changed.sound.soundscape;
+    running.sound.signals = changed.sound.signals;
+    running.sound.private_level = changed.sound.private_level;
     running.look = changed.look;
     running.take_home = changed.take_home;
     running.picture.alpha = changed.picture.alpha;

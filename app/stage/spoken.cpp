@@ -40,4 +40,13 @@ std::array<std::string, 4> Spoken::labels(int first_language) const {
     return labels;
 }
 
+std::array<std::string, 4> Spoken::codes(int first_language) const {
+    std::array<std::string, 4> codes;
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        const auto choice = exhibit::language_on(static_cast<exhibit::Choice>(i), first_language, offered());
+        if (choice && !choice->turns_page) codes[i] = offered_[static_cast<std::size_t>(choice->which)];
+    }
+    return codes;
+}
+
 }  // namespace quadrat::stage

@@ -30,6 +30,7 @@ class Spoken {
     const std::string& shown(exhibit::Screen screen, base::Instant now) const;
     // In each language's own name, on the buttons.
     std::array<std::string, 4> labels(int first_language) const;
+    std::array<std::string, 4> codes(int first_language) const;  // of those; "" for none
 
   private:
     std::string own_;

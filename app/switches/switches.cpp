@@ -63,8 +63,9 @@ Instant marked_for(const State& state, const Options& options) {
 
 std::optional<Instant> mark_deadline(const State& state, const Beside& beside, const Options& options) {
     if (!is_marking(state, beside.visit) || !state.marked || is_any_down(state)) return std::nullopt;
-    if (!is_stepped(state, options)) return state.marked_since + marked_for(state, options);
-    if (options.dwell.count() > 0 && state.is_marked_by_hand) return state.marked_since + options.dwell;
+    const Instant since = std::max(state.marked_since, beside.speaks_until);
+    if (!is_stepped(state, options)) return since + marked_for(state, options);
+    if (options.dwell.count() > 0 && state.is_marked_by_hand) return since + options.dwell;
     return std::nullopt;
 }
 

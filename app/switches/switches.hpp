@@ -66,6 +66,7 @@ struct State {
 struct Beside {
     const exhibit::State& visit;
     bool can_go_back = false;
+    Instant speaks_until{0};  // what is asked, and the choice that is marked; the mark waits for it
 };
 
 struct Step {

@@ -93,6 +93,20 @@ void add_closed_node(const tests::TemporaryFolder& machine, const std::string& n
     fs::permissions(machine.write("dev/" + name, ""), fs::perms{0600});
 }
 
+site::Configuration sounding(const std::string& device) {
+    site::Configuration configuration;
+    configuration.sound.is_on = true;
+    configuration.sound.device = device;
+    return configuration;
+}
+
+std::vector<Finding> sound_of(const tests::TemporaryFolder& machine, const std::optional<machine::Account>& exhibit,
+                              const std::string& device, const std::string& handset = "") {
+    site::Configuration configuration = sounding(device);
+    configuration.sound.private_device = handset;
+    return examine_sound(configuration, exhibit, machine / "dev");
+}
+
 const std::vector<Broken>& broken_machines() {
     static const std::vector<Broken> all{
         {"NoGraphicsCard", screen_of, Health::Doubtful, "no graphics card", "vc4-kms-v3d"},
@@ -132,6 +146,38 @@ const std::vector<Broken>& broken_machines() {
              return examine_screen(stranger(m), m / "sys", m / "dev");
          },
          Health::Bad, "renderD128", "usermod -aG render quadrat"},
+        {"NoSoundCard", [](const tests::TemporaryFolder& m) { return sound_of(m, {}, "hw:CARD=NoSuchCard"); },
+         Health::Doubtful, "the sound card hw:CARD=NoSuchCard cannot be opened", "aplay -L"},
+        {"NoHandset", [](const tests::TemporaryFolder& m) { return sound_of(m, {}, "null", "hw:CARD=NoHandset"); },
+         Health::Doubtful, "the sound card hw:CARD=NoHandset cannot be opened", "aplay -L"},
+        {"SoundCardOfAnotherGroup",
+         [](const tests::TemporaryFolder& m) {
+             add_closed_node(m, "pcmC0D0p");
+             return sound_of(m, stranger(m), "null");
+         },
+         Health::Bad, "sound cards' nodes: may not be used by the user quadrat", "usermod -aG audio quadrat"},
+        {"LanguageWithoutAVoice",
+         [](const tests::TemporaryFolder& m) {
+             site::Configuration configuration = sounding("null");
+             configuration.sound.speaks = true;
+             configuration.visit.languages = {"en", "xh"};
+             return examine_sound(configuration, {}, m / "dev");
+         },
+         Health::Doubtful, "espeak-ng has no voice for the language xh", "sound.speech_folder"},
+        {"NoVoiceAtAll",
+         [](const tests::TemporaryFolder& m) {
+             site::Configuration configuration = sounding("null");
+             configuration.sound.speaks = true;
+             return examine_sound(configuration, {}, m / "dev", "no-such-voice");
+         },
+         Health::Doubtful, "no-such-voice: No such file or directory; apt install espeak-ng", "sound.speech_folder"},
+        {"ServiceWithoutSound",
+         [](const tests::TemporaryFolder& m) {
+             staff::Vitals vitals;
+             vitals.sound = {true, false, 0, 0, "the sound card default is gone"};
+             return service_that_says(m, vitals);
+         },
+         Health::Doubtful, "its sound: the sound card default is gone", "quadrat doctor --only sound"},
         {"LinesOfAnotherGroup",
          [](const tests::TemporaryFolder& m) {
              add_closed_node(m, "gpiochip0");

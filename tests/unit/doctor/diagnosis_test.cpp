@@ -65,6 +65,18 @@ TEST(Doctor, MissesTheNodeOfACard) {
     EXPECT_THAT(report_of(examine_screen({}, "/nowhere", "/nowhere")), HasSubstr("no graphics card"));
 }
 
+TEST(Doctor, FindsNothingWrongWithSoundThatIsOffOrThere) {
+    site::Configuration configuration;
+    configuration.sound.device = "hw:CARD=NoSuchCard";
+    EXPECT_THAT(report_of(examine_sound(configuration)), HasSubstr("sound is off, as the settings say"));
+    configuration.sound.is_on = configuration.sound.speaks = true;
+    configuration.sound.device = "null";
+    configuration.visit.languages = {"de", "zh"};
+    const auto findings = examine_sound(configuration, {}, "/nowhere");
+    EXPECT_EQ(worst_of(findings), Health::Good) << report_of(findings);
+    EXPECT_THAT(report_of(findings), HasSubstr("every language of the site has a voice"));
+}
+
 TEST(Doctor, KnowsADamagedStateFileWithoutTouchingIt) {
     const tests::TemporaryFolder folder;
     EXPECT_THAT(report_of(examine_state(folder.path())), HasSubstr("no visit has been kept yet"));

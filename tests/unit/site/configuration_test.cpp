@@ -57,6 +57,7 @@ TEST(Configuration, TheFileThatIsDeliveredSaysTheDefaults) {
     EXPECT_EQ(delivered.play.quiet_s, standard.play.quiet_s);
     EXPECT_EQ(delivered.play.patience, standard.play.patience);
     EXPECT_EQ(delivered.play.shows_how, standard.play.shows_how);
+    EXPECT_EQ(delivered.sound, standard.sound);
     EXPECT_EQ(delivered.look, standard.look);
     EXPECT_EQ(delivered.take_home, standard.take_home);
     EXPECT_EQ(delivered.hours, standard.hours);
@@ -145,6 +146,35 @@ TEST(Configuration, ReadsHowItIsLookedAtAndWhereItsLandscapesGo) {
                     HasSubstr("write an address such as https://museum.example/quadrat/"));
     EXPECT_THAT(refusal_of(("[take_home]\nurl = \"https://" + std::string(200, 'a') + "\"\n").c_str()),
                 HasSubstr("take_home.url has 208 letters"));
+}
+
+TEST(Configuration, ReadsWhatIsHeard) {
+    EXPECT_FALSE(Configuration{}.sound.is_on) << "a room of exhibits is loud enough";
+    const tests::TemporaryFolder folder;
+    const Configuration c = configuration_from(
+        "[sound]\non = true\nlevel = 0.3\nsoundscape = 0\nsignals = 0.5\nspeech = true\nspeech_folder = \"" +
+            folder.path().string() +
+            "\"\ndevice = \"plughw:CARD=PCH,DEV=0\"\nprivate_device = \"hw:1\"\nprivate_level = 1\n",
+        "site.toml");
+    EXPECT_TRUE(c.sound.is_on && c.sound.speaks);
+    EXPECT_EQ(c.sound.level, 0.3);
+    EXPECT_EQ(c.sound.soundscape, 0);
+    EXPECT_EQ(c.sound.signals, 0.5);
+    EXPECT_EQ(c.sound.speech_folder, folder.path().string());
+    EXPECT_EQ(c.sound.device, "plughw:CARD=PCH,DEV=0");
+    EXPECT_EQ(c.sound.private_device, "hw:1");
+    EXPECT_EQ(c.sound.private_level, 1);
+    EXPECT_THAT(refusal_of("[sound]\nlevel = 1.5\n"),
+                HasSubstr("site.toml:2: sound.level is 1.5; it must lie between"));
+    EXPECT_THAT(refusal_of("[sound]\ndevice = \"my card\"\n"), HasSubstr("is no name of a sound card"));
+    EXPECT_THAT(refusal_of("[sound]\nspeech_folder = \"/no/such\"\n"),
+                HasSubstr("names no folder that is there: /no/such"));
+    EXPECT_THAT(
+        refusal_of("[sound]\nspeech = true\nprivate_device = \"default\"\n"),
+        HasSubstr("site.toml:3: sound.private_device is the same card as sound.device; name another: aplay -L"));
+    EXPECT_THAT(refusal_of("[sound]\nprivate_device = \"hw:1\"\n"),
+                HasSubstr("is there, and nobody speaks on it; add speech = true"));
+    EXPECT_THAT(refusal_of("[sound]\nvolume = 1\n"), HasSubstr("sound.volume is not known"));
 }
 
 TEST(Configuration, ReadsOpeningHours) {

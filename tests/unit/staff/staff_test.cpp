@@ -66,6 +66,25 @@ TEST(Vitals, AreMetricsThatPrometheusReads) {
                 HasSubstr("quadrat_button_ailments_total{button=\"B\",ailment=\"chattering\"} 4"));
 }
 
+TEST(Vitals, TellOfSoundThatIsWantedAndNotHeard) {
+    Vitals vitals;
+    EXPECT_THAT(to_prometheus(vitals), testing::Not(HasSubstr("sound"))) << "it is off";
+    vitals.sound = {true, true, 3, 0, ""};
+    auto json = nlohmann::json::parse(to_json(vitals));
+    EXPECT_EQ(json["verdict"], "good");
+    EXPECT_EQ(json["sound"]["underruns"], 3);
+    EXPECT_THAT(to_prometheus(vitals), HasSubstr("\nquadrat_sound_underruns_total 3\n"));
+    ServiceScreen service;
+    service.open(0s);
+    EXPECT_THAT(service.board(vitals, 1s).lines, testing::Contains("sound plays · 3 gaps"));
+    vitals.sound = {true, false, 3, 0, "the sound card hw:1 is gone"};
+    json = nlohmann::json::parse(to_json(vitals));
+    EXPECT_EQ(json["verdict"], "doubtful");
+    EXPECT_EQ(json["sound"]["trouble"], "the sound card hw:1 is gone");
+    EXPECT_THAT(to_prometheus(vitals), HasSubstr("\nquadrat_sound_up 0\n"));
+    EXPECT_THAT(service.board(vitals, 1s).lines, testing::Contains("NO SOUND: the sound card hw:1 is gone"));
+}
+
 TEST(Vitals, TellAScreenThatIsDarkByPlanFromOneThatFailed) {
     Vitals vitals;
     EXPECT_THAT(to_prometheus(vitals), HasSubstr("\nquadrat_screen_up 1\n"));
@@ -309,6 +328,13 @@ TEST(Watch, AppliesAtOnceWhatARunningExhibitMayChangeAndNamesTheRest) {
     EXPECT_EQ(site::text(running, "attract"), "Los!");
     EXPECT_EQ(running.picture.samples, 1);
     EXPECT_FALSE(running.hours.is_always_open);
+    changed.sound.level = 0.2;
+    EXPECT_EQ(apply(changed, running), "");
+    EXPECT_EQ(running.sound.level, 0.2);
+    changed.sound.device = "hw:1";
+    EXPECT_EQ(apply(changed, running), "sound");
+    EXPECT_EQ(running.sound.device, "default") << "until it is started anew";
+    changed.sound.device = "default";
     changed.screen.mode = "1280x720";
     changed.inputs = {"hid:"};
     EXPECT_EQ(apply(changed, running), "screen, buttons.inputs");

@@ -101,6 +101,26 @@ TEST(OneButton, TheMarkGoesRoundAtItsPaceAndLongerOnTheFirst) {
     EXPECT_EQ(player.marked(), Choice::A) << "there is nothing to go back to yet, so Back is not among them";
 }
 
+TEST(OneButton, TheMarkWaitsUntilWhatItMarksHasBeenSaid) {
+    exhibit::State visit;
+    visit.screen = Screen::Ask;
+    visit.since = seconds(10);
+    Options dwelling = with(Buttons::One);
+    dwelling.dwell = seconds(2);
+    for (const Options& options : {with(Buttons::One), dwelling}) {
+        State state = next({}, exhibit::Tick{}, {visit}, seconds(10), options).state;
+        if (!state.marked) {
+            state = next(state, exhibit::Pressed{Choice::B}, {visit}, seconds(11), options).state;
+            state = next(state, exhibit::Released{Choice::B}, {visit}, seconds(11), options).state;
+        }
+        const auto silent = next_deadline(state, {visit}, options);
+        ASSERT_TRUE(silent);
+        const auto spoken = next_deadline(state, {visit, false, seconds(17)}, options);
+        EXPECT_EQ(spoken, Instant(seconds(17)) + (*silent - state.marked_since));
+        EXPECT_EQ(next_deadline(state, {visit, false, seconds(4)}, options), silent) << "said long ago";
+    }
+}
+
 TEST(OneButton, MarksBackToo) {
     Player player(with(Buttons::One));
     player.arrive().take(Choice::B).until_marked(Choice::Back).until_marked(Choice::A);
