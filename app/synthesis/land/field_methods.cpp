@@ -135,9 +135,9 @@ mesh::Field island(const FieldRequest& r) {
 std::shared_ptr<const StreamNetwork> streams_of(const FieldRequest& r) {
     StreamOptions options;
     options.spacing = std::clamp(1.0F / r.features, 0.02F, 1.0F);
-    // No finer than a 64th of the land: there the slopes' own roughness begins.
+    // No finer than a 32nd of the land: there the slopes' own roughness begins.
     options.levels =
-        std::clamp(static_cast<int>(std::floor(std::log2(64.0F * options.spacing))) + 1, 0, std::min(r.octaves, 6));
+        std::clamp(static_cast<int>(std::floor(std::log2(32.0F * options.spacing))) + 1, 0, std::min(r.octaves, 6));
     return std::make_shared<const StreamNetwork>(options, r.seed.child("streams"));
 }
 

@@ -54,6 +54,13 @@ float StreamNetwork::Link::under(glm::vec2 at, float k) const {
     return bed + rise * t - k * off;
 }
 
+// Whether all of it is farther than that, by its foot and length; some links that are farther are not found so.
+bool StreamNetwork::Link::is_beyond(glm::vec2 at, float far) const {
+    const glm::vec2 d = at - foot;
+    const float reach = far + 1.0001F * length;
+    return reach < 0 || glm::dot(d, d) > reach * reach;
+}
+
 float StreamNetwork::Link::distance(glm::vec2 at) const {
     const glm::vec2 d = at - foot;
     const float a = glm::dot(d, along);
@@ -96,6 +103,8 @@ StreamNetwork::Lowest StreamNetwork::lowest(glm::vec2 at) const {
     Lowest best;
     for (int i = 1; i < static_cast<int>(nodes_.size()); ++i) {
         const Link& link = link_of(i);
+        // Most are too far by their length and slope alone.
+        if (link.is_beyond(at, (best.height - link.bed) / options_.flank)) continue;
         float off = 0;
         const float t = link.stand(at, 1, off);
         const float height = link.bed + link.rise * t + options_.flank * off;
@@ -107,8 +116,12 @@ StreamNetwork::Lowest StreamNetwork::lowest(glm::vec2 at) const {
 // A bed lower than this would have its valley cut into another stream.
 float StreamNetwork::least_bed(glm::vec2 at) const {
     float least = 0;
-    for (int i = 1; i < static_cast<int>(nodes_.size()); ++i)
-        least = std::max(least, link_of(i).under(at, options_.flank));
+    for (int i = 1; i < static_cast<int>(nodes_.size()); ++i) {
+        const Link& link = link_of(i);
+        const float top = link.bed + link.rise * link.length;
+        if (!link.is_beyond(at, (top - least) / options_.flank))
+            least = std::max(least, link.under(at, options_.flank));
+    }
     return least;
 }
 
@@ -144,7 +157,7 @@ bool StreamNetwork::is_clear(std::span<const glm::vec2> course) const {
 
 // From the mouth up; empty where the course would have to lie over the ground, or be too steep.
 std::vector<float> StreamNetwork::beds(std::span<const glm::vec2> course, float mouth, float fall) const {
-    constexpr int kLooks = 8;  // at each piece, besides where it begins
+    constexpr int kLooks = 5;  // at each piece, besides where it begins
     std::vector<float> beds{mouth};
     std::vector<Link> own;
     for (std::size_t i = 1; i < course.size(); ++i) {
@@ -245,7 +258,8 @@ void StreamNetwork::add_tributaries(int level, base::Seed seed) {
         const Lowest mouth = lowest(at);
         const float distance = glm::length(at - mouth.at);
         float nearest = distance;
-        for (int i = 1; i < static_cast<int>(nodes_.size()); ++i) nearest = std::min(nearest, link_of(i).distance(at));
+        for (int i = 1; i < static_cast<int>(nodes_.size()); ++i)
+            if (!link_of(i).is_beyond(at, nearest)) nearest = std::min(nearest, link_of(i).distance(at));
         if (nearest < 0.45F * spacing) continue;
         base::RandomStream random{base::Seed{hash}};
         add_tributary(at, moved_to_a_node(mouth), level, random);

@@ -55,6 +55,7 @@ class StreamNetwork {
         float over(glm::vec2 at, float k) const;
         float under(glm::vec2 at, float k) const;
         float distance(glm::vec2 at) const;
+        bool is_beyond(glm::vec2 at, float far) const;
     };
     struct Lowest;
     void add_node(const Node& node);
