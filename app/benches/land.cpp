@@ -10,9 +10,11 @@
 #include "scene/parameters.hpp"
 #include "synthesis/compose/settlers.hpp"
 #include "synthesis/grow.hpp"
+#include "synthesis/land/deformations.hpp"
 #include "synthesis/land/drainage.hpp"
 #include "synthesis/land/erosion.hpp"
 #include "synthesis/land/field_methods.hpp"
+#include "synthesis/land/overhangs.hpp"
 #include "synthesis/land/rivers.hpp"
 
 namespace quadrat::benches {
@@ -120,6 +122,20 @@ void add_erosion(Results& results) {
     }
 }
 
+void add_other_ways(Results& results) {
+    const Threads one(1);
+    const mesh::Field ground = hills(513);
+    const mesh::Field mask = make_field(*field_method("gaussian-hills"), request(65));
+    const auto tell = [&](const char* name, double ms) { results.push_back({name, ms, "ms", 1}); };
+    tell("land.streams_ms", best_cpu_ms(3, [] { make_field(*field_method("streams"), request(513)); }));
+    tell("land.search_ms", best_cpu_ms(3, [&] {
+             mesh::Field bent = ground;
+             for (float& h : bent.samples) h /= 220;
+             bend_to_mask(bent, mask, {}, base::Seed{3});
+         }));
+    tell("land.fin_ms", best_cpu_ms(5, [] { weathered_fin({}, base::Seed{3}).surface(); }));
+}
+
 // Heights, valleys and water of ever larger fields of one cell: the slope of log time over log cells.
 double cost_exponent() {
     std::vector<double> xs;
@@ -154,6 +170,7 @@ void land(Results& results) {
     }
     add_water(results);
     add_erosion(results);
+    add_other_ways(results);
     add_settlement(results);
     {
         const Threads one(1);

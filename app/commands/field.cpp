@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -18,11 +15,13 @@
 #include "base/file.hpp"
 #include "base/text_file.hpp"
 #include "commands/commands.hpp"
+#include "commands/progress.hpp"
 #include "pictures/image_file.hpp"
 #include "pictures/mask.hpp"
 #include "pictures/picture.hpp"
 #include "pictures/relief.hpp"
 #include "synthesis/land/constraint_text.hpp"
+#include "synthesis/land/deformations.hpp"
 #include "synthesis/land/erosion.hpp"
 #include "synthesis/land/field_methods.hpp"
 #include "synthesis/land/masks.hpp"
@@ -38,7 +37,7 @@ struct Options {
     std::string output;
     int size = 513;
     std::uint64_t seed = 1;
-    float features = 4;
+    float features = 0;  // 0: 4, or 1 with pictures
     int octaves = 9;
     float gain = 0.5F;
     std::string window;
@@ -49,6 +48,10 @@ struct Options {
     std::optional<float> mask_nodata;
     std::vector<float> mask_heights{-1, 1};
     int mask_reach = 0;  // 0: a thirty-second of the size
+    float search = 0;    // cost that a search may leave; 0: no search
+    int search_most = 400;
+    std::vector<std::string> with;
+    std::string with_range;
     std::vector<float> range{-2, 2};
     float burrs = 0;
     int smooth = 0;
@@ -58,63 +61,6 @@ struct Options {
 
     bool has_filters() const { return burrs > 0 || smooth > 0 || erode > 0 || repose_deg > 0; }
     bool needs_the_whole() const { return has_filters() || !mask_file.empty(); }
-};
-
-struct Interrupted {};
-
-volatile std::sig_atomic_t is_interrupted = 0;
-
-// While it lives, Ctrl-C and a polite kill are noted instead of obeyed.
-class InterruptsNoted {
-  public:
-    InterruptsNoted() {
-        is_interrupted = 0;
-        before_int_ = std::signal(SIGINT, note);
-        before_term_ = std::signal(SIGTERM, note);
-    }
-    ~InterruptsNoted() {
-        std::signal(SIGINT, before_int_);
-        std::signal(SIGTERM, before_term_);
-    }
-    InterruptsNoted(const InterruptsNoted&) = delete;
-    InterruptsNoted& operator=(const InterruptsNoted&) = delete;
-
-  private:
-    static void note(int) { is_interrupted = 1; }
-    void (*before_int_)(int);
-    void (*before_term_)(int);
-};
-
-void obey_interrupts() {
-    if (is_interrupted != 0) throw Interrupted{};
-}
-
-// Says on standard error how far a long piece of work is; short ones say nothing.
-class Progress {
-  public:
-    explicit Progress(std::string what) : what_(std::move(what)) {}
-    ~Progress() {
-        if (has_spoken_ && is_terminal_) std::fputc('\n', stderr);
-    }
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-
-    void at(double share) {
-        obey_interrupts();
-        const int percent = static_cast<int>(100 * share);
-        const auto since = std::chrono::steady_clock::now() - start_;
-        if (since < std::chrono::milliseconds(700) || percent < said_ + (is_terminal_ ? 1 : 10)) return;
-        std::fprintf(stderr, is_terminal_ ? "\r%s: %d %%" : "%s: %d %%\n", what_.c_str(), percent);
-        said_ = percent;
-        has_spoken_ = true;
-    }
-
-  private:
-    std::string what_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    const bool is_terminal_ = ::isatty(STDERR_FILENO) == 1;
-    int said_ = 0;
-    bool has_spoken_ = false;
 };
 
 Window window_from(const std::string& text, int size) {
@@ -143,16 +89,53 @@ std::vector<const land::FieldMethod*> methods_from(const Options& options) {
         for (const land::FieldMethod& m : land::field_methods())
             if (name == "all" || m.name == name) methods.push_back(&m);
     }
+    std::vector<std::string_view> takers;
+    for (const land::FieldMethod& m : land::field_methods())
+        if (m.takes_pictures) takers.push_back(m.name);
+    for (const land::FieldMethod* m : methods)
+        if (!options.with.empty() && !m->takes_pictures)
+            throw base::InputError(fmt::format("--with: {} has no noise that a picture could stand in for; {} have",
+                                               m->name, fmt::join(takers, ", ")));
     if (methods.size() > 1 && !options.is_relief)
         throw base::InputError("several methods are drawn side by side with --relief; a field is one method's");
     return methods;
+}
+
+// A grey picture as shares of white; says which of its samples are holes or beyond the range.
+mesh::Field shares_of(const std::string& file, const std::string& range_text, std::string_view range_option,
+                      std::optional<float> nodata) {
+    std::optional<pictures::MaskRange> range;
+    if (!range_text.empty()) range = pictures::mask_range_from(range_text, range_option);
+    pictures::Mask mask = pictures::mask_from(pictures::read_grey_picture(file), file, range, nodata, range_option);
+    if (mask.holes > 0)
+        std::fprintf(stderr, "%s: %zu of %zu samples are holes; they have what is around them\n", file.c_str(),
+                     mask.holes, mask.share.samples.size());
+    if (mask.cut > 0)
+        std::fprintf(stderr, "%s: %zu samples beyond %s %s were cut\n", file.c_str(), mask.cut,
+                     std::string(range_option).c_str(), range_text.c_str());
+    return std::move(mask.share);
+}
+
+std::shared_ptr<const synthesis::noise::PictureLattice> lattice_for(const Options& options) {
+    std::vector<mesh::Field> shares;
+    for (const std::string& file : options.with) {
+        shares.push_back(shares_of(file, options.with_range, "--with-range", std::nullopt));
+        if (shares.back().columns < 2 || shares.back().rows < 2)
+            throw base::InputError(fmt::format("{}: a picture of {} by {} samples; 2 by 2 are the least", file,
+                                               shares.back().columns, shares.back().rows));
+    }
+    auto lattice = std::make_shared<const synthesis::noise::PictureLattice>(shares);
+    if (lattice->blended() > 0)
+        std::fprintf(stderr, "%d of %zu pictures do not repeat: their edges were blended with their middles\n",
+                     lattice->blended(), shares.size());
+    return lattice;
 }
 
 land::FieldRequest request_from(const Options& options) {
     land::FieldRequest request;
     request.size = options.size;
     request.seed = base::Seed{options.seed};
-    request.features = options.features;
+    request.features = options.features > 0 ? options.features : options.with.empty() ? 4.0F : 1.0F;
     request.octaves = options.octaves;
     request.gain = options.gain;
     request.window = window_from(options.window, options.size);
@@ -161,6 +144,7 @@ land::FieldRequest request_from(const Options& options) {
     if (!options.line_file.empty())
         request.lines = land::lines_from(base::read_text(options.line_file), options.line_file);
     land::check(request);
+    if (!options.with.empty()) request.pictures = lattice_for(options);
     return request;
 }
 
@@ -195,24 +179,24 @@ void condition(mesh::Field& field, const Window& window, const land::Conditions&
     }
 }
 
-mesh::Field mask_for(const Options& options) {
-    std::optional<pictures::MaskRange> range;
-    if (!options.mask_range.empty()) range = pictures::mask_range_from(options.mask_range);
-    pictures::Mask mask = pictures::mask_from(pictures::read_grey_picture(options.mask_file), options.mask_file, range,
-                                              options.mask_nodata);
-    if (mask.holes > 0)
-        std::fprintf(stderr, "%s: %zu of %zu samples are holes; they have what is around them\n",
-                     options.mask_file.c_str(), mask.holes, mask.share.samples.size());
-    if (mask.cut > 0)
-        std::fprintf(stderr, "%s: %zu samples beyond --mask-range %s were cut\n", options.mask_file.c_str(), mask.cut,
-                     options.mask_range.c_str());
-    return std::move(mask.share);
+void search_toward(mesh::Field& field, const mesh::Field& mask, const Options& options, int reach) {
+    const land::DeformationSearch search{options.search, options.search_most, reach};
+    Progress progress("searching");
+    const land::Bent bent =
+        land::bend_to_mask(field, mask, search, base::Seed{options.seed}.child("deformations"),
+                           [&](int made) { progress.at(static_cast<double>(made) / options.search_most); });
+    std::fprintf(stderr,
+                 "%s: cost %.4f, then %.4f after %zu deformations of %d tried, which moved the land by %.4f in the "
+                 "mean%s\n",
+                 options.mask_file.c_str(), bent.cost_before, bent.cost, bent.deformations.size(), bent.tried,
+                 bent.moved, bent.cost > static_cast<double>(options.search) ? "; no better was found" : "");
 }
 
 void follow(mesh::Field& field, const Options& options) {
-    mesh::Field mask = mask_for(options);
+    mesh::Field mask = shares_of(options.mask_file, options.mask_range, "--mask-range", options.mask_nodata);
     for (float& h : mask.samples) h = options.mask_heights[0] + h * (options.mask_heights[1] - options.mask_heights[0]);
     const int reach = options.mask_reach > 0 ? options.mask_reach : std::max(1, options.size / 32);
+    if (options.search > 0) return search_toward(field, mask, options, reach);
     const float left = land::follow_mask(field, mask, reach);
     std::fprintf(stderr, "%s: met within %.4f in the mean over %d by %d samples\n", options.mask_file.c_str(),
                  static_cast<double>(left), 2 * reach + 1, 2 * reach + 1);
@@ -268,7 +252,8 @@ mesh::Field cut_out(const mesh::Field& field, const Window& w) {
     return part;
 }
 
-mesh::Field make(const land::FieldMethod& method, const Options& options, const land::FieldRequest& request) {
+mesh::Field make(const land::FieldMethod& method, const Options& options, const land::FieldRequest& asked) {
+    const land::FieldRequest request = land::prepared(method, asked);
     const Window whole{0, 0, options.size, options.size};
     const Window& made = options.needs_the_whole() ? whole : request.window;
     Progress progress(std::string(method.name));
@@ -321,7 +306,8 @@ void check(const Options& options) {
         base::require_ending(options.output, {".png"}, "a relief");
     else
         base::require_ending(options.output, {".exr", ".tif", ".tiff", ".png"}, "a field");
-    if (!options.mask_range.empty()) pictures::mask_range_from(options.mask_range);
+    if (!options.mask_range.empty()) pictures::mask_range_from(options.mask_range, "--mask-range");
+    if (!options.with_range.empty()) pictures::mask_range_from(options.with_range, "--with-range");
     if (!(options.range[0] < options.range[1]))
         throw base::InputError("--range: the first height is black and lower than the second, which is white");
     constexpr int kLargestEroded = 4097;
@@ -373,6 +359,29 @@ void add_constraints(CLI::App& command, Options& options) {
     command.add_option("--mask-reach", options.mask_reach, "How broad that is, samples; 0: a 32nd of the size")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
+    command
+        .add_option("--search", options.search,
+                    "Bend it to the mask by a search over deformations instead, until this is left in the mean square")
+        ->check(CLI::Range(0.0F, 10.0F))
+        ->default_str("0: it follows the mask all over")
+        ->needs(mask);
+    command.add_option("--search-most", options.search_most, "Deformations that the search may make")
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
+}
+
+void add_pictures(CLI::App& command, Options& options) {
+    CLI::Option* with = command
+                            .add_option("--with", options.with,
+                                        "A grey picture in place of noise; the next one is for the next octave, the "
+                                        "last for all that are left")
+                            ->allow_extra_args(false)
+                            ->default_str("none: noise");
+    command
+        .add_option("--with-range", options.with_range,
+                    "LOW:HIGH, which of the pictures' own numbers are their black, a height of -1, and white, 1")
+        ->default_str("0:1 of floats, all of whole numbers")
+        ->needs(with);
 }
 
 void add_filters(CLI::App& command, Options& options) {
@@ -403,8 +412,10 @@ void add_field(CLI::App& app, Action& chosen) {
         ->required();
     command->add_option("--size", options->size, "Samples a side, 2 to 8193")->capture_default_str();
     command->add_option("--seed", options->seed, "Of chance")->capture_default_str();
-    command->add_option("--features", options->features, "Waves of the first octave across the field")
-        ->capture_default_str();
+    command
+        ->add_option("--features", options->features,
+                     "Waves of the first octave across the field; of pictures, how often the first is laid out")
+        ->default_str("4; of pictures 1");
     command->add_option("--octaves", options->octaves, "1 to 16")->capture_default_str();
     command->add_option("--gain", options->gain, "Of each octave to the one before; H = -log2 of it")
         ->capture_default_str();
@@ -416,6 +427,7 @@ void add_field(CLI::App& app, Action& chosen) {
     command->add_flag("--relief", options->is_relief,
                       "Draw it instead, as a lit block; several methods, or all, side by side");
     add_constraints(*command, *options);
+    add_pictures(*command, *options);
     add_filters(*command, *options);
     command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

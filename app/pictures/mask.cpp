@@ -31,7 +31,7 @@ struct Holes {
     }
 };
 
-void require_within(const mesh::Field& share, const std::string& name) {
+void require_within(const mesh::Field& share, const std::string& name, std::string_view option) {
     float low = std::numeric_limits<float>::max();
     float high = std::numeric_limits<float>::lowest();
     for (const float value : share.samples) {
@@ -41,26 +41,26 @@ void require_within(const mesh::Field& share, const std::string& name) {
     }
     if (low >= 0 && high <= 1) return;
     throw base::InputError(fmt::format(
-        "{0}: its heights are from {1:g} to {2:g}, and a mask of such numbers is from 0 to 1; say which are "
-        "black and white: --mask-range {1:g}:{2:g}",
-        name, low, high));
+        "{0}: its heights are from {1:g} to {2:g}, and a picture of such numbers is from 0 to 1; say which are "
+        "black and white: {3} {1:g}:{2:g}",
+        name, low, high, option));
 }
 
 }  // namespace
 
-MaskRange mask_range_from(const std::string& text) {
+MaskRange mask_range_from(const std::string& text, std::string_view option) {
     MaskRange range;
     char rest = 0;
     if (std::sscanf(text.c_str(), "%f:%f%c", &range.low, &range.high, &rest) != 2 || !std::isfinite(range.low) ||
         !std::isfinite(range.high) || range.low >= range.high)
-        throw base::InputError(fmt::format(
-            "--mask-range {}: write LOW:HIGH, which of the picture's own numbers are black and white, as 200:1700",
-            text));
+        throw base::InputError(
+            fmt::format("{} {}: write LOW:HIGH, which of the picture's own numbers are black and white, as 200:1700",
+                        option, text));
     return range;
 }
 
 Mask mask_from(const GreyPicture& picture, const std::string& name, std::optional<MaskRange> range,
-               std::optional<float> nodata) {
+               std::optional<float> nodata, std::string_view option) {
     const MaskRange taken = range.value_or(MaskRange{0, picture.white.value_or(1.0F)});
     const Holes holes{taken, nodata ? nodata : picture.nodata, !picture.white};
     Mask mask{picture.samples, 0, 0};
@@ -71,7 +71,7 @@ Mask mask_from(const GreyPicture& picture, const std::string& name, std::optiona
     }
     if (mask.holes == mask.share.samples.size())
         throw base::InputError(fmt::format("{}: none of its {} samples is a height", name, mask.holes));
-    if (!range) require_within(mask.share, name);
+    if (!range) require_within(mask.share, name, option);
     for (float& share : mask.share.samples) {
         mask.cut += share < 0 || share > 1;
         if (!std::isnan(share)) share = std::clamp(share, 0.0F, 1.0F);

@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "pictures/image_file.hpp"
 
@@ -12,7 +13,8 @@ struct MaskRange {
     float low = 0;
     float high = 1;
 };
-MaskRange mask_range_from(const std::string& text);  // "LOW:HIGH"; throws InputError
+// "LOW:HIGH"; throws InputError naming the option that it was given with.
+MaskRange mask_range_from(const std::string& text, std::string_view option = "--mask-range");
 
 struct Mask {
     mesh::Field share;  // 0 black to 1 white
@@ -23,8 +25,8 @@ struct Mask {
 
 // Without a range, whole numbers without a sign mean what they do in a picture, and the others must be 0 to 1. Holes
 // are told by nodata, and by what is usual (-9999, -32768 …). Throws InputError naming the file, and the range to
-// write.
+// write with the option.
 Mask mask_from(const GreyPicture& picture, const std::string& name, std::optional<MaskRange> range,
-               std::optional<float> nodata);
+               std::optional<float> nodata, std::string_view option = "--mask-range");
 
 }  // namespace quadrat::pictures

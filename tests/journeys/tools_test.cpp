@@ -57,6 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Writer{"FieldRelief", "a.png", {"field", "fbm", "-o", "a.png", "--size", "65", "--relief"}},
                     Writer{"ExportObj", "a.obj", {"export", "seed:3", "-o", "a.obj", "--what", "tree"}},
                     Writer{"ExportGlb", "a.glb", {"export", "seed:3", "-o", "a.glb", "--what", "tree"}},
+                    Writer{"FieldStreams", "a.exr", {"field", "streams", "-o", "a.exr", "--size", "129"}},
                     Writer{"Lsystem", "a.svg", {"lsystem", "bush", "-o", "a.svg"}},
                     Writer{"LsystemText", "a.txt", {"lsystem", "bush", "-o", "a.txt"}},
                     Writer{

@@ -47,6 +47,13 @@ bool is_in_sight(const scene::Land& land, const glm::vec3& point);
 void add_caves(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, const Strata& strata,
                base::Seed seed);
 
+// Below this arch_height_m a fin stands where arches would.
+inline constexpr float kTallestFin_m = 14;
+
+// A fin of bedded rock, weathered so that one can stand under it (overhangs.hpp); none where no ground is level enough.
+void add_fin(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, const Strata& strata,
+             base::Seed seed);
+
 // Arches by arch_share.
 void add_arches(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, const Strata& strata,
                 base::Seed seed);

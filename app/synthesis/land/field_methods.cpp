@@ -38,14 +38,25 @@ mesh::Field by_rows(const FieldRequest& r, const Row& row) {
     return field;
 }
 
+mesh::Field of_pictures(const FieldRequest& r, const noise::Octaves& octaves) {
+    const noise::Key key(r.seed.child("field"));
+    const float step = r.features / static_cast<float>(r.size - 1);
+    return by_rows(r, [&](std::span<const float> us, std::span<const float> vs, std::span<float> out) {
+        for (std::size_t i = 0; i < us.size(); ++i) out[i] = r.pictures->fbm(key, us[i], vs[i], step, octaves);
+    });
+}
+
 template <Basis B, Mix M, bool OneOctave = false>
 mesh::Field noise_field(const FieldRequest& r) {
     const noise::Key key(r.seed.child("field"));
     const noise::Octaves octaves{.count = OneOctave ? 1 : r.octaves, .gain = r.gain, .basis = B, .mix = M};
+    if (r.pictures) return of_pictures(r, octaves);
     return by_rows(r, [&](std::span<const float> us, std::span<const float> vs, std::span<float> out) {
         noise::fbm(key, us, vs, out, octaves);
     });
 }
+
+constexpr float kBendOfPictures = 0.15F;
 
 // I. Quilez's warping: the place is moved by noise before the height is asked for.
 mesh::Field warped_field(const FieldRequest& r) {
@@ -63,7 +74,14 @@ mesh::Field warped_field(const FieldRequest& r) {
             warped_u[i] = us[i] + 1.4F * warped_u[i];
             warped_v[i] = vs[i] + 1.4F * warped_v[i];
         }
-        noise::fbm(key, warped_u, warped_v, out, octaves);
+        if (!r.pictures) return noise::fbm(key, warped_u, warped_v, out, octaves);
+        // Once across the whole the picture is wide: a bend is a smaller share of it.
+        const float step = r.features / static_cast<float>(r.size - 1);
+        for (std::size_t i = 0; i < us.size(); ++i) {
+            const float u = us[i] + kBendOfPictures * (warped_u[i] - us[i]);
+            const float v = vs[i] + kBendOfPictures * (warped_v[i] - vs[i]);
+            out[i] = r.pictures->fbm(key, u, v, step, octaves);
+        }
     });
 }
 
@@ -114,26 +132,66 @@ mesh::Field island(const FieldRequest& r) {
     });
 }
 
+std::shared_ptr<const StreamNetwork> streams_of(const FieldRequest& r) {
+    StreamOptions options;
+    options.spacing = std::clamp(1.0F / r.features, 0.02F, 1.0F);
+    // No finer than a 32nd of the land: there the slopes' own roughness begins.
+    options.levels =
+        std::clamp(static_cast<int>(std::floor(std::log2(32.0F * options.spacing))) + 1, 0, std::min(r.octaves, 6));
+    return std::make_shared<const StreamNetwork>(options, r.seed.child("streams"));
+}
+
+// The ground that a network of streams asks for. Away from its beds it is bent and rough, so that no crest is drawn
+// with a ruler; on them it is theirs.
+mesh::Field streams(const FieldRequest& r) {
+    const auto network = r.streams ? r.streams : streams_of(r);
+    const noise::Key east(r.seed.child("east"));
+    const noise::Key south(r.seed.child("south"));
+    const noise::Key rough(r.seed.child("rough"));
+    const noise::Octaves octaves{.count = std::max(1, r.octaves - 3), .gain = r.gain};
+    return by_rows(r, [&](std::span<const float> us, std::span<const float> vs, std::span<float> out) {
+        std::vector<float> xs(us.size());
+        std::vector<float> ys(us.size());
+        std::array<std::vector<float>, 3> chance;
+        for (std::size_t i = 0; i < us.size(); ++i) {
+            xs[i] = 4 * us[i];
+            ys[i] = 4 * vs[i];
+        }
+        for (std::size_t c = 0; c < 3; ++c) {
+            chance[c].resize(us.size());
+            noise::fbm(c == 0 ? east : c == 1 ? south : rough, xs, ys, chance[c], octaves);
+        }
+        for (std::size_t i = 0; i < us.size(); ++i) {
+            const glm::vec2 at = glm::vec2{us[i], vs[i]} / r.features;
+            const float free = std::min(network->ground(at).to_stream, 0.1F);
+            const StreamNetwork::Ground g = network->ground(at + 0.9F * free * glm::vec2{chance[0][i], chance[1][i]});
+            const float height = g.height + 0.7F * free * chance[2][i];
+            out[i] = 2.0F * height / network->highest() - 1.0F;
+        }
+    });
+}
+
 template <noise::Scheme S>
 mesh::Field subdivided(const FieldRequest& r) {
     const float hurst = std::clamp(-std::log2(std::clamp(r.gain, 0.01F, 1.0F)), 0.0F, 1.5F);
     return noise::subdivide({.scheme = S, .size = r.size, .hurst = hurst}, window_of(r), r.seed.child("field"));
 }
 
-constexpr std::array<FieldMethod, 17> kMethods{{
-    {"perlin", "one octave of gradient noise", noise_field<Basis::Gradient, Mix::Sum, true>},
+constexpr std::array<FieldMethod, 18> kMethods{{
+    {"perlin", "one octave of gradient noise", noise_field<Basis::Gradient, Mix::Sum, true>, true},
     {"simplex", "one octave of simplex noise", noise_field<Basis::Simplex, Mix::Sum, true>},
     {"value", "one octave of value noise", noise_field<Basis::Value, Mix::Sum, true>},
     {"cell", "one octave of Worley's cell noise", noise_field<Basis::Cells, Mix::Sum, true>},
     {"cracks", "distance between the nearest two points of cell noise", noise_field<Basis::Cracks, Mix::Sum, true>},
-    {"fbm", "fractional Brownian motion of gradient noise", noise_field<Basis::Gradient, Mix::Sum>},
+    {"fbm", "fractional Brownian motion of gradient noise", noise_field<Basis::Gradient, Mix::Sum>, true},
     {"fbm-simplex", "fractional Brownian motion of simplex noise", noise_field<Basis::Simplex, Mix::Sum>},
-    {"ridged", "Musgrave's ridged multifractal", noise_field<Basis::Gradient, Mix::Ridged>},
-    {"hybrid", "Musgrave's hybrid multifractal", noise_field<Basis::Gradient, Mix::Hybrid>},
-    {"hetero", "Musgrave's heterogeneous terrain", noise_field<Basis::Gradient, Mix::Hetero>},
-    {"warp", "fBm in space warped by fBm", warped_field},
+    {"ridged", "Musgrave's ridged multifractal", noise_field<Basis::Gradient, Mix::Ridged>, true},
+    {"hybrid", "Musgrave's hybrid multifractal", noise_field<Basis::Gradient, Mix::Hybrid>, true},
+    {"hetero", "Musgrave's heterogeneous terrain", noise_field<Basis::Gradient, Mix::Hetero>, true},
+    {"warp", "fBm in space warped by fBm", warped_field, true},
     {"gaussian-hills", "round hills of chance heights", gaussian_hills},
     {"island", "hills and noise under an island's mask", island},
+    {"streams", "a network of streams, and the land fitted to it", streams},
     {"triangle-edge", "triangular edge subdivision (Fournier, Fussell & Carpenter)",
      subdivided<noise::Scheme::TriangleEdge>},
     {"diamond-square", "diamond-square subdivision (Fournier, Fussell & Carpenter)",
@@ -143,6 +201,11 @@ constexpr std::array<FieldMethod, 17> kMethods{{
 }};
 
 }  // namespace
+
+FieldRequest prepared(const FieldMethod& method, FieldRequest request) {
+    if (method.make == streams) request.streams = streams_of(request);
+    return request;
+}
 
 std::span<const FieldMethod> field_methods() { return kMethods; }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <functional>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "base/seed.hpp"
 #include "mesh/field.hpp"
+#include "synthesis/land/stream_network.hpp"
+#include "synthesis/noise/picture_lattice.hpp"
 #include "synthesis/noise/subdivision.hpp"
 
 namespace quadrat::synthesis::land {
@@ -37,6 +40,8 @@ struct FieldRequest {
     float gain = 0.5F;     // of each octave to the one before; subdivisions take H = -log2(gain)
     std::vector<FixedPoint> fixed;
     std::vector<Line> lines;
+    std::shared_ptr<const noise::PictureLattice> pictures;  // in place of noise, if any: methods that take them
+    std::shared_ptr<const StreamNetwork> streams = {};      // what prepared() made for a window after the other
 };
 
 // A way to make a heightfield; heights about -1 to 1.
@@ -45,7 +50,11 @@ struct FieldMethod {
     std::string_view meaning;
     mesh::Field (*make)(
         const FieldRequest& request);  // ignores fixed and lines; the window's part of the whole, bit for bit
+    bool takes_pictures = false;
 };
+
+// The request with what all windows of its field share, made once; methods without it make it for each window.
+FieldRequest prepared(const FieldMethod& method, FieldRequest request);
 
 std::span<const FieldMethod> field_methods();
 const FieldMethod* field_method(std::string_view name);  // none: no such method
@@ -83,7 +92,8 @@ class Conditions {
     std::vector<OnLine> on_lines_;
 };
 
-// The window of the field, conditioned on the fixed points and lines. Throws as check() does.
+// The window of the field, conditioned on the fixed points and lines. Throws as check() does, and where the method
+// takes no pictures.
 mesh::Field make_field(const FieldMethod& method, const FieldRequest& request);
 
 // Fixed points along a polyline, a step or less apart, for ridges and rivers; heights run evenly between its corners.

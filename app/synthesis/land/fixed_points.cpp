@@ -244,8 +244,11 @@ void Conditions::meet_lines(mesh::Field& part, const noise::Window& of) const {
             part.at(s.at.column - of.column, s.at.row - of.row) = s.at.height;
 }
 
-mesh::Field make_field(const FieldMethod& method, const FieldRequest& request) {
-    check(request);
+mesh::Field make_field(const FieldMethod& method, const FieldRequest& asked) {
+    check(asked);
+    require(!asked.pictures || method.takes_pictures,
+            fmt::format("{} has no noise that pictures could stand in for", method.name));
+    const FieldRequest request = prepared(method, asked);
     mesh::Field field = method.make(request);
     if (request.fixed.empty() && request.lines.empty()) return field;
     const noise::Window whole{0, 0, request.size, request.size};

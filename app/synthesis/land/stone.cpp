@@ -192,7 +192,10 @@ Stones make_stones(const StoneGround& ground, const scene::LandParameters& p, ba
     add_boulders(stones, ground, p, strata, seed.child("boulders"));
     if (p.arch_share > 0) {
         add_caves(stones, ground, p, strata, seed.child("caves"));
-        add_arches(stones, ground, p, strata, seed);
+        if (p.arch_height_m < kTallestFin_m)
+            add_fin(stones, ground, p, strata, seed.child("fin"));
+        else
+            add_arches(stones, ground, p, strata, seed);
     }
     add_standing_stones(stones, ground.land, strata, seed.child("ring"));
     return stones;

@@ -26,14 +26,14 @@ struct Footprint {
 struct Stones {
     scene::Stone stone;
     std::vector<Footprint> footprints;
-    std::vector<scene::Landmark> landmarks;  // caves, then arches, then the ring of a site
+    std::vector<scene::Landmark> landmarks;  // caves, then arches or a fin, then the ring of a site
     std::vector<Footprint> forecourts;       // ground before caves that nothing may grow on
 };
 
 // Boulders where the ground is steep and stony or falls to the shore; where the genes ask for them natural arches, feet
-// in the ground, on stony slopes and shores in the viewer's sight where there are any, and caves in rock that stands
-// out of a slope (the overhangs of Peytavie et al. 2009, as meshes of their own); on a site a ring of hewn stones. No
-// more than some thousand triangles.
+// in the ground, on stony slopes and shores in the viewer's sight where there are any, or for low ones a fin that
+// weather has undercut (layered ground), and caves in rock that stands out of a slope (the overhangs of Peytavie et al.
+// 2009, as meshes of their own); on a site a ring of hewn stones. No more than some thousand triangles.
 Stones make_stones(const StoneGround& ground, const scene::LandParameters& parameters, base::Seed seed);
 
 // Darkens the ground under and around stones.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/noise/gradient.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -119,6 +120,35 @@ float fbm(Key key, float x, float y, const Octaves& octaves) {
 
 void fbm(Key key, std::span<const float> xs, std::span<const float> ys, std::span<float> out, const Octaves& octaves) {
     run(sum_of(key, octaves, 0), xs, ys, out);
+}
+
+float mixed(std::span<const float> values, const Octaves& octaves) {
+    const kernel::Sum s = sum_of(Key(0U), octaves, 0);
+    float amplitude = 1;
+    float sum = 0;
+    float weight = 1;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const float n = values[i];
+        if (octaves.mix == Mix::Sum) sum += amplitude * (n + s.ridged * (1.0F - 2.0F * std::abs(n) - n));
+        if (octaves.mix == Mix::Ridged) {
+            const float ridge = 1.0F - std::abs(n);
+            const float signal = ridge * ridge * weight;
+            sum += amplitude * signal;
+            weight = std::clamp(2.0F * signal, 0.0F, 1.0F);
+        }
+        if (octaves.mix == Mix::Hybrid) {
+            const float signal = (n + 0.7F) * amplitude;
+            weight = std::min(weight, 1.0F);
+            sum += weight * signal;
+            weight = i == 0 ? signal : weight * signal;
+        }
+        if (octaves.mix == Mix::Hetero) {
+            const float raised = (n + 1.0F) * amplitude;
+            sum = i == 0 ? raised : sum + raised * sum;
+        }
+        amplitude *= s.gain;
+    }
+    return s.scale * (sum - s.middle);
 }
 
 float fbm_tiled(Key key, float x, float y, int period, const Octaves& octaves) {

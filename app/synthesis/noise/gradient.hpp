@@ -51,6 +51,9 @@ struct Octaves {
 float fbm(Key key, float x, float y, const Octaves& octaves);
 void fbm(Key key, std::span<const float> xs, std::span<const float> ys, std::span<float> out, const Octaves& octaves);
 
+// The same law over octaves that something else has made: their values at one place, about [-1, 1], first to last.
+float mixed(std::span<const float> values, const Octaves& octaves);
+
 // Repeats after period > 0 (gradient noise, summed) cells of the first octave; lacunarity is 2 and octaves are not
 // turned. Coordinates lie in [0, period).
 float fbm_tiled(Key key, float x, float y, int period, const Octaves& octaves);

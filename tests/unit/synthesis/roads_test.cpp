@@ -181,6 +181,38 @@ TEST(Landmarks, AreInSightOfTheFlight) {
     EXPECT_GE(4 * in_sight, 3 * lands);
 }
 
+// What a low arch is: rock of which some hangs over one's head. Found by its facets that look down.
+TEST(Landmarks, AreFinsThatOneCanStandUnderWhereArchesAreLow) {
+    int lands = 0;
+    int with_roof = 0;
+    for (std::uint64_t seed = 0; seed < tests::of(10U); ++seed) {
+        const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
+        scene::SceneParameters p = scene::realise(recipe.values);
+        p.land.arch_share = 0.8F;
+        p.land.arch_height_m = 12;
+        p.land.site_share = -1;
+        const scene::Land land = grow_land(p.land, recipe.seeds[genome::Aspect::Land],
+                                           {.land_samples = 257, .light_px = 64, .albedo_px = 64});
+        const auto fin = std::ranges::find_if_not(land.landmarks, &scene::Landmark::has_front);
+        if (fin == land.landmarks.end()) continue;
+        ++lands;
+        const mesh::Mesh& mesh = land.stone.mesh;
+        int overhead = 0;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const glm::vec3& a = mesh.positions_m[mesh.indices[i]];
+            const glm::vec3& b = mesh.positions_m[mesh.indices[i + 1]];
+            const glm::vec3& c = mesh.positions_m[mesh.indices[i + 2]];
+            const glm::vec3 across = glm::cross(b - a, c - a);
+            const bool looks_down = across.y < -0.5F * glm::length(across);
+            const float over_m = a.y - scene::ground_height_m(land, plan(a));
+            overhead += looks_down && over_m > 1.9F && glm::distance(plan(a), plan(fin->at_m)) < fin->size_m;
+        }
+        with_roof += overhead > 10;
+    }
+    EXPECT_GE(2 * lands, tests::of(10));
+    EXPECT_GE(4 * with_roof, 3 * lands);
+}
+
 TEST(Stones, FaceOutwardAndKeepToTheLand) {
     for (std::uint64_t seed = 0; seed < tests::of(12U); ++seed) {
         const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
