@@ -104,7 +104,7 @@ int serve(const Options& options) {
     if (options.sets_passphrase) return set_passphrase(options);
     const fs::path state = site::state_folder(options.state);
     const site::Settings settings = options.is_service ? site::settings_for_service(options.configuration, state)
-                                                       : site::settings_for_people(options.configuration);
+                                                       : site::settings_for_people(options.configuration, state);
     const site::Configuration::Desk& wanted = settings.configuration.desk;
     if (wanted.listen.empty()) {
         base::log::info("desk: the settings name no address (desk.listen), so nothing listens");

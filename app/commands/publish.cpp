@@ -27,7 +27,7 @@ std::atomic<bool>& stop_flag() {
 // Above all when there is something wrong with the settings a fleet wants to hear of it. Without any that worked there
 // is no broker to tell.
 site::Settings settings_for(const Options& options, const std::filesystem::path& state) {
-    if (!options.is_service) return site::settings_for_people(options.configuration);
+    if (!options.is_service) return site::settings_for_people(options.configuration, state);
     site::Settings settings = site::settings_for_service(options.configuration, state);
     if (settings.from == site::SettingsFrom::Defaults) throw site::SettingsError(std::move(settings.mistakes));
     site::tell(settings);

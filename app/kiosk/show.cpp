@@ -32,6 +32,7 @@ Show::Show(const site::Configuration& configuration, ShowOptions options, std::u
       timings_(usual_timings_),
       breeder_options_(breeder_options_of(configuration)),
       control_every_(configuration.breeding.control_every),
+      locked_(locked_in(configuration)),
       options_(std::move(options)),
       visit_(std::make_shared<std::int64_t>(0)),
       school_(std::make_shared<School>(
@@ -43,7 +44,6 @@ Show::Show(const site::Configuration& configuration, ShowOptions options, std::u
       take_home_url_(configuration.take_home.url) {
     breeder_options_.map = school_->map();
     breeder_options_.taste = school_->taste();
-    for (const std::string& name : configuration.breeding.locked) locked_.push_back(genome::aspect_named(name).value());
 }
 
 Show::Show(const site::Configuration& configuration, ShowOptions options, archive::Archive archive)
@@ -344,6 +344,9 @@ void Show::follow(const site::Configuration& configuration) {
     timings_ = switches::patient(usual_timings_, patience_);
     spoken_.follow(configuration);
     take_home_url_ = configuration.take_home.url;
+    // Of the visits that are prepared from now on: who has begun goes on as they began.
+    breeder_options_.ranges = breeder_options_of(configuration).ranges;
+    locked_ = locked_in(configuration);
 }
 
 void Show::wait_longer(double times) {
@@ -363,9 +366,9 @@ std::string Show::state_trouble() const {
                        std::chrono::duration_cast<std::chrono::seconds>(waited).count());
 }
 
-const nursery::Act& Show::on_stage() const {
-    if (state_.screen == exhibit::Screen::Finale || state_.screen == exhibit::Screen::Describe) return finale_;
-    if (state_.screen == exhibit::Screen::Attract && !gallery_.act().scenes.empty()) return gallery_.act();
+const nursery::Act& Show::act_of(exhibit::Screen screen) const {
+    if (screen == exhibit::Screen::Finale || screen == exhibit::Screen::Describe) return finale_;
+    if (screen == exhibit::Screen::Attract && !gallery_.act().scenes.empty()) return gallery_.act();
     return offered_;
 }
 

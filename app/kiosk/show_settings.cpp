@@ -35,6 +35,12 @@ exhibit::Timings timings_of(const site::Configuration& configuration) {
     return timings;
 }
 
+std::vector<genome::Aspect> locked_in(const site::Configuration& configuration) {
+    std::vector<genome::Aspect> locked;
+    for (const std::string& name : configuration.breeding.locked) locked.push_back(genome::aspect_named(name).value());
+    return locked;
+}
+
 breeding::BreederOptions breeder_options_of(const site::Configuration& configuration) {
     breeding::BreederOptions options;
     options.kind = breeding::breeder_named(configuration.breeding.breeder);

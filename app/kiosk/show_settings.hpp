@@ -9,6 +9,7 @@
 namespace quadrat::kiosk {
 
 exhibit::Timings timings_of(const site::Configuration& configuration);
+std::vector<genome::Aspect> locked_in(const site::Configuration& configuration);
 breeding::BreederOptions breeder_options_of(const site::Configuration& configuration);
 
 // One of so many visits is bred by chance alone, 0: none. Which ones hangs on their seeds: a visit that is taken up

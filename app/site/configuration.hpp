@@ -15,6 +15,7 @@
 #include "render/coverage.hpp"
 #include "site/hours.hpp"
 #include "site/mistake.hpp"
+#include "site/themes.hpp"
 
 namespace quadrat::site {
 
@@ -46,6 +47,7 @@ struct Configuration {
         std::string language_folder;
         std::vector<std::string>
             languages;  // that a visitor may choose from as they come; fewer than two: nobody is asked
+        std::string theme = kThemeByDate;  // or the name of one, or kNoTheme
     } visit;
 
     // For who cannot use four buttons.
@@ -119,8 +121,12 @@ struct Configuration {
 
     Hours hours;                // when the house is open; always, unless it says
     DoorkeeperOptions closing;  // what happens at closing time
+    std::string zone;           // that the hours are meant in, "Europe/Berlin"; the machine's, without one
 
-    std::map<std::string, std::string> texts;  // prompts in the site's own words, by key
+    std::map<std::string, std::string> texts;  // prompts in the site's own words and language, by key
+    TextsByLanguage texts_in;                  // the same for each language; where both are, these count
+
+    std::map<std::string, Theme> themes;  // by name; see with_theme()
 };
 
 // Which letters of a text cannot be shown, "" for none: render::letters_without_font.
@@ -135,7 +141,8 @@ struct CheckedConfiguration {
 };
 
 // The one judgement of settings: whoever reads them, to run, to publish, to follow them or to look after them, comes
-// here. An empty text is a mistake, as what a pulled plug leaves of a file; one with nothing but comments is not.
+// here. An empty text is a mistake, as what a pulled plug leaves of a file; one with nothing but comments is not. A
+// text may have two layers (layers.hpp): then the lower one is right by itself too.
 CheckedConfiguration check_configuration(std::string_view toml, const std::string& source,
                                          const LettersWithoutFont& without_font = render::letters_without_font);
 // The same for a file. One that cannot be read is a mistake too. `toml` receives what it holds, or nothing.

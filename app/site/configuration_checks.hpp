@@ -32,8 +32,11 @@ class InputCheck {
 };
 
 // The screen's own words, and those of the language, as far as the fonts reach.
-void read_texts(ConfigurationReader& reader, std::map<std::string, std::string>& texts,
-                const LettersWithoutFont& without_font);
+void read_texts(ConfigurationReader& reader, Configuration& configuration, const LettersWithoutFont& without_font);
+// Those of a table that has one for each language's code; `name` is the table's.
+void read_texts_in(ConfigurationReader& reader, const toml::table& table, const std::string& name,
+                   TextsByLanguage& texts, const LettersWithoutFont& without_font);
+void check_zone(const std::string& name);
 void check_language(ConfigurationReader& reader, const Configuration& configuration,
                     const LettersWithoutFont& without_font);
 
