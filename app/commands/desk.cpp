@@ -133,9 +133,10 @@ int serve(const Options& options) {
     const auto since_begin = [begun = std::chrono::steady_clock::now()] {
         return std::chrono::duration_cast<desk::Instant>(std::chrono::steady_clock::now() - begun);
     };
-    const desk::Server server(how,
-                              {[&](const desk::Request& request) { return desk.answer(request, since_begin()); },
-                               [&](const desk::Request& request) { return desk.takes_file(request, since_begin()); }});
+    const desk::Server server(
+        how, {[&](const desk::Request& request) { return desk.answer(request, since_begin()); },
+              [&](const desk::Request& request) { return desk.takes_file(request, since_begin()); },
+              [&](const desk::Request& request) { return desk.takes_long_form(request, since_begin()); }});
     base::log::info("desk: listens on {}://{}", how.certificate.empty() ? "http" : "https", base::to_text(address));
     int signal = 0;
     ::sigwait(&ends, &signal);

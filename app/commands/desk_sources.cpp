@@ -25,6 +25,7 @@
 #include "base/owned.hpp"
 #include "benches/scratch.hpp"
 #include "commands/ask_exhibit.hpp"
+#include "commands/desk_curator.hpp"
 #include "commands/examine.hpp"
 #include "commands/visits.hpp"
 #include "desk/passphrase.hpp"
@@ -264,6 +265,7 @@ desk::Sources desk_sources(const DeskPlaces& places, const site::Configuration& 
         const auto hash = read_if_there(places.state / kPassphraseFile, 1024);
         return hash && desk::is_passphrase(passphrase, hash->substr(0, hash->find('\n')));
     };
+    sources.curator = curator_of(places);
     std::error_code ignored;  // what an earlier desk left
     fs::remove(places.state / kKeptFile, ignored);
     fs::remove(places.state / kBroughtFile, ignored);
