@@ -129,6 +129,8 @@ void read_fleet(Reader& reader, Configuration::Fleet& fleet) {
     reader.read_checked("fleet", "user", fleet.user, check_fleet_user);
     reader.read_checked("fleet", "password_file", fleet.password_file, check_file);
     reader.read_checked("fleet", "ca_file", fleet.ca_file, check_file);
+    reader.read("fleet", "orders", fleet.takes_orders);
+    reader.read_checked("fleet", "discovery", fleet.discovery, check_topic_prefix);
 }
 
 void read_desk(Reader& reader, Configuration::Desk& desk) {

@@ -108,6 +108,8 @@ struct Configuration {
         std::string user;           // for the broker
         std::string password_file;  // its first line
         std::string ca_file;        // who vouches for the broker; the system's, without one
+        bool takes_orders = false;  // from whoever the broker lets write to quadrat/NAME/set/…
+        std::string discovery;      // the prefix below which Home Assistant looks; "": it is told nothing
         friend bool operator==(const Fleet&, const Fleet&) = default;
     } fleet;
 

@@ -168,6 +168,13 @@ void check_fleet_user(const std::string& name) {
         refuse(fmt::format("is no name; write one of {} bytes at most, on one line", kLongestName));
 }
 
+void check_topic_prefix(const std::string& prefix) {
+    if (prefix.empty()) return;
+    if (prefix.size() > kLongestName || prefix.front() == '/' || prefix.front() == '$' || prefix.back() == '/' ||
+        std::ranges::any_of(prefix, is_control) || mosquitto_pub_topic_check(prefix.c_str()) != MOSQ_ERR_SUCCESS)
+        refuse(fmt::format("is \"{}\"; it must be a topic without + and #, as homeassistant", prefix));
+}
+
 void check_file(const std::string& path) {
     if (!path.empty()) require_file(path);
 }
