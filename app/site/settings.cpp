@@ -44,7 +44,7 @@ Settings second_best(Settings wrong, const fs::path& state) {
 std::string curated_in(const fs::path& state) {
     std::error_code error;
     if (state.empty() || !fs::exists(curated_file(state), error)) return "";
-    const std::string curated = base::read_file(curated_file(state), kLargest);
+    std::string curated = base::read_file(curated_file(state), kLargest);
     if (curated.empty()) throw base::InputError(curated_file(state).string() + ": the file is empty");
     return curated;
 }
