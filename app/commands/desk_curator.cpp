@@ -8,16 +8,20 @@
 #include <chrono>
 
 #include "base/error.hpp"
+#include "commands/curator_collection.hpp"
 #include "commands/curator_entries.hpp"
 #include "commands/curator_forms.hpp"
 #include "commands/preview.hpp"
 #include "site/curation.hpp"
 #include "site/state_folder.hpp"
+#include "staff/landscapes.hpp"
 
 namespace quadrat::commands {
 namespace {
 
 using std::chrono::system_clock;
+
+constexpr const char* kCollectionPart = "collection";
 
 [[noreturn]] void refuse(const site::SettingsError& error) { throw base::InputError(in_one_line(error)); }
 
@@ -51,16 +55,29 @@ desk::Curator curator_of(const DeskPlaces& places) {
     const std::filesystem::path file = site::tended_configuration(places.named_configuration, places.named_state);
     const site::Curation curation(file, places.state);
     desk::Curator curator;
-    curator.parts = curator_parts;
-    curator.form = [curation](const std::string& part, const desk::Fields& query, const desk::Texts& say) {
+    const CollectionPlaces collection{places.runtime / staff::kBredLately, places.state / staff::kCollection};
+    curator.parts = [] {
+        auto parts = curator_parts();
+        parts.emplace_back(kCollectionPart);
+        return parts;
+    };
+    curator.landscape = [collection](const std::string& id) { return landscape_picture(collection, id); };
+    curator.form = [curation, collection](const std::string& part, const desk::Fields& query,
+                                          const desk::Texts& say) -> std::optional<desk::Form> {
+        if (part == kCollectionPart) return collection_form(collection, curation.now().configuration, say);
         return curator_form(part, query, say, curation.now().configuration);
     };
-    curator.save = [curation](const std::string& part, const desk::Fields& form, desk::Curator::Deed deed,
-                              const std::string& who) {
+    curator.save = [curation, collection](const std::string& part, const desk::Fields& form, desk::Curator::Deed deed,
+                                          const std::string& who) {
         const Both both = both_in(curation);
         try {
-            return curation.change(curator_edits(part, form, deed, both.now, both.site),
-                                   {std::chrono::floor<std::chrono::seconds>(system_clock::now()), who, part, ""});
+            const bool is_of_collection = part == kCollectionPart;
+            const bool is_other =
+                curation.change(is_of_collection ? collection_edits(collection, form, both.now, both.site)
+                                                 : curator_edits(part, form, deed, both.now, both.site),
+                                {std::chrono::floor<std::chrono::seconds>(system_clock::now()), who, part, ""});
+            if (is_of_collection) keep_chosen(collection, curation.now().configuration);
+            return is_other;
         } catch (const site::SettingsError& error) {
             refuse(error);
         }

@@ -27,6 +27,7 @@ struct Entry {
     std::string language = {};             // of label and value; "": the page's
     std::vector<Option> options = {};      // of a choice
     double least = 0, most = 0, step = 1;  // of a number and a range
+    std::string picture = {};              // address of one that shows what it is about; "": none
     bool can_be_previewed = false;         // drawn by the exhibit, by its name
 };
 
@@ -63,6 +64,7 @@ struct Curator {
     std::function<std::vector<Change>()> changes;                            // newest first
     std::function<std::optional<std::string>(const std::string& who)> undo;  // what was taken back; nothing: none
     std::function<void(const Fields& form, const std::string& entry)> ask_preview;
+    std::function<std::optional<std::string>(const std::string& id)> landscape;  // PNG; /curator/landscape/ID.png
     std::function<std::optional<std::string>()> preview;  // PNG of what was asked for last, once the exhibit drew it
 };
 

@@ -11,6 +11,7 @@ namespace quadrat::desk {
 namespace {
 
 constexpr std::string_view kCurator = "/curator";
+constexpr std::string_view kLandscape = "/curator/landscape/", kPng = ".png";
 constexpr std::size_t kPrefix = kCurator.size() + 1;
 
 std::string value_in(const Fields& fields, const std::string& name) {
@@ -54,6 +55,11 @@ Answer curated(const Request& request, View view) {
         view.done = view.say("curator.undone", {part});
     }
     if (request.path == "/curator") return html(curator_page(view));
+    if (request.path.starts_with(kLandscape) && request.path.ends_with(kPng)) {
+        const std::size_t length = request.path.size() - kLandscape.size() - kPng.size();
+        auto picture = view.sources.curator.landscape(request.path.substr(kLandscape.size(), length));
+        return picture ? Answer{200, "image/png", std::move(*picture), {}} : no_page(view);
+    }
     const auto form = view.sources.curator.form(request.path.substr(kPrefix), request.form, view.say);
     return form ? html(form_page(view, *form, {})) : no_page(view);
 }

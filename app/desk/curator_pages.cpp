@@ -34,7 +34,7 @@ class Drawer {
         if (!group.hint.empty()) html += fmt::format("<p class=\"hint\">{}</p>\n", escaped(group.hint));
         const auto is_small = [](const Entry& entry) {
             return entry.kind == Kind::Tick || entry.kind == Kind::Range || entry.kind == Kind::Number ||
-                   entry.kind == Kind::Day;
+                   entry.kind == Kind::Day || !entry.picture.empty();
         };
         const bool is_dense = std::ranges::all_of(group.entries, is_small);
         html += fmt::format("<div class=\"entries{}\">\n", is_dense ? " dense" : "");
@@ -57,10 +57,16 @@ class Drawer {
             case Kind::Range:
                 return range(entry);
             default:
-                return fmt::format("<div class=\"entry\">\n<label for=\"{0}\"{1}>{2}</label>\n{3}{4}</div>\n",
+                return fmt::format("<div class=\"entry\">\n{5}<label for=\"{0}\"{1}>{2}</label>\n{3}{4}</div>\n",
                                    escaped(entry.name), speaks(entry), escaped(entry.label), control(entry),
-                                   below(entry));
+                                   below(entry), picture(entry));
         }
+    }
+
+    static std::string picture(const Entry& entry) {
+        if (entry.picture.empty()) return "";
+        return fmt::format("<img src=\"{}\" width=\"480\" height=\"270\" alt=\"{}\" loading=\"lazy\">\n",
+                           escaped(entry.picture), escaped(entry.label));
     }
 
     std::string below(const Entry& entry) const {

@@ -41,9 +41,11 @@ Show::Show(const site::Configuration& configuration, ShowOptions options, std::u
       grower_(options_.growing),
       is_in_fleet_(!configuration.fleet.broker.empty()),
       spoken_(configuration),
-      take_home_url_(configuration.take_home.url) {
+      take_home_url_(configuration.take_home.url),
+      is_collected_(!configuration.desk.listen.empty()) {
     breeder_options_.map = school_->map();
     breeder_options_.taste = school_->taste();
+    gallery_.choose(chosen_by(configuration));
 }
 
 Show::Show(const site::Configuration& configuration, ShowOptions options, archive::Archive archive)
@@ -224,7 +226,7 @@ void Show::carry_out(const exhibit::GrowFinale& wish, base::Instant /*now*/) {
         session_->next(wish.answers);
     }
     genome::Candidate favourite = session_->favourite();
-    if (!take_home_url_.empty()) favourite.values = genome::rounded_for_code(favourite.values);
+    if (!take_home_url_.empty() || is_collected_) favourite.values = genome::rounded_for_code(favourite.values);
     bred_ = {genome::recipe_of(favourite, flight), favourite.words, words_to_ask()};
     caption_ = favourite.words ? spoken_.language().describe(*favourite.words) : "";
     if (!caption_.empty()) base::log::info("the landscape they bred: {}", caption_);
@@ -347,6 +349,7 @@ void Show::follow(const site::Configuration& configuration) {
     // Of the visits that are prepared from now on: who has begun goes on as they began.
     breeder_options_.ranges = breeder_options_of(configuration).ranges;
     locked_ = locked_in(configuration);
+    gallery_.choose(chosen_by(configuration));
 }
 
 void Show::wait_longer(double times) {

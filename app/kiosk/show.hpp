@@ -160,6 +160,7 @@ class Show {
     nursery::Act finale_;
     nursery::Gallery gallery_;
     bool is_regrowing_ = false;  // what is missing in it; nothing else grows then
+    genome::Recipe regrowing_;   // which that is
     int acts_ = 0;
     int visits_ended_ = 0;
     std::optional<exhibit::Choice> last_press_;
@@ -174,6 +175,7 @@ class Show {
     stage::Spoken spoken_;
     std::string caption_;
     std::string take_home_url_;  // the site's
+    bool is_collected_ = false;  // what visitors breed, by its code
     std::string take_home_;
 };
 

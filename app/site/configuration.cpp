@@ -123,6 +123,17 @@ void read_look(Reader& reader, Configuration::Look& look) {
     reader.read("text", "pictograms", look.pictograms, {"beside", "alone", "none"});
 }
 
+void read_attract(Reader& reader, Configuration::Attract& attract) {
+    const auto read = [&](const char* key, std::vector<std::string>& codes, std::size_t most) {
+        reader.read_checked("attract", key, codes, [&, count = std::size_t{0}](const std::string& code) mutable {
+            check_code(code);
+            if (++count > most) throw std::invalid_argument(fmt::format("has more than {} landscapes", most));
+        });
+    };
+    read("favourites", attract.favourites, Configuration::Attract::kMostFavourites);
+    read("hidden", attract.hidden, Configuration::Attract::kMostHidden);
+}
+
 void read_fleet(Reader& reader, Configuration::Fleet& fleet) {
     reader.read_checked("fleet", "broker", fleet.broker, check_broker);
     reader.read_checked("fleet", "name", fleet.name, check_fleet_name);
@@ -184,6 +195,7 @@ void read_all(Reader& reader, Configuration& configuration, const LettersWithout
     read_picture(reader, configuration.picture);
     read_look(reader, configuration.look);
     reader.read_checked("take_home", "url", configuration.take_home.url, check_take_home);
+    read_attract(reader, configuration.attract);
     read_fleet(reader, configuration.fleet);
     read_desk(reader, configuration.desk);
     read_hours(reader, configuration.hours);

@@ -101,6 +101,14 @@ struct Configuration {
         friend bool operator==(const TakeHome&, const TakeHome&) = default;
     } take_home;
 
+    // What of the landscapes that visitors bred is shown while nobody plays; by their codes (genome/scene_code.hpp).
+    struct Attract {
+        static constexpr std::size_t kMostFavourites = 12, kMostHidden = 100;
+        std::vector<std::string> favourites;  // shown in turn, besides the newest
+        std::vector<std::string> hidden;      // never shown again
+        friend bool operator==(const Attract&, const Attract&) = default;
+    } attract;
+
     // Where health and visits are published; nowhere, unless a broker is named.
     struct Fleet {
         std::string broker;         // "mqtts://broker.example:8883", "mqtt://…"

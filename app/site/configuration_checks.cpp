@@ -13,6 +13,7 @@
 #include "display/options.hpp"
 #include "firmware-io/input_spec.hpp"
 #include "firmware-io/scripted/scripted_buttons.hpp"
+#include "genome/scene_code.hpp"
 #include "genome/speech.hpp"
 #include "site/broker_address.hpp"
 
@@ -166,6 +167,14 @@ void check_fleet_name(const std::string& name) {
 void check_fleet_user(const std::string& name) {
     if (std::ranges::any_of(name, is_control) || name.size() > kLongestName)
         refuse(fmt::format("is no name; write one of {} bytes at most, on one line", kLongestName));
+}
+
+void check_code(const std::string& code) {
+    try {
+        genome::recipe_of_code(code, "a code");
+    } catch (const base::InputError& error) {
+        refuse(fmt::format("holds what is no landscape ({}); quadrat code tells a landscape's", error.what()));
+    }
 }
 
 void check_topic_prefix(const std::string& prefix) {

@@ -20,6 +20,7 @@ void check_listen_address(const std::string& text);
 void check_take_home(const std::string& url);
 void check_fleet_name(const std::string& name);
 void check_fleet_user(const std::string& name);
+void check_code(const std::string& code);
 void check_topic_prefix(const std::string& prefix);
 void check_file(const std::string& path);  // it is there; who may read it is not asked
 

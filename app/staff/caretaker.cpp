@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "staff/caretaker.hpp"
+#include "staff/landscapes.hpp"
 
 #include <fmt/format.h>
 
@@ -315,6 +316,16 @@ void Caretaker::keep_picture(mesh::Image picture, const std::filesystem::path& f
         std::error_code ignored;
         if (file == kPicture) std::filesystem::remove(runtime / kPictureAsked, ignored);
         if (file == kGlance) std::filesystem::remove(runtime / kGlanceAsked, ignored);
+    });
+}
+
+void Caretaker::keep_bred(mesh::Image picture, std::string code) {
+    errands_.send([folder = parts_.runtime / kBredLately, picture = std::move(picture), code = std::move(code)] {
+        try {
+            keep_landscape(folder, picture, code, kMostBredLately);
+        } catch (const base::InputError& error) {
+            base::log::info("picture: {}", error.what());
+        }
     });
 }
 

@@ -83,6 +83,8 @@ class Caretaker {
     std::optional<PreviewWish> take_preview_wish(bool has_visitor);
     // The file that a picture of the screen is wished for in, or "".
     std::string take_picture_wish();
+    // What visitors bred, for whoever chooses among it: with its code, among those in the runtime folder.
+    void keep_bred(mesh::Image picture, std::string code);
     // A file that is not absolute lies in the runtime folder.
     void keep_picture(mesh::Image picture, const std::filesystem::path& file);
 

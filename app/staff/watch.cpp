@@ -95,6 +95,7 @@ std::string apply(const site::Configuration& changed, site::Configuration& runni
     running.texts = changed.texts;
     running.texts_in = changed.texts_in;
     running.themes = changed.themes;
+    running.attract = changed.attract;
     return later;
 }
 

@@ -8,7 +8,8 @@ import { ask, freePort, passphrase, secret, sizes, Stage, until } from './stage.
 
 const axe = readFileSync(new URL('./node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
 const pages = { exhibit: '/', faults: '/faults', log: '/log', doctor: '/doctor', visitors: '/report', backup: '/backup', curator: '/curator', hours: '/curator/hours',
-                visit: '/curator/visit', texts: '/curator/texts', words: '/curator/words', themes: '/curator/themes', theme: '/curator/theme' };
+                visit: '/curator/visit', texts: '/curator/texts', words: '/curator/words', themes: '/curator/themes', theme: '/curator/theme',
+                collection: '/curator/collection' };
 
 let stage;
 before(async () => {

@@ -62,7 +62,7 @@ Curator curator_for(Done& done, std::string_view bytes) {
         using Kind = Entry::Kind;
         for (const Kind kind :
              {Kind::Line, Kind::Lines, Kind::Number, Kind::Tick, Kind::Choice, Kind::Day, Kind::Range})
-            form.groups.push_back({any, any, {{kind, any, any, any, any, any, any, {{any, any}}, 0, 1, 1, true}}});
+            form.groups.push_back({any, any, {{kind, any, any, any, any, any, any, {{any, any}}, 0, 1, 1, any, true}}});
         for (const auto& [name, value] : query) form.kept.emplace(name, value);
         return form;
     };
@@ -77,6 +77,7 @@ Curator curator_for(Done& done, std::string_view bytes) {
         return std::optional<std::string>(bytes);
     };
     some.ask_preview = [&done](const Fields&, const std::string&) { ++done.acts; };
+    some.landscape = [](const std::string&) { return std::nullopt; };
     some.preview = [] { return std::nullopt; };
     return some;
 }

@@ -100,6 +100,53 @@ TEST_F(CuratorsDesk, IsToldWhatIsWrongAndChangesNothing) {
     EXPECT_TRUE(succeeds(page.wait()));
 }
 
+TEST_F(CuratorsDesk, ChoosesAmongWhatVisitorsBred) {
+    set_passphrase();
+    folder.write("quadrat.toml", contents_of(folder / "quadrat.toml") +
+                                     "[visit]\nrounds = 1\nfinale_s = 2\ndescribe_words = 0\npatience_s = 600\n");
+    folder.write("visit.script", "wait 6s\npress A\nwait 3s\npress A\nwait 3s\npress B\nwait 3s\npress C\nwait 600s\n");
+    Process page(desk(), elsewhere.path());
+    wait_until(page, "the desk", [&] { return ask("GET", "/login").starts_with("HTTP/1.1 200"); });
+    log_in();
+    EXPECT_THAT(ask("GET", "/curator/collection"), HasSubstr("Nobody has bred any landscape"));
+    std::string picture;
+    {
+        Process exhibit(exhibit_alone(), folder.path());
+        wait_until(exhibit, "a landscape", [&] {
+            const std::string shown = ask("GET", "/curator/collection");
+            const std::size_t at = shown.find("/curator/landscape/");
+            if (at != std::string::npos) picture = shown.substr(at, shown.find('"', at) - at);
+            return !picture.empty();
+        });
+        exhibit.kill(SIGTERM);
+        EXPECT_TRUE(succeeds(exhibit.wait()));
+    }
+    EXPECT_THAT(ask("GET", picture), HasSubstr("\x89PNG"));
+    const std::string id = picture.substr(19, 16);
+    EXPECT_THAT(post("/collection", "show." + id + "=favourite"), HasSubstr("done=saved"));
+    EXPECT_THAT(curated(), HasSubstr("favourites = [\n    'Q"));
+    // What the exhibit kept of late is gone with the power; what was chosen is not.
+    std::filesystem::remove_all(folder / "state/bred");
+    EXPECT_THAT(ask("GET", picture), HasSubstr("\x89PNG"));
+    EXPECT_THAT(ask("GET", "/curator/collection"), HasSubstr("value=\"favourite\" selected"));
+    EXPECT_THAT(post("/collection", "show." + id + "=sold"), HasSubstr("is no choice of a landscape"));
+    EXPECT_THAT(post("/collection", "show." + id + "=hidden"), HasSubstr("done=saved"));
+    EXPECT_THAT(curated(), HasSubstr("hidden = [\n    'Q"));
+    {
+        Process exhibit(exhibit_alone(), folder.path());
+        wait_until(exhibit, "its health", [&] { return says(R"("mode": "usual")"); });
+        EXPECT_THAT(ask("GET", "/doctor"), HasSubstr("what was said at the desk"));
+        exhibit.kill(SIGTERM);
+        EXPECT_TRUE(succeeds(exhibit.wait()));
+    }
+    EXPECT_THAT(post("/collection", "show." + id + "="), HasSubstr("done=saved"));
+    EXPECT_EQ(curated(), "");
+    EXPECT_THAT(ask("GET", picture), StartsWith("HTTP/1.1 404"));
+    EXPECT_THAT(ask("GET", "/curator/landscape/..%2F..%2Fdesk.passphrase"), StartsWith("HTTP/1.1 404"));
+    page.kill(SIGTERM);
+    EXPECT_TRUE(succeeds(page.wait()));
+}
+
 TEST_F(CuratorsDesk, SeesATextAsTheExhibitDrawsItBeforeAnybodyElseDoes) {
     set_passphrase();
     Process exhibit(exhibit_alone(), folder.path());

@@ -21,6 +21,10 @@ TEST_F(ADesk, ShowsACuratorWhatHoldsAndTakesWhatIsSaid) {
           "name=\"word.wet.high\" value=\"1\"", "value=\"on\" checked", "a\nb</textarea>", "name=\"in\" value=\"de\"",
           "name=\"preview\" value=\"monday\""})
         EXPECT_THAT(page, HasSubstr(shown));
+    EXPECT_THAT(page, HasSubstr("<img src=\"/curator/landscape/0123.png\""));
+    EXPECT_EQ(get("/curator/landscape/0123.png").body, "PNG of it");
+    for (const char* path : {"/curator/landscape/4567.png", "/curator/landscape/0123", "/curator/landscape/.png"})
+        EXPECT_EQ(get(path).status, 404) << path;
     EXPECT_EQ(get("/curator/nowhere").status, 404);
     EXPECT_EQ(post("/curator/hours", {{"monday", "10:00-12:00"}}).status, 403) << "no token";
     EXPECT_TRUE(said.empty());

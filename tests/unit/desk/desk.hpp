@@ -75,6 +75,7 @@ class ADesk : public testing::Test {
                              {Entry::Kind::Tick, "locked.sky", "Sky", "on"},
                              {Entry::Kind::Lines, "others", "Others", "a\nb"}}}};
             form.groups[0].entries[0].can_be_previewed = true;
+            form.groups[0].entries[0].picture = "/curator/landscape/0123.png";
             return form;
         };
         some.save = [this](const std::string&, const Fields& form, Curator::Deed deed, const std::string& who) {
@@ -88,6 +89,9 @@ class ADesk : public testing::Test {
         some.undo = [this](const std::string&) { return changed ? std::optional<std::string>("hours") : std::nullopt; };
         some.ask_preview = [this](const Fields& form, const std::string& entry) {
             said.push_back(entry + "=" + form.at(entry));
+        };
+        some.landscape = [](const std::string& id) {
+            return id == "0123" ? std::optional<std::string>("PNG of it") : std::nullopt;
         };
         some.preview = [] { return std::optional<std::string>(); };
         return some;
