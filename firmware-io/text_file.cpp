@@ -108,7 +108,7 @@ std::string read_text(const std::filesystem::path& file, std::size_t limit_bytes
     refuse_foreign(bytes, name);
     std::string_view marked = bytes;
     if (marked.starts_with("\xef\xbb\xbf")) marked.remove_prefix(3);
-    const std::string text = with_line_ends(marked);
+    std::string text = with_line_ends(marked);
     std::size_t number = 0;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());

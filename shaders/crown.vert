@@ -27,6 +27,9 @@ void main() {
     // Leaves lie on it as they are seen from here, and so are never drawn out.
     vec2 away = normalize(root_scale.xz - view.eye_seconds.xz);
     vec3 from_root = (at_m - root_scale.xyz) * (height_m_tiles.y / root_scale.w);
-    on_blade = vec3(dot(from_root.xz, vec2(-away.y, away.x)), -0.5 * dot(from_root.xz, away) - from_root.y, 1.35);
-    shown = leaf_shown(turned(crown_normal), root_colour_shade);
+    on_blade = vec3(dot(from_root.xz, vec2(-away.y, away.x)), -0.5 * dot(from_root.xz, away) - from_root.y,
+                    1.35 - 1.35 * air.a);
+    // Behind leaves it is the crown's inside, which is darker.
+    float lit = 0.7 + 0.3 * becoming.z;
+    shown = leaf_shown(turned(crown_normal), root_colour_shade * vec4(vec3(sqrt(lit)), lit));
 }

@@ -32,6 +32,7 @@ void main() {
     vec3 own = vec3(blade, clamp(3.0 - 1.78 * times, 0.0, 1.0));
     vec3 many = vec3(blade * (0.2 * times) + rank * vec2(37.0, 11.0), clamp(1.5 * times - 2.53, 0.0, 1.0));
     on_blade = mix(own, many, foliage);
+    on_blade.z -= on_blade.z * air.a;  // the air hides it too
     float grown = unfolded(age_sway.x);
     vec3 in_plant_m = site_m * grown + corner_m * blade_scale(grown);
     float flutter = 0.012 * sin(view.eye_seconds.w * 4.3 + dot(site_m, vec3(17.0, 11.0, 13.0)));

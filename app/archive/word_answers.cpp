@@ -52,7 +52,7 @@ WordAnswers word_answers_of(const Connection& connection) {
 }
 
 std::filesystem::path state_file_in(const std::filesystem::path& directory) {
-    const std::filesystem::path file = directory / kStateFile;
+    std::filesystem::path file = directory / kStateFile;
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
         throw base::InputError(fmt::format("{}: there is no state file; name its folder with --state", file.string()));

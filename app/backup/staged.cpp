@@ -154,7 +154,7 @@ std::string dated_name(const fs::path& folder, std::string_view stem, archive::W
     std::error_code ignored;
     if (!fs::exists(folder / (name + std::string(ending)), ignored)) return name + std::string(ending);
     for (int i = 2;; ++i)
-        if (const std::string next = fmt::format("{}-{}{}", name, i, ending); !fs::exists(folder / next, ignored))
+        if (std::string next = fmt::format("{}-{}{}", name, i, ending); !fs::exists(folder / next, ignored))
             return next;
 }
 

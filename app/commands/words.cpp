@@ -261,7 +261,7 @@ std::filesystem::path keep_copy(const std::filesystem::path& folder, const archi
                                 const breeding::Lessons& lessons) {
     using std::chrono::system_clock;
     const auto now = std::chrono::time_point_cast<std::chrono::milliseconds>(system_clock::now());
-    const auto copy = folder / backup::dated_name(folder, "words.forgotten", now, ".json");
+    auto copy = folder / backup::dated_name(folder, "words.forgotten", now, ".json");
     // Answers that are gone, with a damaged state file say, may still be in what was learnt of them.
     const auto said = breeding::lessons_from(answers.readable);
     base::write_file(copy, to_json(breeding::Lessons{lessons.curator, said.empty() ? lessons.visitors : said}));

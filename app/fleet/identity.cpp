@@ -88,7 +88,7 @@ std::string password_in(const fs::path& file) {
     constexpr std::size_t kLargest = 1U << 12U;
     const std::string text = base::text_from(read_named("fleet.password_file", file, kLargest),
                                              "fleet.password_file: " + file.string(), {kLargest, kLargest});
-    const std::string password = text.substr(0, text.find('\n'));
+    std::string password = text.substr(0, text.find('\n'));
     if (password.empty())
         throw base::InputError(
             fmt::format("fleet.password_file: the first line of {} is empty; write the password there", file.string()));

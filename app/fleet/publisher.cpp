@@ -30,7 +30,7 @@ std::string host_name() {
 }
 
 std::string own_name(const std::string& named) {
-    const std::string name = named.empty() ? host_name() : named;
+    std::string name = named.empty() ? host_name() : named;
     // These would be other topics, or all of them.
     if (name.empty() || name.find_first_of("/+#") != std::string::npos)
         throw base::InputError(fmt::format("fleet.name is \"{}\"; it must be a word without / + and #", name));

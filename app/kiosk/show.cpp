@@ -193,7 +193,7 @@ std::string Show::heredity(const genome::Candidate& before, const genome::Candid
         const std::string in_words = language.heredity(*before.words, *now.words, aspect);
         const std::string detail = language.detail(moved, aspect);
         const std::string both = in_words.empty() || detail.empty() ? in_words + detail : in_words + ", " + detail;
-        if (!both.empty()) text += (text.empty() ? "→ " : " · ") + both;
+        if (!both.empty()) text.append(text.empty() ? "→ " : " · ").append(both);
     }
     return text;
 }

@@ -41,7 +41,7 @@ switches::Options switch_options_of(const site::Configuration& configuration) {
     return options;
 }
 
-void Switchboard::take(switches::Step step, base::Instant now) {
+void Switchboard::take(const switches::Step& step, base::Instant now) {
     const Buttons before = std::exchange(state_, step.state).buttons;
     if (before != state_.buttons) {
         constexpr const char* kNames[] = {"four buttons", "two buttons", "one button"};

@@ -16,7 +16,7 @@ namespace {
 constexpr float kTriangleBudget = 240'000;
 // Of what is held from frame to frame, how much counts among them. A frame draws a quarter of it; more of the rest
 // would be gained, but a landscape is to look much alike however much of it can be held.
-constexpr float kHeldShare = 0.8F;
+constexpr float kHeldShare = 0.6F;
 constexpr float kFewestPlantTriangles = 140'000;  // at alpha 1, whatever ground and cover take: crowns are whole
 constexpr float kLeastScale = 0.25F;              // of the sides of what is drawn smaller than it is shown
 

@@ -60,7 +60,7 @@ bool is_zone(std::string_view zone) {
 
 std::string parse_ipv6(std::string_view text) {
     const std::size_t percent = text.find('%');
-    const std::string address(text.substr(0, percent));
+    std::string address(text.substr(0, percent));
     std::array<unsigned char, 16> bytes{};
     if (address.find('\0') != std::string::npos || ::inet_pton(AF_INET6, address.c_str(), bytes.data()) != 1)
         refuse("has no IPv6 address between its brackets");

@@ -110,7 +110,7 @@ std::optional<Turn> next_turn(const Hours& hours, const WallClock& now) {
 }
 
 std::string turn_text(const Turn& turn, const WallClock& now) {
-    const std::string time = fmt::format("{:02}:{:02}", turn.minute / 60, turn.minute % 60);
+    std::string time = fmt::format("{:02}:{:02}", turn.minute / 60, turn.minute % 60);
     const auto days = std::chrono::sys_days{turn.date} - std::chrono::sys_days{now.date};
     constexpr int kMorning = 6 * 60;
     if (days.count() == 0 || (days.count() == 1 && turn.minute <= kMorning)) return time;

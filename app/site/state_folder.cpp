@@ -28,7 +28,7 @@ std::filesystem::path home_that_the_system_knows() {
 
 std::filesystem::path state_folder(const std::string& named) {
     if (!named.empty()) return named;
-    if (const auto service = machine::folder_in("STATE_DIRECTORY"); !service.empty()) return service;
+    if (auto service = machine::folder_in("STATE_DIRECTORY"); !service.empty()) return service;
     if (const auto state = machine::folder_in("XDG_STATE_HOME"); !state.empty()) return state / "quadrat";
     for (const auto& home : {machine::folder_in("HOME"), home_that_the_system_knows()})
         if (!home.empty()) return home / ".local/state/quadrat";

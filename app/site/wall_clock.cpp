@@ -181,7 +181,7 @@ void use_zone(const std::string& name) {
     ::tzset();
 }
 
-ZoneWatch::ZoneWatch(fs::path zoneinfo) {
+ZoneWatch::ZoneWatch(const fs::path& zoneinfo) {
     ::tzset();
     const char* tz = std::getenv("TZ");
     if (tz == nullptr || *tz == '\0') return;

@@ -48,7 +48,7 @@ void use_zone(const std::string& name);
 // the file that TZ names. The C library alone reads it once for localtime_r. One thread.
 class ZoneWatch {
   public:
-    explicit ZoneWatch(std::filesystem::path zoneinfo = "/usr/share/zoneinfo");
+    explicit ZoneWatch(const std::filesystem::path& zoneinfo = "/usr/share/zoneinfo");
     void look();
 
   private:

@@ -91,7 +91,7 @@ SignWriter::Written SignWriter::text_within(const std::string& utf8, float size_
 }
 
 SignWriter::Written SignWriter::line_within(const std::string& utf8, float size_px, bool is_bold, int most_px) {
-    const Written whole = text(utf8, size_px, is_bold);
+    Written whole = text(utf8, size_px, is_bold);
     if (whole.width <= most_px) return whole;
     constexpr float kSurely = 0.97F;  // letters are hinted, so that widths are not quite in proportion
     return text(utf8, kSurely * size_px * static_cast<float>(std::max(1, most_px)) / static_cast<float>(whole.width),

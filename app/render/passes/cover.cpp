@@ -151,33 +151,47 @@ void add_flowers(CoverMesh& to) {
     }
 }
 
-// A stone of six facets, and two small ones beside it.
+// A stone of five sides under a tilted top of three facets, and two small ones beside it.
 constexpr int kStones = 3;
-constexpr int kFacets = 6;
+constexpr int kSides = 5;
+constexpr int kFacets = 2 * kSides + kSides - 2;
 void add_stones(CoverMesh& to) {
     Tufts tufts(0x73'74'6F'6E, kStones, to);
     constexpr std::array<glm::vec3, kStones> kPlaces{
         {{0, 0, 1}, {1.9F, 0.8F, 0.5F}, {-1.1F, 1.7F, 0.38F}}};  // across, along, size
+    using Ring = std::array<glm::vec3, kSides>;
     for (int i = 0; i < kStones; ++i) {
         const glm::vec3 stone = kPlaces[static_cast<std::size_t>(i)];
         base::RandomStream& random = tufts.random();
-        const glm::vec3 top{stone.x + 0.25F * stone.z * random.between(-1, 1), stone.z * random.between(0.8F, 1.0F),
-                            stone.y + 0.25F * stone.z * random.between(-1, 1)};
-        std::array<glm::vec3, kFacets> rim;
-        for (std::size_t k = 0; k < rim.size(); ++k) {
-            const float turn = kTurn_rad * (static_cast<float>(k) + random.between(-0.3F, 0.3F)) / kFacets;
-            const float out = stone.z * random.between(0.75F, 1.1F);
-            rim[k] = {stone.x + out * std::cos(turn), -0.25F, stone.y + out * std::sin(turn)};
+        Ring foot;
+        Ring shoulder;
+        const glm::vec2 tilt = 0.28F * any_way(random);
+        for (std::size_t k = 0; k < kSides; ++k) {
+            const float turn = kTurn_rad * (static_cast<float>(k) + random.between(-0.3F, 0.3F)) / kSides;
+            const glm::vec2 way{std::cos(turn), std::sin(turn)};
+            const glm::vec2 out = stone.z * random.between(0.8F, 1.1F) * way;
+            const glm::vec2 in = random.between(0.35F, 0.75F) * out;
+            foot[k] = {stone.x + out.x, -0.25F, stone.y + out.y};
+            shoulder[k] = {stone.x + in.x, stone.z * (random.between(0.62F, 0.8F) + glm::dot(tilt, way)),
+                           stone.y + in.y};
         }
         tufts.begin(i);
-        for (std::size_t k = 0; k < rim.size(); ++k) {
-            const float tone = 0.82F + 0.36F * static_cast<float>((k * 5) % kFacets) / (kFacets - 1);
-            tufts.vertex(rim[k], glm::vec3{0}, 0.72F * tone);
-            tufts.vertex(rim[(k + 1) % rim.size()], glm::vec3{0}, 0.72F * tone);
-            tufts.vertex(top, glm::vec3{0}, 1.15F * tone);
-            const int first = 3 * static_cast<int>(k);
-            tufts.triangle(first, first + 1, first + 2);
+        int next = 0;
+        const auto facet = [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, float low, float high) {
+            tufts.vertex(a, glm::vec3{0}, low);
+            tufts.vertex(b, glm::vec3{0}, low);
+            tufts.vertex(c, glm::vec3{0}, high);
+            tufts.triangle(next, next + 1, next + 2);
+            next += 3;
+        };
+        for (std::size_t k = 0; k < kSides; ++k) {
+            const std::size_t after = (k + 1) % kSides;
+            const float tone = 0.84F + 0.30F * static_cast<float>((k * 3) % kSides) / (kSides - 1);
+            facet(foot[k], foot[after], shoulder[k], 0.66F * tone, tone);
+            facet(shoulder[after], shoulder[k], foot[after], tone, 0.66F * tone);
         }
+        for (std::size_t k = 1; k + 1 < kSides; ++k)
+            facet(shoulder[0], shoulder[k], shoulder[k + 1], 1.16F + 0.05F * static_cast<float>(k), 1.26F);
     }
 }
 

@@ -22,10 +22,13 @@ constexpr float kBladesA_px2 = 0.22F;  // of a plant as high as wide, where all 
 constexpr std::size_t kFewestBlades = 4;
 constexpr float kFewestBladesA_px = 0.15F;  // of its height: large blades that are few are flags
 constexpr float kLeastStand = 0.3F;   // of plants that are but a few blades: the fewest that stand for all of them
+constexpr float kStandsFrom_px = 44;  // high; larger ones stand for themselves
+constexpr float kStandsTo_px = 24;
 constexpr float kMergedFrom = 0.40F;  // share of its blades with which a crown begins to become one mass
 constexpr float kMergedTo = 0.15F;
-constexpr float kMergedFrom_px = 44;  // and how high it is then
-constexpr float kMergedTo_px = 24;
+constexpr float kMergedFrom_px = 260;  // and how high it is then
+constexpr float kMergedTo_px = 120;
+constexpr float kLeastLeafy = 0.7F;
 constexpr float kLeavesMerged = 0.55F;   // of the blades are not needed then
 constexpr float kMassA_px2 = 0.15F;      // triangles, of a plant as high as wide
 constexpr float kMass_px = 13;           // of a tree so small no more is seen
@@ -33,7 +36,8 @@ constexpr float kMassAlone = 0.7F;       // of its leaves, where its mass stands
 constexpr std::size_t kSimpleMass = 16;  // triangles: no more than the blades that would be seen instead
 // With less fineness than this larger crowns merge too: four blades that stand for thousands are shards.
 constexpr float kLeafyFrom = 0.125F;
-constexpr float kMassFineness = 0.15F;     // a mass is never coarser than with this
+constexpr float kMassOutline = 8;          // triangles at least, times its height in pixels to this power:
+constexpr float kMassOutlinePower = 0.8F;  // its outline is smooth at any size
 constexpr float kBladesFineness = 0.012F;  // nor what is never a mass: a handful of its blades are flags
 constexpr float kFewestOverMass = 12;      // blades; fewer are left out
 // Blades that would have to be enlarged by so much, and are so long on the screen, are shards in a thin crown, which is
@@ -100,7 +104,7 @@ std::size_t triangles_of(const Kind& kind, const Closeness& how) {
 
 // Of plants so high on the screen: near by none is left out, and none larger than it is for those that are.
 float least_stand(float height_px) {
-    const float near = std::clamp((height_px - kMergedTo_px) / (kMergedFrom_px - kMergedTo_px), 0.0F, 1.0F);
+    const float near = std::clamp((height_px - kStandsTo_px) / (kStandsFrom_px - kStandsTo_px), 0.0F, 1.0F);
     return kLeastStand + (1 - kLeastStand) * near;
 }
 
@@ -201,7 +205,8 @@ float between(float from, float to, float value) { return std::clamp((value - fr
 
 // How far a crown is one mass: none of it while it is large on the screen, or its blades are many.
 float merged_crown(float share, float height_px, float leafy) {
-    return between(kMergedFrom, kMergedTo, share) * between(kMergedFrom_px, kMergedTo_px, height_px * leafy);
+    return between(kMergedFrom, kMergedTo, share) *
+           between(kMergedFrom_px, kMergedTo_px, height_px * std::max(leafy, kLeastLeafy));
 }
 
 // A crown so small is its mass or its blades, not both; where little is drawn of anything, also one whose mass stands
@@ -256,9 +261,9 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     const float small_px = one_or_the_other_px(kind, leafy);
     if (!is_mass_enough(kind) && small_px > 0) how.mass_size = between(small_px, 1.5F * small_px, height_px);
     if (merged > 0 && how.mass_size > 0) {
-        // Large crowns are round for their size.
-        const float least_fine = kMassFineness * std::clamp(height_px / 40, 1.0F, 2.5F);
-        const float wanted = std::max(fineness, least_fine) * kMassA_px2 * height_px * height_px;
+        const float broad = std::max(1.4F * kind.crown_m / std::max(kind.height_m, 0.1F), 1.0F);
+        const float wanted = std::max(fineness * kMassA_px2 * height_px * height_px,
+                                      kMassOutline * broad * std::pow(height_px, kMassOutlinePower));
         const Level mass = level_within(kind.mass_triangles, wanted);
         how.mass_level = mass.at;
         how.mass_to_coarser = mass.to_coarser;

@@ -71,7 +71,7 @@ class Tokens {
     }
     std::string word(const std::string& meant) {
         const Place where = place();
-        const std::string text = next(meant);
+        std::string text = next(meant);
         if (std::isalpha(static_cast<unsigned char>(text[0])) == 0)
             refuse_at(source_, where, meant + " is meant here, not " + text);
         return text;

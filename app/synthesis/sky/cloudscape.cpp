@@ -22,6 +22,7 @@ namespace {
 
 constexpr int kLevels = 10;          // of the light's grid, from base to top
 constexpr int kSide = 128;           // of it, over the tile
+constexpr float kRelief = 1.3F;      // of a closed sky's underside, in its light
 constexpr float kStep = 1.036F;      // of the distance from one slab to the next
 constexpr std::size_t kAround = 4;   // halvings of the tile: sixteenths of a cloud
 constexpr float kGapHeight = 0.24F;  // sine of how high a whole gap reaches
@@ -98,6 +99,15 @@ class LightGrid {
     std::vector<mesh::Field> levels_;
 };
 
+// The eye is used to a dark sky: under a closed one it sees which parts are thinner, not that all are thick. Of the
+// optical depth, what counts for the light that comes down through it.
+float told_apart(const mesh::Field& depth) {
+    constexpr float kMean = 1.7F;
+    double sum = 0;
+    for (const float d : depth.samples) sum += d;
+    return kMean / std::max(static_cast<float>(sum / static_cast<double>(depth.samples.size())), kMean);
+}
+
 // Bulges with creases between them, over the tile and finer and finer: what makes heaps of domes.
 std::vector<mesh::Field> bulges_of(base::Seed seed) {
     constexpr int kSamples = 256;
@@ -139,6 +149,7 @@ struct Slab {
     float depth;   // optical
     float around;  // the same, of what is about it: no heap stands as a spire
     const mesh::Field* bulges;
+    float told_apart;  // share of the depth
 };
 
 class Column {
@@ -159,7 +170,9 @@ class Column {
         const float middle = light.before(slab.at, 0.5F * rise);
         const float high = light.before(slab.at, 0.96F * rise);
         // What comes down through the whole of it.
-        const float through = std::exp(-0.45F * slab.depth) * (0.8F + 0.35F * tiled(*slab.bulges, slab.at));
+        const float through =
+            std::exp(-0.45F * slab.told_apart * slab.depth) * (0.8F + 0.35F * tiled(*slab.bulges, slab.at));
+        const float relief = kRelief * (1.0F - slab.told_apart) * (through - 0.42F);
         const float tiles_per_m = 1.0F / shape.tile_m;
         for (auto y = static_cast<std::size_t>(first); y < rows.rise.size(); ++y) {
             const float t = rows.rise[y];
@@ -182,7 +195,7 @@ class Column {
                 share < 0.5F ? glm::mix(low, middle, 2.0F * share) : glm::mix(middle, high, 2.0F * share - 1.0F);
             // Near the light much goes on that was scattered forward; the tops have all of the sky.
             const float lit = 0.62F * std::exp(-0.85F * before) + 0.20F * std::exp(-0.16F * before) +
-                              0.22F * share * rise + 0.34F * through + 0.10F * bulge * share;
+                              0.22F * share * rise + 0.34F * through + 0.10F * bulge * share + relief;
             light_[y] += left_[y] * (1.0F - passed) * std::clamp(lit, 0.0F, 1.0F);
             left_[y] *= passed;
         }
@@ -214,6 +227,7 @@ scene::Cloudscape make_cloudscape(const CloudscapeShape& shape, int width, int h
     scene::Cloudscape picture(width, height, 2);
     const LightGrid light(shape.depth, shape);
     const Rows rows = rows_of(height);
+    const float apart = told_apart(shape.depth);
     std::vector<mesh::Field> depths{shape.depth};
     while (depths.back().columns > 16) depths.push_back(halved(depths.back()));
     const std::vector<mesh::Field> bulges = bulges_of(shape.seed);
@@ -231,7 +245,7 @@ scene::Cloudscape make_cloudscape(const CloudscapeShape& shape, int width, int h
             const float end = shape.gap > 0 ? end_m(shape, std::atan2(d.x, -d.z)) : 2.0F * last_m;
             Column column(rows.rise.size());
             for (float near_m = first_m; near_m < std::min(last_m, 1.3F * end); near_m *= kStep) {
-                Slab slab{near_m, near_m * kStep, tile_way * (near_m * 0.5F * (1.0F + kStep)), 0, 0, nullptr};
+                Slab slab{near_m, near_m * kStep, tile_way * (near_m * 0.5F * (1.0F + kStep)), 0, 0, nullptr, apart};
                 const float levels = std::log2(std::max((slab.far_m - slab.near_m) / (2.0F * px_m), 1.0F));
                 const auto level = std::min(static_cast<std::size_t>(levels), depths.size() - 1);
                 slab.depth = tiled(depths[level], slab.at);

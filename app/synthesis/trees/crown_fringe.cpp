@@ -9,13 +9,16 @@
 
 #include "base/seed.hpp"
 #include "mesh/pieces.hpp"
+#include "synthesis/trees/crown_ball.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
 
-constexpr std::size_t kFewestTriangles = 8;  // of a mass that has a fringe
-constexpr float kCovers = 0.7F;              // of the mass, by area
-constexpr float kLength = 1.5F;              // of a spray, to the square root of its area, and so its width
+constexpr std::size_t kFewestTriangles = 15;  // of a mass that has a fringe
+constexpr std::size_t kPerTriangle = 2;       // of the mass
+constexpr float kCovers = 1.0F;               // of the mass, by area,
+constexpr float kLargest = 0.016F;            // of it, one spray: larger ones are spikes
+constexpr float kLength = 1.8F;               // of a spray, to the square root of its area, and so its width
 constexpr float kWidth = 4.0F / 3;
 constexpr float kReach = 1.0F;  // of the mass, from the root
 constexpr double kGoldenShare = 0.6180339887498949;
@@ -66,7 +69,7 @@ Spray spray_on(const scene::CrownMass& mass, std::size_t first, base::RandomStre
     // Outward, down a little, and any way along the surface.
     const glm::vec3 chance{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
     const glm::vec3 flat = unit_or(chance - glm::dot(chance, spray.normal) * spray.normal, {1, 0, 0});
-    spray.along = unit_or(0.9F * spray.normal + flat - glm::vec3{0, 0.2F, 0}, spray.normal);
+    spray.along = unit_or(1.1F * spray.normal + flat - glm::vec3{0, 0.2F, 0}, spray.normal);
     spray.side = unit_or(glm::cross(spray.along, spray.normal), flat);
     return spray;
 }
@@ -118,16 +121,17 @@ void add_fringe(std::vector<scene::CrownMass>& masses) {
     for (const scene::CrownMass& mass : masses) {
         const std::size_t own = mass.mesh.triangle_count();
         const bool has_all = mesh::pieces_of(mass.mesh).size() == clumps;
-        counts.push_back(has_all && own >= kFewestTriangles ? own : 0);
+        counts.push_back(has_all && own >= kFewestTriangles ? kPerTriangle * own : 0);
     }
     if (counts.front() == 0) return;
     const std::vector<Spray> sprays = sprays_of(masses.front(), counts.front());
-    const float covered_m2 = kCovers * areas_up_to(masses.front().mesh).back();
+    const float crown_m2 = areas_up_to(masses.front().mesh).back();
     float reach_m = 0;
     for (const glm::vec3& at_m : masses.front().mesh.positions_m)
         reach_m = std::max(reach_m, kReach * glm::length(at_m));
     const auto at = [&](std::size_t level, std::size_t spray) {
-        return corners(sprays[spray], covered_m2 / static_cast<float>(counts[level]), reach_m);
+        const float share = std::min(kCovers / static_cast<float>(counts[level]), kLargest);
+        return corners(sprays[spray], share * crown_m2, reach_m);
     };
     for (std::size_t level = 0; level < masses.size() && counts[level] > 0; ++level) {
         const bool has_coarser = !masses[level].coarser_m.empty();
@@ -141,6 +145,7 @@ void add_fringe(std::vector<scene::CrownMass>& masses) {
                 masses[level].coarser_m.push_back(corner);
         }
     }
+    for (const Ball ball : {Ball::Of32, Ball::Of8}) add_ball(masses, ball);
 }
 
 }  // namespace quadrat::synthesis::trees

@@ -17,17 +17,18 @@
 #include "mesh/pieces.hpp"
 #include "mesh/progressive.hpp"
 #include "mesh/sparse_field.hpp"
+#include "synthesis/trees/crown_ball.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
 
-constexpr int kAcross = 13;                // samples over a crown's breadth
-constexpr int kUp = 24;                    // and over its height, if fewer fit into it
+constexpr int kAcross = 16;                // samples over a crown's breadth
+constexpr int kUp = 30;                    // and over its height, if fewer fit into it
 constexpr int kRim = 3;                    // and beside it, for the blur
-constexpr std::size_t kFewestInside = 10;  // samples; less is no mass
-constexpr std::size_t kFinest = 130;       // vertices
-constexpr std::size_t kCoarsest = 7;
-constexpr std::size_t kFewestTriangles = 8;
+constexpr std::size_t kFewestInside = 18;  // samples; less is no mass
+constexpr std::size_t kFinest = 170;       // vertices
+constexpr std::size_t kCoarsest = 18;
+constexpr std::size_t kFewestTriangles = 24;
 constexpr float kSeen = 1.25F;       // of the light of all leaves about a place, that of those one sees
 constexpr float kMostLarger = 2.2F;  // a clump that stands for those left out
 
@@ -56,6 +57,7 @@ class Density {
         for (const scene::Leaves::Vertex& v : leaves.vertices) {
             low = glm::min(low, v.site_m + v.corner_m);
             high = glm::max(high, v.site_m + v.corner_m);
+            reach_m_ = std::max(reach_m_, glm::length(v.site_m + v.corner_m));
         }
         const glm::vec3 extent = high - low;
         // The spire of a slender crown has cells of its own.
@@ -68,12 +70,13 @@ class Density {
         const std::size_t per_blade = leaves.indices_per_blade();
         for (std::size_t blade = 0; blade < leaves.blades; ++blade)
             add(leaves, std::span(leaves.indices).subspan(blade * per_blade, per_blade));
-        for (int axis = 0; axis < 3; ++axis) blur(axis);
+        for (int pass = 0; pass < 2 * 3; ++pass) blur(pass % 3);  // twice: a crown is round from afar
         spread_to_most();
     }
 
     const glm::ivec3& size() const { return size_; }
     float cell_m() const { return cell_m_; }
+    float reach_m() const { return reach_m_; }  // of the leaves, from the root
     float area_m2(bool is_inside_only) const {
         float sum = 0;
         for (const Sample& sample : samples_)
@@ -178,6 +181,7 @@ class Density {
     float dense_;
     glm::vec3 origin_m_{0};
     float cell_m_ = 1;
+    float reach_m_ = 0;
     std::vector<Sample> samples_;
 };
 
@@ -206,7 +210,7 @@ mesh::SparseField field_of(const Density& density, std::size_t& inside) {
 
 // Leaves are not all as light: a smooth mass reads as clay. By the place, so that levels agree.
 float mottle(const glm::vec3& at_m) {
-    constexpr float kLighter = 0.30F;
+    constexpr float kLighter = 0.14F;
     const auto cell = [](float m) { return std::lround(m * 1024); };
     const float chance =
         base::unit_of(base::hash_of(base::Seed{0x6D}, cell(at_m.x) * 8191 + cell(at_m.y), cell(at_m.z)));
@@ -362,7 +366,10 @@ std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves, float de
     if (inside < kFewestInside) return {};
     const mesh::Surface surface = mesh::polygonise(field);
     mesh::Mesh whole;
-    for (const glm::vec3& p : surface.positions) whole.positions_m.push_back(density.place_m(p));
+    for (const glm::vec3& p : surface.positions) {
+        const glm::vec3 at_m = density.place_m(p);
+        whole.positions_m.push_back(at_m * std::min(density.reach_m() / std::max(glm::length(at_m), 1e-3F), 1.0F));
+    }
     whole.indices = surface.indices;
     mesh::ProgressiveOptions options;
     options.fewest = kCoarsest;
@@ -381,6 +388,7 @@ std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves, float de
         masses.push_back(coloured(level, density, share));
     }
     if (!masses.empty()) add_fewer_clumps(masses);
+    add_ball(masses, Ball::Of32);
     return masses;
 }
 

@@ -87,7 +87,7 @@ scene::Species species_of(TreeSkeleton skeleton, const Form& f, base::Seed seed)
     species.height_m = skeleton.high_m.y;
     species.crown_radius_m = k.is_rosette ? 0.28F * skeleton.high_m.y : crown_radius(skeleton);
     species.trunk_radius_m = skeleton.limbs.front().nodes.front().radius_m * (f.stems > 1 ? 2.2F : 1.0F);
-    species.wood = wood_levels(skeleton);
+    species.wood = wood_levels(skeleton, k.is_rosette ? 0 : f.bareness);
     const FoliageOptions foliage = foliage_of(f, species);
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
     const bool has_spines = k.own_leaf == LeafKind::Spines;  // its limbs are what is seen of it

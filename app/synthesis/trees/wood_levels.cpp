@@ -3,7 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <cstdint>
+#include <functional>
 #include <glm/geometric.hpp>
+#include <numeric>
+#include <queue>
 
 #include "mesh/nearness.hpp"
 #include "synthesis/trees/limb_mesh.hpp"
@@ -13,8 +18,10 @@ namespace {
 
 constexpr std::size_t kSmoothTriangles = 3600;
 constexpr std::size_t kTwigNodes = 420;  // beside them
+constexpr float kBareTwigs = 3;          // times as many of them and of limbs, where no leaf hides that they are few
 constexpr float kFewEnough = 0.75F;      // of a level's triangles, for another
 constexpr float kLeastStep = 1.3F;       // from what one level leaves out to what the next does: room to morph
+constexpr float kMostStretched = 1.5F;   // an edge, as the next level takes its place
 constexpr float kJoints = 0.06F;         // of the trunk's thickness: what tubes miss of joints that are smooth
 
 // Of three values at a triangle's corners, that of a point on it.
@@ -31,6 +38,74 @@ float between(const mesh::Mesh& mesh, const std::vector<float>& values, const me
     return (values[corner[0]] * of_a + values[corner[1]] * of_b + values[corner[2]] * of_c) / all;
 }
 
+using Ways = std::vector<mesh::Nearness::Nearest>;
+
+Ways nearest_on(const mesh::Mesh& next, const std::vector<glm::vec3>& from_m) {
+    const mesh::Nearness surface(next);
+    Ways ways;
+    std::uint32_t last = 0;  // vertices that follow one another are neighbours
+    for (const glm::vec3& at_m : from_m) {
+        ways.push_back(surface.nearest(at_m, last, 0.3F));
+        last = ways.back().triangle;
+    }
+    return ways;
+}
+
+std::vector<std::vector<std::uint32_t>> neighbours_in(const mesh::Mesh& mesh) {
+    std::vector<std::vector<std::uint32_t>> neighbours(mesh.positions_m.size());
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        const std::uint32_t from = mesh.indices[i];
+        const std::uint32_t to = mesh.indices[i % 3 == 2 ? i - 2 : i + 1];
+        neighbours[from].push_back(to);
+        neighbours[to].push_back(from);
+    }
+    return neighbours;
+}
+
+// The tip of a limb that is left out may be nearest to another limb than its foot: its triangles would be drawn out to
+// a web between both. From where a piece moves least the ways spread along it, and a vertex whose own way leads off
+// from its neighbours' takes theirs: so a limb goes into the one that bears it.
+Ways untorn(const mesh::Mesh& mesh, Ways ways) {
+    const auto neighbours = neighbours_in(mesh);
+    std::vector<char> is_settled(ways.size(), 0);
+    const auto apart_m = [&](std::uint32_t a, std::uint32_t b) {
+        return glm::distance(mesh.positions_m[a], mesh.positions_m[b]);
+    };
+    const auto is_torn = [&](std::uint32_t a, std::uint32_t b) {
+        return glm::distance(ways[a].at_m, ways[b].at_m) > kMostStretched * apart_m(a, b);
+    };
+    struct Reached {
+        float distance_m;
+        std::uint32_t vertex, from;
+        auto operator<=>(const Reached&) const = default;
+    };
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> reached;
+    std::vector<std::uint32_t> by_distance(ways.size());
+    std::iota(by_distance.begin(), by_distance.end(), 0U);
+    std::ranges::stable_sort(by_distance, {}, [&](std::uint32_t v) { return ways[v].distance_m; });
+    for (const std::uint32_t first : by_distance) {
+        if (is_settled[first] != 0) continue;
+        reached.push({ways[first].distance_m, first, first});
+        while (!reached.empty()) {
+            const auto [distance_m, vertex, from] = reached.top();
+            reached.pop();
+            if (is_settled[vertex] != 0) continue;
+            bool leads_off = false;
+            std::uint32_t closest = from;
+            for (const std::uint32_t other : neighbours[vertex]) {
+                if (is_settled[other] == 0) continue;
+                leads_off = leads_off || is_torn(vertex, other);
+                if (apart_m(vertex, other) < apart_m(vertex, closest)) closest = other;
+            }
+            if (leads_off) ways[vertex] = ways[closest];
+            is_settled[vertex] = 1;
+            for (const std::uint32_t other : neighbours[vertex])
+                if (is_settled[other] == 0) reached.push({ways[other].distance_m, other, vertex});
+        }
+    }
+    return ways;
+}
+
 }  // namespace
 
 float thickest_left_out_m(const TreeSkeleton& skeleton, std::size_t most_nodes) {
@@ -42,10 +117,14 @@ float thickest_left_out_m(const TreeSkeleton& skeleton, std::size_t most_nodes) 
     return thickest_m;
 }
 
-std::vector<scene::Wood> wood_levels(const TreeSkeleton& skeleton) {
+std::vector<scene::Wood> wood_levels(const TreeSkeleton& skeleton, float bareness) {
+    const float twiggy = 1 + (kBareTwigs - 1) * bareness;
+    const auto nodes = [&](std::size_t count) {
+        return static_cast<std::size_t>(std::lround(twiggy * static_cast<float>(count)));
+    };
     MetaTubeDetail smooth;
     smooth.cell_m = cell_for(skeleton, kSmoothTriangles);
-    smooth.most_nodes = kTwigNodes + 4 * skeleton.limbs.front().nodes.size();
+    smooth.most_nodes = nodes(kTwigNodes) + 4 * skeleton.limbs.front().nodes.size();
     smooth.twig_sides = 3;
     std::vector<scene::Wood> levels{mesh_meta_tubes(skeleton, smooth)};
     const std::size_t trunk = skeleton.limbs.front().nodes.size();
@@ -60,7 +139,7 @@ std::vector<scene::Wood> wood_levels(const TreeSkeleton& skeleton) {
     for (const Level& level : kLevels) {
         TubeDetail detail;
         detail.trunk_sides = level.sides;
-        detail.most_nodes = trunk + level.nodes;
+        detail.most_nodes = trunk + nodes(level.nodes);
         detail.flattest = level.flattest;
         scene::Wood coarser = sweep_tubes(skeleton, detail);
         coarser.left_out_m =
@@ -98,13 +177,9 @@ void set_coarser(std::vector<scene::Wood>& levels) {
         scene::Wood& wood = levels[level];
         const scene::Wood& next = levels[level + 1];
         if (next.mesh.indices.empty()) continue;
-        const mesh::Nearness surface(next.mesh);
         wood.coarser_m.clear();
         wood.coarser_sways.clear();
-        std::uint32_t last = 0;  // vertices that follow one another are neighbours
-        for (const glm::vec3& from_m : wood.mesh.positions_m) {
-            const mesh::Nearness::Nearest on = surface.nearest(from_m, last, 0.3F);
-            last = on.triangle;
+        for (const mesh::Nearness::Nearest& on : untorn(wood.mesh, nearest_on(next.mesh, wood.mesh.positions_m))) {
             wood.coarser_m.push_back(on.at_m);
             wood.coarser_sways.push_back(between(next.mesh, next.sways, on));
         }

@@ -9,14 +9,14 @@ namespace quadrat::synthesis::trees {
 
 // Levels of a tree's wood, finest first, from what its grower knows: which limbs are strongest, and how their rings
 // follow one another. Of a tree with leaves the last is a spindle of four triangles, which is what is seen of a stem
-// behind far leaves.
-std::vector<scene::Wood> wood_levels(const TreeSkeleton& skeleton);
+// behind far leaves. bareness: 0 in leaf to 1 bare, when twigs are all the crown that there is and more are kept.
+std::vector<scene::Wood> wood_levels(const TreeSkeleton& skeleton, float bareness = 0);
 // The diameter of the thickest limb that is not among the strongest, of so many nodes; 0: all of them are.
 float thickest_left_out_m(const TreeSkeleton& skeleton, std::size_t most_nodes);
 void add_spindle(std::vector<scene::Wood>& levels, float height_m, float radius_m);
 
-// Where each vertex of a level goes as the next takes its place: the nearest point of that, so that limbs which are
-// left out sink into those that bear them.
+// Where each vertex of a level goes as the next takes its place: the nearest point of that, or where its neighbours go
+// if that is elsewhere, so that limbs which are left out draw back into those that bear them.
 void set_coarser(std::vector<scene::Wood>& levels);
 
 }  // namespace quadrat::synthesis::trees

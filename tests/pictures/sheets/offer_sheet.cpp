@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// First offers, as the exhibit makes them, numbered and measured:
+// First offers, as the exhibit makes and shows them (with a quarter of its triangles each), numbered and measured:
 //     offer_sheet SEED COUNT FILE.png      so many seeds from SEED on, four landscapes each, on one sheet
 //     offer_sheet SEED COUNT --measure     a line for each landscape, then their means and worst; no picture is kept
 //     offer_sheet SEED COUNT --each DIR    a picture of each, 1280x720: DIR/SEED-A.png …; each draws itself again
@@ -18,13 +18,15 @@
 #include "stage/easel.hpp"
 #include "support/values.hpp"
 #include "synthesis/compose/view_merit.hpp"
+#include "tempo/budget.hpp"
 
 namespace {
 
 using namespace quadrat;
 using namespace quadrat::tests;
 
-constexpr float kSeconds = 12;  // into the flight
+constexpr float kSeconds = 12;                            // into the flight
+constexpr tempo::Budget kOneOfFour{.triangles = 60'000};  // the exhibit draws 240,000
 
 struct Offered {
     std::uint64_t seed;
@@ -69,7 +71,8 @@ int sheet(std::uint64_t first, std::uint64_t seeds, const std::string& file, con
     stage::Easel easel(kWidth * 2, 540);
     std::vector<pictures::SheetEntry> entries;
     for_each_offered(first, seeds, extra, [&](const Offered& offered) {
-        const mesh::Image drawn = easel.draw(picture_of(offered, kWidth * 2, 540));
+        pictures::Picture picture = picture_of(offered, kWidth * 2, 540);
+        const mesh::Image drawn = easel.draw(picture, kOneOfFour);
         entries.push_back({pictures::scaled_to(drawn, kWidth), offered.name()});
     });
     pictures::write_image(file, pictures::contact_sheet(entries, 4, kWidth));

@@ -105,12 +105,12 @@ TEST(Closeness, AMassHasBecomeTheNextLevelWhenThatTakesItsPlace) {
 
 TEST(Closeness, ACrownBecomesOneMassGraduallyAndNearbyNever) {
     for (const float fineness : {0.1F, 0.5F, 1.0F}) {
-        Closeness before = closeness(leafy(), 400, fineness);
-        for (float px = 400; px > 2; px *= 0.999F) {
+        Closeness before = closeness(leafy(), 500, fineness);
+        for (float px = 500; px > 2; px *= 0.999F) {
             const Closeness now = closeness(leafy(), px, fineness);
             const bool is_mass = now.mass_level < leafy().mass_triangles.size();
             const bool was_mass = before.mass_level < leafy().mass_triangles.size();
-            if (px > 50) {
+            if (px > 375) {
                 EXPECT_FALSE(is_mass);
             }
             if (px < 20 && fineness < 0.6F) {

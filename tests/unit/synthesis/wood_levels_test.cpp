@@ -11,7 +11,9 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <vector>
 
 #include "mesh/progressive.hpp"
 #include "synthesis/trees/species.hpp"
@@ -144,6 +146,37 @@ TEST(WoodLevels, OfTheGeneratorCostLessAndGoFartherThanCollapsesOfTheSameMesh) {
     EXPECT_LT(sum.known, 1.5 * sum.blind);
     EXPECT_LT(2 * sum.known_ms, sum.blind_ms);
     EXPECT_LT(2 * fewest_known, fewest_blind);
+}
+
+// How wide a mesh's widest triangle is across, with its corners at these places.
+float widest_m(const mesh::Mesh& mesh, const std::vector<glm::vec3>& places_m) {
+    float widest = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const glm::vec3 ab = places_m[mesh.indices[i + 1]] - places_m[mesh.indices[i]];
+        const glm::vec3 ac = places_m[mesh.indices[i + 2]] - places_m[mesh.indices[i]];
+        const float longest_m = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab), 1e-6F});
+        widest = std::max(widest, glm::length(glm::cross(ab, ac)) / longest_m);
+    }
+    return widest;
+}
+
+// A limb that is left out goes into the one that bears it: drawn to two of them it would be a sail.
+TEST(WoodLevels, LeaveNoWebBetweenLimbs) {
+    for (int habit = 0; habit < kind_count(); ++habit) {
+        Form form;
+        form.habit = habit;
+        form.bareness = 1;
+        std::vector<scene::Wood> levels = wood_levels(skeleton_of_species(form, base::Seed{7}), 1);
+        set_coarser(levels);
+        for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
+            const scene::Wood& wood = levels[level];
+            const scene::Wood& next = levels[level + 1];
+            ASSERT_EQ(wood.coarser_m.size(), wood.mesh.positions_m.size());
+            EXPECT_LT(widest_m(wood.mesh, wood.coarser_m), 1.3F * std::max(widest_m(wood.mesh, wood.mesh.positions_m),
+                                                                           widest_m(next.mesh, next.mesh.positions_m)))
+                << kind(habit).name << " " << level;
+        }
+    }
 }
 
 }  // namespace
