@@ -42,7 +42,7 @@ std::string trouble_of_order(std::string_view what, std::string_view value) {
     if (std::ranges::find(kKnown, what) == kKnown.end())
         return fmt::format("nobody knows how to do that; there are {}", fmt::join(kKnown, ", "));
     if (value.size() > kLongestOrder) return fmt::format("it has more than {} bytes", kLongestOrder);
-    if (const std::string trouble = base::trouble_of_encoding(value); !trouble.empty()) return trouble;
+    if (std::string trouble = base::trouble_of_encoding(value); !trouble.empty()) return trouble;
     if (std::ranges::any_of(value, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; }))
         return "it has control characters";
     if (what == "standby" && value != "on" && value != "off") return "write on or off";

@@ -11,7 +11,8 @@ namespace quadrat::site {
 namespace {
 
 constexpr std::string_view kMark = "\n#% laid over: ";
-constexpr std::array<std::string_view, 7> kOfTheCurator{"attract", "breeding", "hours", "text", "themes", "visit", "words"};
+constexpr std::array<std::string_view, 7> kOfTheCurator{"attract", "breeding", "hours", "text",
+                                                        "themes",  "visit",    "words"};
 constexpr std::array<std::string_view, 2> kWhole{"themes", "exceptions"};
 
 bool is_whole(std::string_view name) { return std::ranges::find(kWhole, name) != kWhole.end(); }
