@@ -88,11 +88,18 @@ void carry_out(const fs::path& state, const Note& note) {
 }  // namespace
 
 std::vector<std::string> site_files() {
-    return {archive::kStateFile,       "words.json",
-            "words.previous.json",     "taste.json",
-            "taste.previous.json",     "buttons.map",
-            "desk.passphrase",         "earlier/landscape-1.png",
-            "earlier/landscape-2.png", "earlier/landscape-3.png"};
+    return {archive::kStateFile,
+            "words.json",
+            "words.previous.json",
+            "taste.json",
+            "taste.previous.json",
+            "buttons.map",
+            "desk.toml",
+            "desk.changes.json",
+            "desk.passphrase",
+            "earlier/landscape-1.png",
+            "earlier/landscape-2.png",
+            "earlier/landscape-3.png"};
 }
 
 Staging::Staging(const fs::path& state) : state_(state) {

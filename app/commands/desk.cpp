@@ -104,7 +104,7 @@ int serve(const Options& options) {
     if (options.sets_passphrase) return set_passphrase(options);
     const fs::path state = site::state_folder(options.state);
     const site::Settings settings = options.is_service ? site::settings_for_service(options.configuration, state)
-                                                       : site::settings_for_people(options.configuration);
+                                                       : site::settings_for_people(options.configuration, state);
     const site::Configuration::Desk& wanted = settings.configuration.desk;
     if (wanted.listen.empty()) {
         base::log::info("desk: the settings name no address (desk.listen), so nothing listens");
@@ -133,9 +133,10 @@ int serve(const Options& options) {
     const auto since_begin = [begun = std::chrono::steady_clock::now()] {
         return std::chrono::duration_cast<desk::Instant>(std::chrono::steady_clock::now() - begun);
     };
-    const desk::Server server(how,
-                              {[&](const desk::Request& request) { return desk.answer(request, since_begin()); },
-                               [&](const desk::Request& request) { return desk.takes_file(request, since_begin()); }});
+    const desk::Server server(
+        how, {[&](const desk::Request& request) { return desk.answer(request, since_begin()); },
+              [&](const desk::Request& request) { return desk.takes_file(request, since_begin()); },
+              [&](const desk::Request& request) { return desk.takes_long_form(request, since_begin()); }});
     base::log::info("desk: listens on {}://{}", how.certificate.empty() ? "http" : "https", base::to_text(address));
     int signal = 0;
     ::sigwait(&ends, &signal);

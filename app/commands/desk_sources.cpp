@@ -25,7 +25,9 @@
 #include "base/owned.hpp"
 #include "benches/scratch.hpp"
 #include "commands/ask_exhibit.hpp"
+#include "commands/desk_curator.hpp"
 #include "commands/examine.hpp"
+#include "commands/staff_acts.hpp"
 #include "commands/visits.hpp"
 #include "desk/passphrase.hpp"
 #include "desk/secrets.hpp"
@@ -42,8 +44,6 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::system_clock;
 
-constexpr const char* kNotes = "desk.log";  // what was done, and by whom
-constexpr std::uintmax_t kMostNotes = 256 * 1024;
 constexpr const char* kKeptFile = "desk-restore.tar.xz";  // was brought and looked into
 constexpr std::size_t kLogLines = 200;
 constexpr std::size_t kNoteLines = 50;
@@ -54,18 +54,6 @@ std::string date_of(system_clock::time_point at) {
 }
 
 archive::WallTime now() { return std::chrono::time_point_cast<std::chrono::milliseconds>(system_clock::now()); }
-
-// A line each; the file before it is kept as well.
-void note_in(const fs::path& folder, const std::string& what) {
-    base::log::info("desk: {}", what);
-    const fs::path file = folder / kNotes;
-    std::error_code ignored;
-    if (fs::file_size(file, ignored) > kMostNotes && !ignored) fs::rename(file, file.string() + ".1", ignored);
-    const base::OwnedDescriptor notes(::open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0600));
-    const std::string line = fmt::format("{} {}\n", date_of(system_clock::now()), what);
-    if (!notes || ::write(notes.get(), line.data(), line.size()) != static_cast<ssize_t>(line.size()))
-        base::log::warn("desk: what was done could not be noted in {}", file.string());
-}
 
 std::optional<std::string> read_if_there(const fs::path& file, std::size_t most) {
     std::error_code error;
@@ -92,16 +80,10 @@ std::vector<std::string> tail_of(const fs::path& file, std::size_t most) {
     return lines;
 }
 
-// Without a flush: what is asked for is of this moment.
-void ask(const fs::path& file) {
-    const base::OwnedDescriptor asked(::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644));
-    if (!asked) throw base::InputError(fmt::format("{}: {}", file.string(), std::strerror(errno)));
-}
-
 // What an exhibit said that has ended since lies there too. Whoever asks has the next one made.
 std::optional<std::string> health_in(const fs::path& runtime) {
     if (!staff::is_exhibit_present(runtime)) return std::nullopt;
-    ask(runtime / staff::kHealthAsked);
+    ask_by(runtime / staff::kHealthAsked);
     return read_if_there(runtime / "health.json", 1U << 20U);
 }
 
@@ -111,38 +93,10 @@ std::optional<std::string> glance(const fs::path& runtime) {
     constexpr std::chrono::seconds kOld{10};
     const fs::path file = runtime / staff::kGlance;
     std::error_code error;
-    ask(runtime / staff::kGlanceAsked);
+    ask_by(runtime / staff::kGlanceAsked);
     const auto written = fs::last_write_time(file, error);
     if (error || fs::file_time_type::clock::now() - written > kOld) return std::nullopt;
     return read_if_there(file, kMostPicture);
-}
-
-// What is asked of nobody would surprise whoever starts next.
-void require_exhibit(const fs::path& runtime) {
-    if (!staff::is_exhibit_present(runtime)) throw base::InputError("no exhibit runs here that could do that");
-}
-
-void do_act(const fs::path& runtime, desk::Act act) {
-    if (act != desk::Act::Wake) require_exhibit(runtime);
-    std::error_code ignored;
-    switch (act) {
-        case desk::Act::TestLamps:
-            return ask(runtime / staff::kLampTestAsked);
-        case desk::Act::StandBy:
-            return ask(runtime / staff::kStandBy);
-        case desk::Act::Wake:
-            fs::remove(runtime / staff::kStandBy, ignored);
-            return;
-        case desk::Act::SafeMode:
-            ask(runtime / staff::kSafeMode);
-            return ask(runtime / staff::kRestartAsked);
-        case desk::Act::UsualMode:
-            fs::remove(runtime / staff::kSafeMode, ignored);
-            ask(runtime / staff::kUsualAsked);
-            return ask(runtime / staff::kRestartAsked);
-        case desk::Act::Restart:
-            return ask(runtime / staff::kRestartAsked);
-    }
 }
 
 std::vector<desk::Finding> findings_of(const DeskPlaces& places) {
@@ -212,7 +166,7 @@ desk::Preview preview_of(const DeskPlaces& places, const fs::path& brought) {
 // The exhibit lets go of its state when it starts anew, and waits for it then, as for any tool that writes there.
 archive::StateLock hold_beside_exhibit(const DeskPlaces& places) {
     constexpr std::chrono::seconds kPatience{30};
-    if (staff::is_exhibit_present(places.runtime)) ask(places.runtime / staff::kRestartAsked);
+    if (staff::is_exhibit_present(places.runtime)) ask_by(places.runtime / staff::kRestartAsked);
     for (const auto until = std::chrono::steady_clock::now() + kPatience;;) {
         try {
             return backup::hold_state(places.state, "quadrat desk");
@@ -246,7 +200,7 @@ desk::Sources desk_sources(const DeskPlaces& places, const site::Configuration& 
     sources.faults = [places] { return faults_in(places.state); };
     sources.fault_picture = [places](const std::string& name) { return fault_picture_in(places.state, name); };
     sources.log = [places, file = configuration.fleet.password_file] { return log_of(places, file); };
-    sources.notes = [places] { return tail_of(places.state / kNotes, kNoteLines); };
+    sources.notes = [places] { return tail_of(places.state / kActsNoted, kNoteLines); };
     sources.examine = [places] { return findings_of(places); };
     sources.report = [places, title = configuration.fleet.name](const std::string& back) {
         report::Heading heading = heading_of(title.empty() ? "Visitors of the exhibit" : title);
@@ -258,12 +212,13 @@ desk::Sources desk_sources(const DeskPlaces& places, const site::Configuration& 
     sources.restore = [places](desk::Identity identity) { restore(places, identity); };
     sources.drop = [places] { fs::remove(places.state / kKeptFile); };
     sources.act = [places](desk::Act act) { do_act(places.runtime, act); };
-    sources.note = [places](const std::string& what) { note_in(places.state, what); };
+    sources.note = [places](const std::string& what) { note_act(places.state, "desk", what); };
     // Read anew each time: it may be another since.
     sources.is_passphrase = [places](const std::string& passphrase) {
         const auto hash = read_if_there(places.state / kPassphraseFile, 1024);
         return hash && desk::is_passphrase(passphrase, hash->substr(0, hash->find('\n')));
     };
+    sources.curator = curator_of(places);
     std::error_code ignored;  // what an earlier desk left
     fs::remove(places.state / kKeptFile, ignored);
     fs::remove(places.state / kBroughtFile, ignored);

@@ -40,8 +40,9 @@ int examine(const Options& options) {
         return learn_buttons(options.device, map);
     }
     if (options.calibrates) {
-        return calibrate(site::settings_for_people(options.configuration).configuration,
-                         site::state_folder(options.state));
+        return calibrate(
+            site::settings_for_people(options.configuration, site::tended_state_folder(options.state)).configuration,
+            site::state_folder(options.state));
     }
     const std::vector<doctor::Finding> all = examine_parts(options.configuration, options.state, options.only);
     std::fputs((options.is_json ? json_of(all) : doctor::report_of(all)).c_str(), stdout);

@@ -50,6 +50,7 @@ std::vector<doctor::Finding> examine_parts(const std::string& named_configuratio
     const doctor::Examined examined = doctor::examine_configuration(
         site::tended_configuration(named_configuration, named_state), site::tended_state_folder(named_state));
     const site::Configuration& configuration = examined.configuration;
+    site::use_zone(configuration.zone);
     // Who names another state folder has an exhibit of their own, and runs it themselves.
     const auto user = site::is_the_services(named_state) ? machine::account_named("quadrat") : std::nullopt;
     const std::pair<const char*, std::function<std::vector<doctor::Finding>()>> parts[] = {

@@ -4,8 +4,10 @@
 
 #include "base/log.hpp"
 #include "commands/commands.hpp"
+#include "commands/fleet_orders.hpp"
 #include "fleet/publisher.hpp"
 #include "machine/machine.hpp"
+#include "machine/version.hpp"
 #include "site/settings.hpp"
 #include "site/state_folder.hpp"
 
@@ -27,7 +29,7 @@ std::atomic<bool>& stop_flag() {
 // Above all when there is something wrong with the settings a fleet wants to hear of it. Without any that worked there
 // is no broker to tell.
 site::Settings settings_for(const Options& options, const std::filesystem::path& state) {
-    if (!options.is_service) return site::settings_for_people(options.configuration);
+    if (!options.is_service) return site::settings_for_people(options.configuration, state);
     site::Settings settings = site::settings_for_service(options.configuration, state);
     if (settings.from == site::SettingsFrom::Defaults) throw site::SettingsError(std::move(settings.mistakes));
     site::tell(settings);
@@ -48,9 +50,12 @@ int publish(const Options& options) {
     ::sigaction(SIGINT, &action, nullptr);
     // A broker that hangs up while we write is no reason to end.
     ::signal(SIGPIPE, SIG_IGN);
-    fleet::Publisher publisher(
-        configuration.fleet, state,
-        options.runtime.empty() ? machine::runtime_folder(state) : std::filesystem::path(options.runtime));
+    const std::filesystem::path runtime =
+        options.runtime.empty() ? machine::runtime_folder(state) : std::filesystem::path(options.runtime);
+    fleet::PublisherOptions how;
+    how.version = std::string(machine::version());
+    if (configuration.fleet.takes_orders) how.orders = fleet_orders(options.configuration, state, runtime);
+    fleet::Publisher publisher(configuration.fleet, state, runtime, std::move(how));
     while (!stop_flag()) publisher.look();
     return 0;
 }

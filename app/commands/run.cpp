@@ -26,6 +26,7 @@
 #include "site/screen.hpp"
 #include "site/settings.hpp"
 #include "site/state_folder.hpp"
+#include "site/wall_clock.hpp"
 #include "staff/presence.hpp"
 #include "tempo/memory.hpp"
 
@@ -209,7 +210,7 @@ Opened open_with(site::Settings settings, const Options& options, staff::Mode mo
 }
 
 site::Settings settings_for(const Options& options, const fs::path& state, const staff::Rung& rung) {
-    if (!is_service(options)) return site::settings_for_people(options.configuration);
+    if (!is_service(options)) return site::settings_for_people(options.configuration, state);
     site::Settings settings = site::settings_for_service(options.configuration, state);
     return rung.failures >= staff::kFailuresToSafety ? site::safe_settings(std::move(settings), state, rung.failures)
                                                      : settings;
@@ -261,6 +262,16 @@ tempo::TempoOptions tempo_for(const Options& options, const site::Configuration&
     return tempo;
 }
 
+// Its name. The same wherever a visit is to come out as it was: a simulated clock knows no day.
+std::string put_on_theme(site::Configuration& configuration, const base::Clock& clock, const fs::path& state) {
+    std::optional<std::chrono::year_month_day> day;
+    if (!clock.is_simulated() && !configuration.themes.empty())
+        day = site::day_on(site::read_wall_clock(site::LastTimeSeen(state)));
+    std::string theme = site::theme_on(configuration, day);
+    configuration = site::with_theme(std::move(configuration), theme);
+    return theme;
+}
+
 void finish(pictures::Album& album) {
     album.finish();
     std::printf("%zu pictures and contact-sheet.png are in %s\n", album.count(),
@@ -272,10 +283,12 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
     const staff::Mode mode = ladder.rung().mode;
     const bool is_safe = mode == staff::Mode::Safe;
     site::Settings settings = settings_for(options, state, ladder.rung());
+    site::use_zone(settings.configuration.zone);  // before any thread may ask for the time
     auto keeper =
         std::make_unique<kiosk::Keeper>([state](const archive::TellKept& tell) { return open_archive(state, tell); });
     const base::Seed seed = seed_for(options);
     Opened opened = open_what_works(std::move(settings), options, state, mode, seed);
+    const site::Settings begun_with = opened.settings;
     site::Configuration& configuration = opened.settings.configuration;
     const auto& screen = opened.screen;
     Buttons& buttons = opened.buttons;
@@ -289,6 +302,7 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
                         configuration.visit.rounds, folder);
 
     const auto clock = clock_for(options, screen->kind() == "headless" && buttons.is_all_scripted);
+    const std::string theme = put_on_theme(configuration, *clock, state);
     const archive::Kept kept = kept_by(*keeper, *clock);
     staff::Panel panel(*buttons.source, staff::health_memory_from(kept.buttons));
     const nursery::GrowerOptions growing{0, pictures::fineness_of(configuration.picture.land_samples)};
@@ -299,8 +313,8 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
     if (!clock->is_simulated()) {
         presence.emplace(machine::runtime_folder(state));
         keepsakes.emplace(state);
-        staff::CaretakerParts parts{configuration, opened.settings, machine::runtime_folder(state),
-                                    state,         ladder,          *screen};
+        staff::CaretakerParts parts{configuration, begun_with, machine::runtime_folder(state), state, ladder, *screen};
+        parts.theme = theme;
         parts.adjust = [&options, mode](site::Configuration& changed) { adjust(options, mode, changed); };
         parts.keeps_settings = is_service(options);
         caretaker.emplace(parts);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "desk/curator_answers.hpp"
 #include "desk/embedded_texts.hpp"
 #include "desk/pages.hpp"
 #include "desk/passphrase.hpp"
@@ -53,7 +54,8 @@ constexpr std::array kPlaces{Place{"/", false},
                              Place{"/backup.tar.xz", false},
                              Place{"/health.json", false},
                              Place{"/picture.png", false},
-                             Place{"/screenshot.png", false}};
+                             Place{"/screenshot.png", false},
+                             Place{"/preview.png", false}};
 
 std::string value_in(const Fields& fields, const std::string& name) {
     const auto found = fields.find(name);
@@ -82,7 +84,9 @@ bool is_from_elsewhere(const Request& request) {
 
 const Place* place_at(const std::string& path) {
     static constexpr Place kFaultPicture{"", false};
+    static constexpr Place kPartOfCurator{"", true};
     if (path.starts_with(kFaultPictures)) return &kFaultPicture;
+    if (is_curators(path)) return &kPartOfCurator;
     const auto* found = std::ranges::find(kPlaces, std::string_view(path), &Place::path);
     return found == kPlaces.end() ? nullptr : found;
 }
@@ -142,6 +146,11 @@ bool Desk::takes_file(const Request& request, Instant now) {
            sessions_.find(cookie_of(value_in(request.headers, "cookie"), kCookie), now) != nullptr;
 }
 
+bool Desk::takes_long_form(const Request& request, Instant now) {
+    return request.method == "POST" && request.path.starts_with("/curator/") && !is_from_elsewhere(request) &&
+           sessions_.find(cookie_of(value_in(request.headers, "cookie"), kCookie), now) != nullptr;
+}
+
 std::string Desk::cookie(const std::string& value, long seconds) const {
     return fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict; Max-Age={}{}", kCookie, value, seconds,
                        is_encrypted_ ? "; Secure" : "");
@@ -173,6 +182,7 @@ Answer Desk::route(const Request& request, Instant now) {
         return refuse(request, 403, "trouble.token");
     if (request.path == "/act") return carry_out(request);
     if (request.path == "/restore") return look_into(request);
+    if (is_curators(request.path)) return curate(request, view_of(request, *session));
     return log_out(request);
 }
 
@@ -270,6 +280,10 @@ std::optional<Answer> Desk::file_of(const Request& request) {
         const bool is_fault = request.path != "/picture.png";
         return refuse(request, is_fault ? 404 : 503, is_fault ? "trouble.page" : "trouble.picture");
     }
+    if (request.path == "/preview.png") {
+        auto picture = sources_.curator.preview();
+        return picture ? Answer{200, "image/png", std::move(*picture), {}} : refuse(request, 503, "trouble.picture");
+    }
     if (request.path == "/report")
         return Answer{200,
                       kHtml,
@@ -286,9 +300,14 @@ std::optional<Answer> Desk::file_of(const Request& request) {
     return std::nullopt;
 }
 
+View Desk::view_of(const Request& request, const Sessions::Session& session) const {
+    return {sources_, language_for(request), request.path, session.form_token, ""};
+}
+
 Answer Desk::page_of(const Request& request, const Sessions::Session& session) {
     if (auto file = file_of(request)) return std::move(*file);
-    View view{sources_, language_for(request), request.path, session.form_token, ""};
+    View view = view_of(request, session);
+    if (is_curators(request.path)) return curated(request, std::move(view));
     const std::string done = value_in(request.form, "done");
     if (std::ranges::find(kActs, std::string_view(done), &NamedAct::name) != kActs.end())
         view.done = view.say("act." + done + ".done");

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "desk/curator.hpp"
 #include "desk/http.hpp"
 #include "desk/sessions.hpp"
 #include "desk/texts.hpp"
@@ -62,7 +63,10 @@ struct Sources {
     std::function<void(Act)> act;
     std::function<void(const std::string&)> note;  // who did what, for the list of what was done
     std::function<bool(const std::string&)> is_passphrase;
+    Curator curator;
 };
+
+struct View;  // pages.hpp
 
 // Answers requests one after the other. Pages need a session, acts also the token of a form of ours; no answer may be
 // kept or shown within another page.
@@ -75,6 +79,8 @@ class Desk {
 
     // Whether this one may bring a file: whoever has a session, to the page that takes one.
     bool takes_file(const Request& request, Instant now);
+    // Likewise a form of more than some lines, as the curator's are.
+    bool takes_long_form(const Request& request, Instant now);
 
   private:
     Answer route(const Request& request, Instant now);
@@ -84,6 +90,7 @@ class Desk {
     Answer carry_out(const Request& request);
     Answer look_into(const Request& request);
     Answer restore(const Request& request, Identity identity);
+    View view_of(const Request& request, const Sessions::Session& session) const;
     Answer page_of(const Request& request, const Sessions::Session& session);
     std::optional<Answer> file_of(const Request& request);
     std::string cookie(const std::string& value, long seconds) const;

@@ -14,8 +14,9 @@ struct Link {
     const char* path;
     const char* key;
 };
-constexpr Link kPages[]{{"/", "nav.exhibit"},      {"/faults", "nav.faults"},   {"/log", "nav.log"},
-                        {"/doctor", "nav.doctor"}, {"/report", "nav.visitors"}, {"/backup", "nav.backup"}};
+constexpr Link kPages[]{{"/", "nav.exhibit"},       {"/faults", "nav.faults"},   {"/log", "nav.log"},
+                        {"/doctor", "nav.doctor"},  {"/report", "nav.visitors"}, {"/backup", "nav.backup"},
+                        {"/curator", "nav.curator"}};
 
 std::string name_of(const View& view) {
     return escaped(view.sources.exhibit.empty() ? "Quadrat" : view.sources.exhibit);
@@ -27,7 +28,10 @@ std::string header(const View& view) {
     html += fmt::format("<nav aria-label=\"{}\">\n", escaped(view.say("nav")));
     for (const Link& link : kPages)
         html += fmt::format("<a href=\"{}\"{}>{}</a>\n", link.path,
-                            view.path == link.path ? " aria-current=\"page\"" : "", escaped(view.say(link.key)));
+                            view.path == link.path || view.path.starts_with(std::string(link.path) + "/")
+                                ? " aria-current=\"page\""
+                                : "",
+                            escaped(view.say(link.key)));
     return html + "</nav>\n</header>\n";
 }
 

@@ -25,6 +25,7 @@ struct IncomingParts {
 namespace {
 
 constexpr std::size_t kMostForm = 4096;
+constexpr std::size_t kMostLongForm = 128 * 1024;  // each of the screen's texts, each letter of it escaped
 constexpr std::size_t kPartsBuffer = 32 * 1024;
 
 MHD_Result keep_header(void* to, MHD_ValueKind, const char* name, const char* value) {
@@ -55,7 +56,8 @@ std::string peer_of(MHD_Connection* connection) {
 
 void Incoming::End::operator()(MHD_PostProcessor* processor) const { MHD_destroy_post_processor(processor); }
 
-Incoming::Incoming(Inbox& inbox, MHD_Connection* connection, const char* method, const char* path) : inbox_(inbox) {
+Incoming::Incoming(Inbox& inbox, MHD_Connection* connection, const char* method, const char* path)
+    : inbox_(inbox), most_form_(kMostForm) {
     request_.method = method;
     request_.path = path;
     request_.peer = peer_of(connection);
@@ -63,6 +65,7 @@ Incoming::Incoming(Inbox& inbox, MHD_Connection* connection, const char* method,
     if (request_.method != "POST")
         MHD_get_connection_values(connection, MHD_GET_ARGUMENT_KIND, keep_argument, &request_.form);
     const auto type = request_.headers.find("content-type");
+    if (request_.method == "POST" && inbox_.answerer.takes_long_form(request_)) most_form_ = kMostLongForm;
     if (type == request_.headers.end() || !type->second.starts_with("multipart/form-data")) return;
     if (!inbox_.answerer.takes_file(request_)) return;
     parts_.reset(MHD_create_post_processor(connection, kPartsBuffer, &IncomingParts::take, this));
@@ -81,7 +84,7 @@ void Incoming::take(const char* bytes, std::size_t count) {
         if (MHD_post_process(parts_.get(), bytes, count) != MHD_YES) refuse(400, "The form is not well-formed.");
         return;
     }
-    if (form_.size() + count > kMostForm) return refuse(413, "The form is too long.");
+    if (form_.size() + count > most_form_) return refuse(413, "The form is too long.");
     form_.append(bytes, count);
 }
 

@@ -50,6 +50,7 @@ class Incoming {
     std::unique_ptr<MHD_PostProcessor, End> parts_;
     base::OwnedDescriptor file_;
     std::size_t file_bytes_ = 0;
+    std::size_t most_form_;  // bytes
 };
 
 }  // namespace quadrat::desk

@@ -26,11 +26,12 @@ struct Answerer {
     std::function<Answer(const Request&)> respond;
     // Whether what is known before the form itself comes lets it bring a file.
     std::function<bool(const Request&)> takes_file;
+    std::function<bool(const Request&)> takes_long_form;  // likewise
 };
 
 // An HTTP server (libmicrohttpd) on one thread of its own: requests are answered one after the other. What a request
-// may cost is bounded: 16 connections an address and 64 in all, 6 s without a byte, 4 kB of a form, 32 kB of headers,
-// and one file of `most_brought` bytes from whoever may bring one.
+// may cost is bounded: 16 connections an address and 64 in all, 6 s without a byte, 4 kB of a form (128 kB of one that
+// may be long), 32 kB of headers, and one file of `most_brought` bytes from whoever may bring one.
 class Server {
   public:
     // Throws InputError: the address is taken or not this machine's, or the certificate and its key are no pair.

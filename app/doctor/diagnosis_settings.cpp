@@ -40,12 +40,13 @@ const char* word_for(Health health) {
 }  // namespace
 
 Examined examine_configuration(const fs::path& file, const fs::path& state) {
-    if (file.empty()) {
+    std::error_code error;
+    if (file.empty() && !fs::exists(site::curated_file(state), error)) {
         Examined none{{}, {{kSubject, Health::Good, "no file is named, so the defaults are used", ""}}};
         if (auto fonts = fonts_finding(none.configuration)) none.findings.push_back(std::move(*fonts));
         return none;
     }
-    site::CheckedConfiguration checked = site::check_configuration_file(file);
+    site::CheckedConfiguration checked = site::check_settings(file, state);
     if (auto cut = site::cut_off_from_last_good(file, state); cut && checked.is_usable())
         checked.mistakes.push_back(std::move(*cut));
     Examined examined{std::move(checked.configuration), {}};
@@ -58,7 +59,12 @@ Examined examine_configuration(const fs::path& file, const fs::path& state) {
                                      mistake.file, mistake.line});
     }
     if (checked.mistakes.empty()) {
-        examined.findings.push_back({kSubject, Health::Good, file.string() + " can be used", "", file.string()});
+        const std::string also =
+            fs::exists(site::curated_file(state), error)
+                ? fmt::format(", and over it what was said at the desk, {}", site::curated_file(state).string())
+                : "";
+        const std::string named = file.empty() ? "no file is named, which" : file.string();
+        examined.findings.push_back({kSubject, Health::Good, named + " can be used" + also, "", file.string()});
         if (auto fonts = fonts_finding(examined.configuration)) examined.findings.push_back(std::move(*fonts));
     }
     return examined;

@@ -23,7 +23,6 @@ namespace {
 constexpr int kAtMostOnce = 0;
 constexpr int kAtLeastOnce = 1;
 constexpr int kKeepAlive_s = 30;
-constexpr int kQuiet_ms = 500;
 // So often ended by the broker soon after they began, connections are not lost by chance.
 constexpr int kFewCutShort = 2;
 
@@ -46,6 +45,7 @@ void Link::Free::operator()(mosquitto* client) const { mosquitto_destroy(client)
 Link::Link(const site::Configuration::Fleet& settings, const LinkOptions& options, LinkEvents events)
     : events_(std::move(events)),
       will_topic_(options.will_topic),
+      quiet_(options.quiet),
       broker_(broker_of(settings)),
       ca_file_(settings.ca_file) {
     mosquitto_lib_init();
@@ -60,7 +60,7 @@ Link::~Link() {
     if (std::exchange(is_connected_, false)) {
         publish(will_topic_, "offline", true);
         mosquitto_disconnect(client_.get());
-        mosquitto_loop(client_.get(), kQuiet_ms, 1);
+        mosquitto_loop(client_.get(), static_cast<int>(quiet_.count()), 1);
     }
     client_.reset();
     mosquitto_lib_cleanup();
@@ -99,7 +99,7 @@ void Link::listen() {
         const auto length = static_cast<std::size_t>(message->payloadlen);
         // Its own last word comes back to it, and needs no answer.
         if (link->is_connected_)
-            link->events_.heard(message->topic, {static_cast<const char*>(message->payload), length});
+            link->events_.heard(message->topic, {static_cast<const char*>(message->payload), length}, message->retain);
     });
     mosquitto_log_callback_set(client_.get(), [](mosquitto*, void* self, int level, const char* text) {
         static_cast<Link*>(self)->noted(level, text);
@@ -122,7 +122,9 @@ bool Link::look() {
         connect();
         return false;
     }
-    if (const int result = mosquitto_loop(client_.get(), kQuiet_ms, 1); result != MOSQ_ERR_SUCCESS) lose(result);
+    if (const int result = mosquitto_loop(client_.get(), static_cast<int>(quiet_.count()), 1);
+        result != MOSQ_ERR_SUCCESS)
+        lose(result);
     if (!is_connected_) return false;
     if (back_off_.stands(connected_at_, BackOff::Moment::clock::now())) {
         cut_short_ = 0;
@@ -135,8 +137,7 @@ bool Link::look() {
 void Link::connect() {
     const auto now = BackOff::Moment::clock::now();
     if (now < back_off_.next_try()) {
-        std::this_thread::sleep_for(
-            std::min<std::chrono::nanoseconds>(back_off_.next_try() - now, std::chrono::milliseconds{kQuiet_ms}));
+        std::this_thread::sleep_for(std::min<std::chrono::nanoseconds>(back_off_.next_try() - now, quiet_));
         return;
     }
     back_off_.tried(now);

@@ -15,14 +15,16 @@ namespace quadrat::fleet {
 
 struct LinkOptions {
     std::string client_id;
-    std::string will_topic;  // said "offline" there, retained, when the connection ends in whatever way
+    std::string will_topic;                // said "offline" there, retained, when the connection ends in whatever way
+    std::chrono::milliseconds quiet{500};  // that look() waits at most
 };
 
 // What happens on a connection; called from within look().
 struct LinkEvents {
     std::function<void()> connected;
     std::function<void(int message)> acknowledged;
-    std::function<void(const std::string& topic, const std::string& payload)> heard;
+    // `is_retained`: it was said before we listened, and the broker kept it.
+    std::function<void(const std::string& topic, const std::string& payload, bool is_retained)> heard;
     std::function<void()> lost;
 };
 
@@ -37,7 +39,7 @@ class Link {
     Link(const Link&) = delete;
     Link& operator=(const Link&) = delete;
 
-    // Keeps the connection, or tries for one. Waits for the network, half a second where all is quiet. True: connected.
+    // Keeps the connection, or tries for one. Waits for the network, as long as `quiet` says. True: connected.
     bool look();
     // The number that will be acknowledged, or 0.
     int publish(const std::string& topic, const std::string& payload, bool is_retained);
@@ -59,6 +61,7 @@ class Link {
 
     LinkEvents events_;
     std::string will_topic_;
+    std::chrono::milliseconds quiet_;
     std::unique_ptr<mosquitto, Free> client_;
     site::Broker broker_;
     std::string ca_file_;

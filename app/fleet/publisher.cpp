@@ -51,14 +51,15 @@ std::string word_in(const json& object, const char* key) {
 }  // namespace
 
 Publisher::Publisher(const site::Configuration::Fleet& settings, std::filesystem::path state,
-                     const std::filesystem::path& runtime)
+                     const std::filesystem::path& runtime, PublisherOptions options)
     : state_(std::move(state)),
       health_file_(runtime / "health.json"),
       name_(own_name(settings.name)),
       id_(client_id(state_)),
-      link_(settings, {id_, topic("status")},
+      control_({name_, settings.discovery, std::move(options.version), std::move(options.orders)}),
+      link_(settings, {id_, topic("status"), options.quiet},
             {[this] { connected(); }, [this](int message) { acknowledged(message); },
-             [this](const std::string& at, const std::string& text) { heard(at, text); },
+             [this](const std::string& at, const std::string& text, bool is_retained) { heard(at, text, is_retained); },
              // What was not acknowledged is sent again.
              [this] { in_flight_.clear(); }}) {}
 
@@ -67,10 +68,12 @@ void Publisher::connected() {
     health_at_ = {};
     link_.subscribe(topic("status"));
     link_.subscribe(topic("publisher"));
+    control_.connected(link_);
     introduce(Word::Arrived);
 }
 
-void Publisher::heard(const std::string& at, const std::string& text) {
+void Publisher::heard(const std::string& at, const std::string& text, bool is_retained) {
+    if (control_.heard(link_, at, text, is_retained)) return;
     if (at == topic("publisher")) return meet(text);
     // The last will of another of our name, or our own of before this machine had another card: the broker keeps it.
     if (text == "offline") link_.publish(topic("status"), "online", true);
@@ -110,6 +113,7 @@ void Publisher::look() {
     if (!link_.look()) return;
     publish_health();
     publish_visits();
+    control_.look(link_, OrderPace::Moment::clock::now());
 }
 
 void Publisher::publish_health() {

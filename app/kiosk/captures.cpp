@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include "base/log.hpp"
+#include "genome/scene_code.hpp"
 
 namespace quadrat::kiosk {
 
 void Captures::keep(stage::Theatre& theatre, const display::Canvas& canvas, base::Instant now) {
     keep_earlier_landscape(theatre, canvas, now);
+    keep_bred(theatre, canvas);
     const exhibit::Screen screen = parts_.show.state().screen;
     const nursery::Act& act = parts_.show.on_stage();
     const bool is_seen =
@@ -36,6 +38,17 @@ void Captures::keep_earlier_landscape(stage::Theatre& theatre, const display::Ca
     if (!is_finale || !parts_.show.is_refined() || !parts_.keepsakes->wants_another(now)) return;
     const mesh::Image picture = theatre.photograph(act, stage::picture_of(act, canvas, parts_.configuration), canvas);
     parts_.caretaker->keep_picture(staff::halved(picture), parts_.keepsakes->keep(now));
+}
+
+// When its visitor has gone: a frame's time is nobody's then.
+void Captures::keep_bred(stage::Theatre& theatre, const display::Canvas& canvas) {
+    if (parts_.caretaker == nullptr || parts_.configuration.desk.listen.empty()) return;
+    const nursery::Act& act = parts_.show.act_of(exhibit::Screen::Finale);
+    if (parts_.show.state().screen != exhibit::Screen::Attract || act.recipes.empty() || act.number <= collected_)
+        return;
+    collected_ = act.number;
+    parts_.caretaker->keep_bred(theatre.photograph(act, stage::picture_of(act, canvas, parts_.configuration), canvas),
+                                genome::code_of(act.recipes.front()));
 }
 
 }  // namespace quadrat::kiosk

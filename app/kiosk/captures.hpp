@@ -13,9 +13,11 @@ class Captures {
     void keep(stage::Theatre& theatre, const display::Canvas& canvas, base::Instant now);
 
   private:
+    void keep_bred(stage::Theatre& theatre, const display::Canvas& canvas);
     void keep_earlier_landscape(stage::Theatre& theatre, const display::Canvas& canvas, base::Instant now);
 
     const RunLoopParts& parts_;
+    int collected_ = 0;     // the last finale that was
     int photographed_ = 0;  // the last act that was
     int round_ = 1;         // that is or was seen last
     int generations_ = 0;

@@ -10,6 +10,7 @@
 #include "kiosk/announcer.hpp"
 #include "kiosk/captures.hpp"
 #include "kiosk/gpu_measuring.hpp"
+#include "kiosk/preview.hpp"
 #include "kiosk/signals.hpp"
 #include "kiosk/switchboard.hpp"
 #include "machine/heap.hpp"
@@ -193,6 +194,7 @@ class Loop {
         if (canvas.context != 0) captures_.keep(theatre_, canvas, now);
         if (!parts_.clock.is_simulated()) theatre_.rehearse(canvas);  // or no frame can come late
         measuring_.step(theatre_, canvas, now);
+        draw_preview(canvas, now);
         stage::Theatre::Over over;
         if (parts_.caretaker != nullptr) over.board = parts_.caretaker->board();
         if (parts_.caretaker != nullptr) over.sign = parts_.caretaker->sign();
@@ -200,6 +202,16 @@ class Loop {
         drawn_ = theatre_.draw(moment_of(parts_.show, switchboard_.scanned(now), now), canvas, over);
         if (parts_.caretaker == nullptr) return;
         take_picture(parts_.caretaker->take_picture_wish());
+    }
+
+    // A frame's time, when nobody is there to be kept waiting by it.
+    void draw_preview(const display::Canvas& canvas, base::Instant now) {
+        if (parts_.caretaker == nullptr || canvas.context == 0) return;
+        const bool has_visitor = parts_.show.state().screen != Screen::Attract;
+        const auto wish = parts_.caretaker->take_preview_wish(has_visitor);
+        if (!wish) return;
+        mesh::Image picture = preview_of(*wish, parts_.show, theatre_, parts_.configuration, canvas, now);
+        if (picture.width > 0) parts_.caretaker->keep_picture(std::move(picture), staff::kPreview);
     }
 
     // What is asked for from afar comes without a wait; a fault is kept as it was just now.

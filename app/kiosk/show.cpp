@@ -32,6 +32,7 @@ Show::Show(const site::Configuration& configuration, ShowOptions options, std::u
       timings_(usual_timings_),
       breeder_options_(breeder_options_of(configuration)),
       control_every_(configuration.breeding.control_every),
+      locked_(locked_in(configuration)),
       options_(std::move(options)),
       visit_(std::make_shared<std::int64_t>(0)),
       school_(std::make_shared<School>(
@@ -40,10 +41,11 @@ Show::Show(const site::Configuration& configuration, ShowOptions options, std::u
       grower_(options_.growing),
       is_in_fleet_(!configuration.fleet.broker.empty()),
       spoken_(configuration),
-      take_home_url_(configuration.take_home.url) {
+      take_home_url_(configuration.take_home.url),
+      is_collected_(!configuration.desk.listen.empty()) {
     breeder_options_.map = school_->map();
     breeder_options_.taste = school_->taste();
-    for (const std::string& name : configuration.breeding.locked) locked_.push_back(genome::aspect_named(name).value());
+    gallery_.choose(chosen_by(configuration));
 }
 
 Show::Show(const site::Configuration& configuration, ShowOptions options, archive::Archive archive)
@@ -225,7 +227,7 @@ void Show::carry_out(const exhibit::GrowFinale& wish, base::Instant /*now*/) {
         session_->next(wish.answers);
     }
     genome::Candidate favourite = session_->favourite();
-    if (!take_home_url_.empty()) favourite.values = genome::rounded_for_code(favourite.values);
+    if (!take_home_url_.empty() || is_collected_) favourite.values = genome::rounded_for_code(favourite.values);
     bred_ = {genome::recipe_of(favourite, flight), favourite.words, words_to_ask()};
     caption_ = favourite.words ? spoken_.language().describe(*favourite.words) : "";
     if (!caption_.empty()) base::log::info("the landscape they bred: {}", caption_);
@@ -345,6 +347,10 @@ void Show::follow(const site::Configuration& configuration) {
     timings_ = switches::patient(usual_timings_, patience_);
     spoken_.follow(configuration);
     take_home_url_ = configuration.take_home.url;
+    // Of the visits that are prepared from now on: who has begun goes on as they began.
+    breeder_options_.ranges = breeder_options_of(configuration).ranges;
+    locked_ = locked_in(configuration);
+    gallery_.choose(chosen_by(configuration));
 }
 
 void Show::wait_longer(double times) {
@@ -364,11 +370,13 @@ std::string Show::state_trouble() const {
                        std::chrono::duration_cast<std::chrono::seconds>(waited).count());
 }
 
-const nursery::Act& Show::on_stage() const {
-    if (state_.screen == exhibit::Screen::Finale || state_.screen == exhibit::Screen::Describe) return finale_;
-    if (state_.screen == exhibit::Screen::Attract && !gallery_.act().scenes.empty()) return gallery_.act();
+const nursery::Act& Show::act_of(exhibit::Screen screen) const {
+    if (screen == exhibit::Screen::Finale || screen == exhibit::Screen::Describe) return finale_;
+    if (screen == exhibit::Screen::Attract && !gallery_.act().scenes.empty()) return gallery_.act();
     return offered_;
 }
+
+const nursery::Act& Show::on_stage() const { return act_of(state_.screen); }
 
 std::span<const genome::Recipe> Show::recipes_on_stage() const {
     return &on_stage() == &gallery_.act() ? gallery_.recipes() : std::span(on_stage().recipes);

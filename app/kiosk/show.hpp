@@ -79,6 +79,7 @@ class Show {
 
     const exhibit::State& state() const { return state_; }
     const exhibit::Timings& timings() const { return timings_; }
+    const nursery::Act& act_of(exhibit::Screen screen) const;  // that would be shown on it
     const nursery::Act& on_stage() const;  // may be empty, before the very first four have grown
     std::span<const genome::Recipe> recipes_on_stage() const;
     std::vector<const nursery::Act*> in_use() const;  // whose landscapes must stay on the GPU
@@ -161,6 +162,7 @@ class Show {
     nursery::Act finale_;
     nursery::Gallery gallery_;
     bool is_regrowing_ = false;  // what is missing in it; nothing else grows then
+    genome::Recipe regrowing_;   // which that is
     int acts_ = 0;
     int visits_ended_ = 0;
     std::optional<exhibit::Choice> last_press_;
@@ -175,6 +177,7 @@ class Show {
     stage::Spoken spoken_;
     std::string caption_;
     std::string take_home_url_;  // the site's
+    bool is_collected_ = false;  // what visitors breed, by its code
     std::string take_home_;
 };
 

@@ -16,6 +16,7 @@ void Show::regrow_gallery() {
     const auto recipe = gallery_.missing();
     if (!recipe) return;
     is_regrowing_ = true;
+    regrowing_ = *recipe;
     grower_.order({{genome::candidate_of(*recipe)}, recipe->flight});
 }
 
@@ -40,7 +41,7 @@ const nursery::Act* Show::waiting_to_refine() {
 void Show::refined() {
     if (!refined_) return;
     if (std::exchange(is_regrowing_, false)) {
-        gallery_.bring_back(refined_->scenes.front());
+        gallery_.bring_back(regrowing_, refined_->scenes.front());
         refined_.reset();
         return;
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "breeding/sliders.hpp"
+#include "genome/scene_code.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -33,6 +34,22 @@ exhibit::Timings timings_of(const site::Configuration& configuration) {
             static_cast<int>(breeding::slider_count(is_classic ? genome::Genome::Classic : genome::Genome::Full));
     }
     return timings;
+}
+
+std::vector<genome::Aspect> locked_in(const site::Configuration& configuration) {
+    std::vector<genome::Aspect> locked;
+    for (const std::string& name : configuration.breeding.locked) locked.push_back(genome::aspect_named(name).value());
+    return locked;
+}
+
+nursery::Chosen chosen_by(const site::Configuration& configuration) {
+    nursery::Chosen chosen;
+    // As this program writes it: an older one wrote the same landscape in another code.
+    for (const std::string& code : configuration.attract.hidden)
+        chosen.hidden.push_back(genome::code_of(genome::recipe_of_code(code, "attract.hidden")));
+    for (const std::string& code : configuration.attract.favourites)
+        chosen.favourites.push_back(genome::recipe_of_code(code, "attract.favourites"));
+    return chosen;
 }
 
 breeding::BreederOptions breeder_options_of(const site::Configuration& configuration) {

@@ -14,6 +14,8 @@
 #include "render/ground_by.hpp"
 #include "site/configuration_checks.hpp"
 #include "site/configuration_reader.hpp"
+#include "site/layers.hpp"
+#include "site/themes_reader.hpp"
 
 namespace quadrat::site {
 namespace {
@@ -139,36 +141,31 @@ void read_look(Reader& reader, Configuration::Look& look) {
     reader.read("text", "pictograms", look.pictograms, {"beside", "alone", "none"});
 }
 
+void read_attract(Reader& reader, Configuration::Attract& attract) {
+    const auto read = [&](const char* key, std::vector<std::string>& codes, std::size_t most) {
+        reader.read_checked("attract", key, codes, [&, count = std::size_t{0}](const std::string& code) mutable {
+            check_code(code);
+            if (++count > most) throw std::invalid_argument(fmt::format("has more than {} landscapes", most));
+        });
+    };
+    read("favourites", attract.favourites, Configuration::Attract::kMostFavourites);
+    read("hidden", attract.hidden, Configuration::Attract::kMostHidden);
+}
+
 void read_fleet(Reader& reader, Configuration::Fleet& fleet) {
     reader.read_checked("fleet", "broker", fleet.broker, check_broker);
     reader.read_checked("fleet", "name", fleet.name, check_fleet_name);
     reader.read_checked("fleet", "user", fleet.user, check_fleet_user);
     reader.read_checked("fleet", "password_file", fleet.password_file, check_file);
     reader.read_checked("fleet", "ca_file", fleet.ca_file, check_file);
+    reader.read("fleet", "orders", fleet.takes_orders);
+    reader.read_checked("fleet", "discovery", fleet.discovery, check_topic_prefix);
 }
 
 void read_desk(Reader& reader, Configuration::Desk& desk) {
     reader.read_checked("desk", "listen", desk.listen, check_listen_address);
     reader.read_checked("desk", "certificate", desk.certificate, check_file);
     reader.read_checked("desk", "key", desk.key, check_file);
-}
-
-void read_words(Reader& reader, std::map<std::string, std::array<double, 2>>& words) {
-    for (const genome::Word& word : genome::vocabulary()) {
-        const std::string name(word.name);
-        const toml::node* node = reader.find("words", name.c_str());
-        if (node == nullptr) continue;
-        const toml::array* ends = node->as_array();
-        const auto end = [&](std::size_t i) {
-            return ends != nullptr && ends->size() == 2 && (*ends)[i].is_number() ? (*ends)[i].value<double>()
-                                                                                  : std::nullopt;
-        };
-        const auto low = end(0), high = end(1);
-        if (low && high && -1 <= *low && *low <= *high && *high <= 1)
-            words[name] = {*low, *high};
-        else
-            reader.refuse(*node, "words." + name, "is not a range", "write [LOW, HIGH], from -1 to 1");
-    }
 }
 
 void read_spans(Reader& reader, const toml::node& node, const std::string& name, std::vector<OpenSpan>& spans) {
@@ -217,11 +214,14 @@ void read_all(Reader& reader, Configuration& configuration, const LettersWithout
     read_picture(reader, configuration.picture);
     read_look(reader, configuration.look);
     reader.read_checked("take_home", "url", configuration.take_home.url, check_take_home);
+    read_attract(reader, configuration.attract);
     read_fleet(reader, configuration.fleet);
     read_desk(reader, configuration.desk);
     read_hours(reader, configuration.hours);
+    reader.read_checked("hours", "zone", configuration.zone, check_zone);
     read_closing(reader, configuration.closing);
-    read_texts(reader, configuration.texts, without_font);
+    read_texts(reader, configuration, without_font);
+    read_themes(reader, configuration, without_font);
     check_language(reader, configuration, without_font);
     reader.refuse_what_was_not_read();
 }
@@ -233,6 +233,30 @@ CheckedConfiguration unusable(const std::string& source, std::string_view messag
     return {{}, {mistake_from(source, 0, message.substr(message.starts_with(prefix) ? prefix.size() : 0))}};
 }
 
+void read_into(CheckedConfiguration& checked, const toml::table& root, const std::string& source,
+               const LettersWithoutFont& without_font) {
+    Reader reader(root, source);
+    read_all(reader, checked.configuration, without_font);
+    checked.mistakes.insert(checked.mistakes.end(), reader.mistakes().begin(), reader.mistakes().end());
+    for (Mistake& mistake : checked.mistakes) mistake = on_one_line(std::move(mistake));
+    std::ranges::stable_sort(checked.mistakes, {}, &Mistake::line);
+}
+
+CheckedConfiguration check_layer(std::string_view toml, const std::string& source,
+                                 const LettersWithoutFont& without_font) {
+    if (is_blank(toml))
+        return unusable(source,
+                        "the file is empty, as a pulled plug leaves one; put the settings back, or a line that begins "
+                        "with # to have the defaults");
+    if (const std::string trouble = base::trouble_of_encoding(toml); !trouble.empty()) return unusable(source, trouble);
+    ParsedToml parsed = parse_toml(toml, source);
+    CheckedConfiguration checked;
+    checked.mistakes = std::move(parsed.mistakes);
+    const toml::table nothing;
+    read_into(checked, parsed.is_whole ? parsed.root : nothing, source, without_font);
+    return checked;
+}
+
 Configuration required(CheckedConfiguration checked) {
     if (!checked.is_usable()) throw SettingsError(std::move(checked.mistakes));
     return std::move(checked.configuration);
@@ -242,22 +266,20 @@ Configuration required(CheckedConfiguration checked) {
 
 CheckedConfiguration check_configuration(std::string_view toml, const std::string& source,
                                          const LettersWithoutFont& without_font) {
-    if (is_blank(toml))
-        return unusable(source,
-                        "the file is empty, as a pulled plug leaves one; put the settings back, or a line that begins "
-                        "with # to have the defaults");
-    if (const std::string trouble = base::trouble_of_encoding(toml); !trouble.empty()) return unusable(source, trouble);
-    ParsedToml parsed = parse_toml(toml, source);
-    CheckedConfiguration checked;
-    checked.mistakes = std::move(parsed.mistakes);
-    if (parsed.is_whole) {
-        Reader reader(parsed.root, source);
-        read_all(reader, checked.configuration, without_font);
-        checked.mistakes.insert(checked.mistakes.end(), reader.mistakes().begin(), reader.mistakes().end());
+    const Layers layers = layers_of(toml);
+    CheckedConfiguration checked = check_layer(layers.below, source, without_font);
+    if (layers.above.empty() || !checked.is_usable()) return checked;
+    CheckedConfiguration both;
+    ParsedToml below = parse_toml(layers.below, source);
+    if (const std::string trouble = base::trouble_of_encoding(layers.above); !trouble.empty()) {
+        both.mistakes = unusable(layers.above_source, trouble).mistakes;
+    } else {
+        ParsedToml above = parse_toml(layers.above, layers.above_source);
+        both.mistakes = std::move(above.mistakes);
+        if (above.is_whole) lay_over(below.root, std::move(above.root), layers.above_source, both.mistakes);
     }
-    for (Mistake& mistake : checked.mistakes) mistake = on_one_line(std::move(mistake));
-    std::ranges::stable_sort(checked.mistakes, {}, &Mistake::line);
-    return checked;
+    read_into(both, below.root, source, without_font);
+    return both;
 }
 
 CheckedConfiguration check_configuration_file(const std::filesystem::path& path, std::optional<std::string>* toml) {
@@ -282,6 +304,9 @@ Configuration read_configuration(const std::filesystem::path& path) { return req
 
 std::string text(const Configuration& configuration, const std::string& key, std::string_view language) {
     assert(std::ranges::find(genome::kPrompts, key) != genome::kPrompts.end());
+    const std::string spoken(language.empty() ? std::string_view(configuration.visit.language) : language);
+    if (const auto own = configuration.texts_in.find(spoken); own != configuration.texts_in.end())
+        if (const auto found = own->second.find(key); found != own->second.end()) return found->second;
     if (!language.empty() && language != configuration.visit.language)
         return std::string(genome::prompt(language, key));
     if (const auto found = configuration.texts.find(key); found != configuration.texts.end()) return found->second;

@@ -15,6 +15,7 @@
 #include "render/coverage.hpp"
 #include "site/hours.hpp"
 #include "site/mistake.hpp"
+#include "site/themes.hpp"
 
 namespace quadrat::site {
 
@@ -46,6 +47,7 @@ struct Configuration {
         std::string language_folder;
         std::vector<std::string>
             languages;  // that a visitor may choose from as they come; fewer than two: nobody is asked
+        std::string theme = kThemeByDate;  // or the name of one, or kNoTheme
     } visit;
 
     // For who cannot use four buttons.
@@ -113,6 +115,14 @@ struct Configuration {
         friend bool operator==(const TakeHome&, const TakeHome&) = default;
     } take_home;
 
+    // What of the landscapes that visitors bred is shown while nobody plays; by their codes (genome/scene_code.hpp).
+    struct Attract {
+        static constexpr std::size_t kMostFavourites = 12, kMostHidden = 100;
+        std::vector<std::string> favourites;  // shown in turn, besides the newest
+        std::vector<std::string> hidden;      // never shown again
+        friend bool operator==(const Attract&, const Attract&) = default;
+    } attract;
+
     // Where health and visits are published; nowhere, unless a broker is named.
     struct Fleet {
         std::string broker;         // "mqtts://broker.example:8883", "mqtt://…"
@@ -120,6 +130,8 @@ struct Configuration {
         std::string user;           // for the broker
         std::string password_file;  // its first line
         std::string ca_file;        // who vouches for the broker; the system's, without one
+        bool takes_orders = false;  // from whoever the broker lets write to quadrat/NAME/set/…
+        std::string discovery;      // the prefix below which Home Assistant looks; "": it is told nothing
         friend bool operator==(const Fleet&, const Fleet&) = default;
     } fleet;
 
@@ -133,8 +145,12 @@ struct Configuration {
 
     Hours hours;                // when the house is open; always, unless it says
     DoorkeeperOptions closing;  // what happens at closing time
+    std::string zone;           // that the hours are meant in, "Europe/Berlin"; the machine's, without one
 
-    std::map<std::string, std::string> texts;  // prompts in the site's own words, by key
+    std::map<std::string, std::string> texts;  // prompts in the site's own words and language, by key
+    TextsByLanguage texts_in;                  // the same for each language; where both are, these count
+
+    std::map<std::string, Theme> themes;  // by name; see with_theme()
 };
 
 // Which letters of a text cannot be shown, "" for none: render::letters_without_font.
@@ -149,7 +165,8 @@ struct CheckedConfiguration {
 };
 
 // The one judgement of settings: whoever reads them, to run, to publish, to follow them or to look after them, comes
-// here. An empty text is a mistake, as what a pulled plug leaves of a file; one with nothing but comments is not.
+// here. An empty text is a mistake, as what a pulled plug leaves of a file; one with nothing but comments is not. A
+// text may have two layers (layers.hpp): then the lower one is right by itself too.
 CheckedConfiguration check_configuration(std::string_view toml, const std::string& source,
                                          const LettersWithoutFont& without_font = render::letters_without_font);
 // The same for a file. One that cannot be read is a mistake too. `toml` receives what it holds, or nothing.

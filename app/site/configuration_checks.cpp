@@ -2,6 +2,7 @@
 #include "site/configuration_checks.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <mosquitto.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "display/options.hpp"
 #include "firmware-io/input_spec.hpp"
 #include "firmware-io/scripted/scripted_buttons.hpp"
+#include "genome/scene_code.hpp"
 #include "genome/speech.hpp"
 #include "site/broker_address.hpp"
 
@@ -61,10 +63,15 @@ void refuse_dotted(ConfigurationReader& reader, const toml::table& texts) {
     }
 }
 
+bool is_language(std::string_view code) {
+    const auto codes = genome::language_codes();
+    return std::ranges::find(codes, code) != codes.end();
+}
+
 // Of a table that stands for forgotten quotation marks, what no prompt is called.
 void refuse_unknown_dotted(ConfigurationReader& reader, const toml::table& texts) {
     for (const auto& [head, node] : texts) {
-        if (!node.is_table()) continue;
+        if (!node.is_table() || is_language(head.str())) continue;
         for (const auto& [tail, text] : *node.as_table()) {
             const std::string name = fmt::format("{}.{}", head.str(), tail.str());
             const bool is_known = std::ranges::find(genome::kPrompts, name) != genome::kPrompts.end();
@@ -174,23 +181,70 @@ void check_sound_device(const std::string& name) {
     if (!is_plain || name.size() > kLongest) refuse("is no name of a sound card; take one that aplay -L lists");
 }
 
+void check_code(const std::string& code) {
+    try {
+        genome::recipe_of_code(code, "a code");
+    } catch (const base::InputError& error) {
+        refuse(fmt::format("holds what is no landscape ({}); quadrat code tells a landscape's", error.what()));
+    }
+}
+
+void check_topic_prefix(const std::string& prefix) {
+    if (prefix.empty()) return;
+    if (prefix.size() > kLongestName || prefix.front() == '/' || prefix.front() == '$' || prefix.back() == '/' ||
+        std::ranges::any_of(prefix, is_control) || mosquitto_pub_topic_check(prefix.c_str()) != MOSQ_ERR_SUCCESS)
+        refuse(fmt::format("is \"{}\"; it must be a topic without + and #, as homeassistant", prefix));
+}
+
 void check_file(const std::string& path) {
     if (!path.empty()) require_file(path);
 }
 
-void read_texts(ConfigurationReader& reader, std::map<std::string, std::string>& texts,
-                const LettersWithoutFont& without_font) {
+void read_texts_in(ConfigurationReader& reader, const toml::table& table, const std::string& name,
+                   TextsByLanguage& texts, const LettersWithoutFont& without_font) {
+    const auto check = [&](const std::string& words) { check_words(words, without_font); };
+    for (const auto& [key, node] : table) {
+        const std::string prompt(key.str());
+        const std::string full = fmt::format("{}.{}", name, prompt);
+        const std::string code = name.substr(name.rfind('.') + 1);
+        std::string words;
+        if (std::ranges::find(genome::kPrompts, prompt) == genome::kPrompts.end())
+            reader.refuse(node, full, "is not known", fmt::format("there are {}", fmt::join(genome::kPrompts, ", ")));
+        else if (reader.read_text(node, full, words, check))
+            texts[code][prompt] = words;
+    }
+}
+
+void read_texts(ConfigurationReader& reader, Configuration& configuration, const LettersWithoutFont& without_font) {
     const auto check = [&](const std::string& words) { check_words(words, without_font); };
     for (const std::string_view prompt : genome::kPrompts) {
         const std::string key(prompt);
         std::string words;
         const toml::node* node = reader.find("text", key.c_str());
-        if (node != nullptr && reader.read_text(*node, "text." + key, words, check)) texts[key] = words;
+        if (node != nullptr && reader.read_text(*node, "text." + key, words, check)) configuration.texts[key] = words;
     }
     const toml::table* table = reader.find_table("text");
     if (table == nullptr) return;
+    for (const auto& [code, node] : *table) {
+        if (!node.is_table() || !is_language(code.str())) continue;
+        reader.pass_over("text", std::string(code.str()));
+        read_texts_in(reader, *node.as_table(), fmt::format("text.{}", code.str()), configuration.texts_in,
+                      without_font);
+    }
     refuse_dotted(reader, *table);
     refuse_unknown_dotted(reader, *table);
+}
+
+void check_zone(const std::string& name) {
+    if (name.empty()) return;
+    const bool is_plain = std::ranges::all_of(name, [](char c) {
+        return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '/' || c == '_' ||
+               c == '-' || c == '+';
+    });
+    std::error_code error;
+    if (!is_plain || name.front() == '/' || !fs::is_regular_file(fs::path("/usr/share/zoneinfo") / name, error))
+        refuse(fmt::format("is \"{}\"; write one that the machine knows, as Europe/Berlin (timedatectl list-timezones)",
+                           name));
 }
 
 void check_language(ConfigurationReader& reader, const Configuration& configuration,
@@ -217,8 +271,12 @@ void check_language(ConfigurationReader& reader, const Configuration& configurat
 
 std::string letters_missing_for(const Configuration& configuration, const LettersWithoutFont& without_font) {
     std::string spoken;
+    const auto own = configuration.texts_in.find(configuration.visit.language);
+    const auto has_own = [&](const std::string& key) {
+        return configuration.texts.contains(key) || (own != configuration.texts_in.end() && own->second.contains(key));
+    };
     for (const std::string_view prompt : genome::kPrompts)
-        if (!configuration.texts.contains(std::string(prompt)))
+        if (!has_own(std::string(prompt)))
             spoken.append(genome::prompt(configuration.visit.language, prompt)).append("\n");
     return without_font(spoken);
 }

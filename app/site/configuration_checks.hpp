@@ -22,7 +22,9 @@ void check_fleet_name(const std::string& name);
 void check_fleet_user(const std::string& name);
 void check_folder(const std::string& path);
 void check_sound_device(const std::string& name);  // by its form: a card may come later
-void check_file(const std::string& path);          // it is there; who may read it is not asked
+void check_code(const std::string& code);
+void check_topic_prefix(const std::string& prefix);
+void check_file(const std::string& path);  // it is there; who may read it is not asked
 
 // The inputs of one list, one after the other: no line of a GPIO chip is in two of them. A script is read too.
 class InputCheck {
@@ -34,8 +36,11 @@ class InputCheck {
 };
 
 // The screen's own words, and those of the language, as far as the fonts reach.
-void read_texts(ConfigurationReader& reader, std::map<std::string, std::string>& texts,
-                const LettersWithoutFont& without_font);
+void read_texts(ConfigurationReader& reader, Configuration& configuration, const LettersWithoutFont& without_font);
+// Those of a table that has one for each language's code; `name` is the table's.
+void read_texts_in(ConfigurationReader& reader, const toml::table& table, const std::string& name,
+                   TextsByLanguage& texts, const LettersWithoutFont& without_font);
+void check_zone(const std::string& name);
 void check_language(ConfigurationReader& reader, const Configuration& configuration,
                     const LettersWithoutFont& without_font);
 

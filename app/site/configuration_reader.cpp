@@ -30,9 +30,13 @@ ConfigurationReader::Check one_of(const ConfigurationReader::Names& allowed) {
 
 }  // namespace
 
+const std::string& ConfigurationReader::source_of(const toml::node& node) const {
+    return node.source().path ? *node.source().path : source_;
+}
+
 void ConfigurationReader::refuse(const toml::node& node, const std::string& name, const std::string& what,
                                  const std::string& remedy) {
-    mistakes_.push_back({source_, line_of(node), name + " " + what, remedy});
+    mistakes_.push_back({source_of(node), line_of(node), name + " " + what, remedy});
 }
 
 void ConfigurationReader::refuse_unknown(const toml::node& node, const std::string& name, const Names& known) {
@@ -62,7 +66,7 @@ bool ConfigurationReader::read_text(const toml::node& node, const std::string& n
     try {
         check(read);
     } catch (const std::exception& error) {
-        mistakes_.push_back(mistake_from(source_, line_of(node), of(name, error.what())));
+        mistakes_.push_back(mistake_from(source_of(node), line_of(node), of(name, error.what())));
         return false;
     }
     text = std::move(read);

@@ -19,7 +19,7 @@ class ConfigurationReader {
     using Check = std::function<void(const std::string& text)>;
     using Names = std::vector<std::string>;
 
-    // Both are borrowed.
+    // Both are borrowed. A value that was read from another source is told by that.
     ConfigurationReader(const toml::table& root, const std::string& source) : root_(root), source_(source) {}
 
     void read(const char* table, const char* key, double& value, double low, double high);
@@ -47,6 +47,7 @@ class ConfigurationReader {
 
   private:
     void refuse_unknown(const toml::node& node, const std::string& name, const Names& known);
+    const std::string& source_of(const toml::node& node) const;
     Names tables() const;
 
     const toml::table& root_;

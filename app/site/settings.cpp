@@ -8,6 +8,7 @@
 
 #include "base/file.hpp"
 #include "base/log.hpp"
+#include "site/layers.hpp"
 
 namespace quadrat::site {
 namespace {
@@ -28,6 +29,9 @@ std::optional<std::string> last_good(const fs::path& state) {
 Settings second_best(Settings wrong, const fs::path& state) {
     auto kept = last_good(state);
     if (wrong.from == SettingsFrom::LastGood || kept == wrong.toml) kept.reset();
+    // What the curator said is no reason to forget what the site says.
+    const bool is_curators = !wrong.mistakes.empty() && wrong.mistakes.front().file == curated_file(state).string();
+    if (!kept && is_curators) kept = layers_of(wrong.toml).below;
     // Another version of the program may find something wrong in them; the rest of them is still better than nothing.
     wrong.configuration =
         kept ? check_configuration(*kept, last_good_file(state).string()).configuration : Configuration{};
@@ -36,11 +40,19 @@ Settings second_best(Settings wrong, const fs::path& state) {
     return wrong;
 }
 
-Settings read(const fs::path& file) {
+// What is said at the desk; "" where nothing is. Throws InputError.
+std::string curated_in(const fs::path& state) {
+    std::error_code error;
+    if (state.empty() || !fs::exists(curated_file(state), error)) return "";
+    std::string curated = base::read_file(curated_file(state), kLargest);
+    if (curated.empty()) throw base::InputError(curated_file(state).string() + ": the file is empty");
+    return curated;
+}
+
+Settings read(const fs::path& file, const fs::path& state) {
     Settings settings;
     settings.file = file;
-    if (file.empty()) return settings;
-    CheckedConfiguration checked = check_configuration_file(file, &settings.held);
+    CheckedConfiguration checked = check_settings(file, state, &settings.held);
     settings.configuration = std::move(checked.configuration);
     settings.mistakes = std::move(checked.mistakes);
     settings.toml = settings.held.value_or("");
@@ -49,14 +61,36 @@ Settings read(const fs::path& file) {
 
 }  // namespace
 
-Settings settings_for_people(const fs::path& file) {
-    Settings settings = read(file);
+fs::path curated_file(const fs::path& state) { return state / "desk.toml"; }
+
+CheckedConfiguration check_settings(const fs::path& file, const fs::path& state, std::optional<std::string>* toml) {
+    std::optional<std::string> below = "# no file of settings is named\n";
+    if (!file.empty()) {
+        below.reset();
+        CheckedConfiguration checked = check_configuration_file(file, &below);
+        if (!checked.is_usable()) {
+            if (toml != nullptr) *toml = std::move(below);
+            return checked;
+        }
+    }
+    try {
+        const std::string both = laid_over(*below, curated_in(state), curated_file(state).string());
+        if (toml != nullptr) *toml = both;
+        return check_configuration(both, file.string());
+    } catch (const base::InputError& error) {
+        if (toml != nullptr) *toml = std::move(below);
+        return {{}, {{curated_file(state).string(), 0, error.what(), "undo the last change at the desk"}}};
+    }
+}
+
+Settings settings_for_people(const fs::path& file, const fs::path& state) {
+    Settings settings = read(file, state);
     if (!settings.mistakes.empty()) throw SettingsError(std::move(settings.mistakes));
     return settings;
 }
 
 Settings settings_for_service(const fs::path& file, const fs::path& state) {
-    Settings settings = read(file);
+    Settings settings = read(file, state);
     if (settings.mistakes.empty() && settings.held)
         if (auto cut = cut_off(*settings.held, last_good(state).value_or(""), file.string()))
             settings.mistakes.push_back(std::move(*cut));
@@ -96,7 +130,8 @@ void keep_last_good(const fs::path& state, const std::string& toml) {
     base::write_file(last_good_file(state), toml);
 }
 
-std::optional<Mistake> cut_off(const std::string& toml, const std::string& before, const std::string& source) {
+std::optional<Mistake> cut_off(const std::string& toml_now, const std::string& toml_before, const std::string& source) {
+    const std::string_view toml = layers_of(toml_now).below, before = layers_of(toml_before).below;
     if (toml.empty() || toml.back() == '\n' || toml.size() >= before.size() || !before.starts_with(toml))
         return std::nullopt;
     if (before[toml.size()] == '\n' || before[toml.size()] == '\r')

@@ -175,6 +175,12 @@ std::string time_text(const WallClock& wall) {
     return fmt::format("{} {:02}:{:02} {}", date_text(wall.date), wall.minute / 60, wall.minute % 60, wall.zone);
 }
 
+void use_zone(const std::string& name) {
+    if (name.empty()) return;
+    ::setenv("TZ", name.c_str(), 1);
+    ::tzset();
+}
+
 ZoneWatch::ZoneWatch(const fs::path& zoneinfo) {
     ::tzset();
     const char* tz = std::getenv("TZ");

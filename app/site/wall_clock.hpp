@@ -40,6 +40,10 @@ WallClock judge_clock(std::time_t now, bool is_synchronised, std::optional<std::
 // "2026-11-26 12:08 Europe/Berlin (CET, UTC+01:00)".
 std::string time_text(const WallClock& wall);
 
+// From now on the hours are meant in this zone, "Europe/Berlin"; "": in the machine's. Call it before there are
+// threads.
+void use_zone(const std::string& name);
+
 // Follows the site's time zone while the program runs: /etc/localtime, which `timedatectl set-timezone` replaces, or
 // the file that TZ names. The C library alone reads it once for localtime_r. One thread.
 class ZoneWatch {

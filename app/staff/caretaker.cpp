@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "staff/caretaker.hpp"
+#include "staff/landscapes.hpp"
 
 #include <fmt/format.h>
 
@@ -52,6 +53,8 @@ Caretaker::Caretaker(const CaretakerParts& parts)
     : parts_(parts),
       watch_(parts.settings.file, parts.settings.held, parts.runtime, parts.state),
       evidence_(parts.state),
+      plain_(parts.settings.configuration),
+      theme_(parts.theme),
       settings_(parts.settings) {
     doorkeeper_.follow(parts_.configuration.hours, parts_.configuration.closing);
     seen_.wall.is_trusted = false;  // until it was looked at
@@ -104,6 +107,7 @@ void Caretaker::look_outside(base::Instant now) {
         const std::scoped_lock lock(mutex_);
         // A look that nobody has taken up yet may have seen what this one does not see any more.
         if (fresh_ && !seen.settings) seen.settings = std::move(fresh_->settings);
+        if (fresh_ && !seen.preview) seen.preview = std::move(fresh_->preview);
         if (fresh_ && fresh_->is_restart_asked) seen.is_restart_asked = true;
         if (fresh_ && fresh_->is_lamp_test_asked) seen.is_lamp_test_asked = true;
         fresh_ = std::move(seen);
@@ -119,6 +123,7 @@ bool Caretaker::take_over(Seen seen) {
     }
     seen_ = std::move(seen);
     has_looked_ = true;
+    if (seen_.preview) preview_wish_ = std::exchange(seen_.preview, std::nullopt);
     if (seen_.is_picture_asked) answer_picture_wish();
     if (seen_.is_glance_asked) answer_glance_wish();
     if (seen_.is_restart_asked) carry_out(StaffWish::Restart);
@@ -127,7 +132,25 @@ bool Caretaker::take_over(Seen seen) {
         tests_lamps_until_ = looked_at_.value_or(base::Instant{0}) + kLampTest;
     }
     auto changed = std::exchange(seen_.settings, std::nullopt);
-    return changed && take_over(std::move(*changed));
+    if (changed) return take_over(std::move(*changed));
+    return follow_theme();
+}
+
+// True: the day, or the clock that tells it, leads to another theme.
+bool Caretaker::follow_theme() {
+    if (plain_.themes.empty() || site::theme_on(plain_, site::day_on(seen_.wall)) == theme_) return false;
+    put_on_theme();
+    return true;
+}
+
+// The keys that only a restart takes over.
+std::string Caretaker::put_on_theme() {
+    const std::string before = std::exchange(theme_, site::theme_on(plain_, site::day_on(seen_.wall)));
+    if (before != theme_) {
+        base::log::info("theme: {}", theme_.empty() ? "none" : theme_);
+        reported_at_.reset();
+    }
+    return apply(site::with_theme(plain_, theme_), parts_.configuration);
 }
 
 bool Caretaker::take_over(Seen::Changed changed) {
@@ -138,7 +161,8 @@ bool Caretaker::take_over(Seen::Changed changed) {
         return false;
     }
     if (parts_.adjust) parts_.adjust(changed.checked.configuration);
-    const std::string later = apply(changed.checked.configuration, parts_.configuration);
+    plain_ = std::move(changed.checked.configuration);
+    const std::string later = put_on_theme();
     settings_.follow(std::move(changed.toml), later);
     doorkeeper_.follow(parts_.configuration.hours, parts_.configuration.closing);
     base::log::info("configuration: read anew{}", later.empty() ? "" : "; after a restart also: " + later);
@@ -264,6 +288,11 @@ void Caretaker::watch_faults(base::Instant now) {
     picture_wishes_.push_back(fmt::format("{}{}.png", kFaultPicture, fault_pictures_++ % kFaultPictures + 1));
 }
 
+std::optional<PreviewWish> Caretaker::take_preview_wish(bool has_visitor) {
+    if (has_visitor || curtain_ == site::Curtain::Dark) return std::nullopt;
+    return std::exchange(preview_wish_, std::nullopt);
+}
+
 std::string Caretaker::take_picture_wish() {
     if (picture_wishes_.empty()) return {};
     std::string wish = std::move(picture_wishes_.front());
@@ -277,7 +306,7 @@ void Caretaker::keep_picture(mesh::Image picture, const std::filesystem::path& f
         try {
             std::error_code exists;
             std::filesystem::create_directories((runtime / file).parent_path(), exists);
-            const bool is_small = file == kGlance && picture.width > kGlanceWidth;
+            const bool is_small = (file == kGlance || file == kPreview) && picture.width > kGlanceWidth;
             pictures::write_png_quickly(runtime / file,
                                         is_small ? pictures::scaled_to(picture, kGlanceWidth) : picture);
             if (is_of_a_fault(file)) keep_evidence(picture, at);
@@ -287,6 +316,16 @@ void Caretaker::keep_picture(mesh::Image picture, const std::filesystem::path& f
         std::error_code ignored;
         if (file == kPicture) std::filesystem::remove(runtime / kPictureAsked, ignored);
         if (file == kGlance) std::filesystem::remove(runtime / kGlanceAsked, ignored);
+    });
+}
+
+void Caretaker::keep_bred(mesh::Image picture, std::string code) {
+    errands_.send([folder = parts_.runtime / kBredLately, picture = std::move(picture), code = std::move(code)] {
+        try {
+            keep_landscape(folder, picture, code, kMostBredLately);
+        } catch (const base::InputError& error) {
+            base::log::info("picture: {}", error.what());
+        }
     });
 }
 
@@ -333,6 +372,7 @@ Vitals Caretaker::vitals(const Panel& panel, const VisitNow& visit, base::Instan
     vitals.free_mb = seen_.free_mb;
     vitals.faults = base::recent_warnings().lines;
     vitals.settings = settings_.news();
+    vitals.theme = theme_;
     vitals.earlier_faults = seen_.earlier_faults;
     return vitals;
 }

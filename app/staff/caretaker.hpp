@@ -24,14 +24,15 @@
 namespace quadrat::staff {
 
 struct CaretakerParts {
-    site::Configuration& configuration;  // follows its file, as far as a running exhibit can
-    site::Settings settings;             // that it began with, and the file it follows
+    site::Configuration& configuration;  // follows its files and the theme of the day, as far as a running exhibit can
+    site::Settings settings;             // that it began with, without a theme, and the file it follows
     std::filesystem::path runtime;       // health, requests and pictures; memory, not disk, where there is a service
     std::filesystem::path state;
     Ladder& ladder;
     const display::Display& screen;  // which GPU and mode that is, is asked when it is told: they come and go
     std::function<void(site::Configuration&)> adjust =
         {};                       // to what the command line says, whatever the file does; or null
+    std::string theme = {};       // of the day it began on
     bool keeps_settings = false;  // that have proved themselves, for starts with worse ones
 };
 
@@ -80,8 +81,12 @@ class Caretaker {
     std::string sign() const { return settings_.needs_sign() ? site::text(parts_.configuration, "settings") : ""; }
     bool wants_restart() const { return wants_restart_; }
 
+    // Words that staff wish to see, where nobody plays and something is drawn; the picture goes to kPreview.
+    std::optional<PreviewWish> take_preview_wish(bool has_visitor);
     // The file that a picture of the screen is wished for in, or "".
     std::string take_picture_wish();
+    // What visitors bred, for whoever chooses among it: with its code, among those in the runtime folder.
+    void keep_bred(mesh::Image picture, std::string code);
     // A file that is not absolute lies in the runtime folder.
     void keep_picture(mesh::Image picture, const std::filesystem::path& file);
 
@@ -92,6 +97,8 @@ class Caretaker {
     void answer_picture_wish();
     void answer_glance_wish();
     bool take_over(Seen::Changed changed);
+    bool follow_theme();
+    std::string put_on_theme();
     void keep_proved_settings(base::Instant now);
     void raise_curtain(bool has_visitor, base::Instant now);
     void watch_faults(base::Instant now);
@@ -103,8 +110,10 @@ class Caretaker {
     void keep_evidence(const mesh::Image& picture, base::Instant now);
 
     CaretakerParts parts_;
-    Watch watch_;        // used by the errands' thread alone
-    Evidence evidence_;  // likewise
+    Watch watch_;                // used by the errands' thread alone
+    Evidence evidence_;          // likewise
+    site::Configuration plain_;  // as the settings say it, without a theme
+    std::string theme_;          // that is shown
     site::Doorkeeper doorkeeper_;
     ServiceScreen service_;
     SettingsInUse settings_;
@@ -114,6 +123,7 @@ class Caretaker {
     site::Curtain curtain_ = site::Curtain::Open;
     std::optional<stage::Board> board_;
     std::string screen_trouble_;
+    std::optional<PreviewWish> preview_wish_;
     std::deque<std::string> picture_wishes_;   // names of files
     std::size_t faults_ = 0;                   // warnings seen so far
     std::optional<base::Instant> faulted_at_;  // when a picture of a fault was last kept

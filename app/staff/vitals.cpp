@@ -168,6 +168,7 @@ std::string to_json(const Vitals& vitals) {
     json["descriptors"] = vitals.machine.descriptors;
     json["faults"] = vitals.faults;
     json["settings"] = settings_json(vitals.settings);
+    json["theme"] = vitals.theme;
     json["earlier_faults"] = vitals.earlier_faults;
     // A device may call itself anything: bytes that are no UTF-8 are replaced.
     return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

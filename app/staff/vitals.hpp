@@ -70,6 +70,7 @@ struct Vitals {
     std::vector<std::string> faults;          // the last warnings, oldest first
     std::vector<std::string> earlier_faults;  // those of the runs before this one, with their dates
     SettingsNews settings;
+    std::string theme;  // of the site's, that is shown; "" for none
 };
 
 // A screen that is dark because the house is closed has not failed.

@@ -28,13 +28,14 @@ Watch::Stamp Watch::stamp_of(const fs::path& file) {
 }
 
 std::optional<Seen::Changed> Watch::changed_settings() {
-    const Stamp stamp = stamp_of(configuration_file_);
+    const Stamps stamp{configuration_file_.empty() ? Stamp{} : stamp_of(configuration_file_),
+                       stamp_of(site::curated_file(state_))};
     const bool is_settled = seen_ == stamp;
     seen_ = stamp;
     if (!is_settled || read_ == stamp) return std::nullopt;
     read_ = stamp;
     std::optional<std::string> holds;
-    site::CheckedConfiguration checked = site::check_configuration_file(configuration_file_, &holds);
+    site::CheckedConfiguration checked = site::check_settings(configuration_file_, state_, &holds);
     if (holds == std::exchange(held_, holds)) return std::nullopt;
     if (auto cut = site::cut_off(holds.value_or(""), worked_, configuration_file_.string()); cut && checked.is_usable())
         checked.mistakes.push_back(std::move(*cut));
@@ -56,7 +57,8 @@ Seen Watch::look() {
     seen.is_restart_asked = fs::remove(runtime_ / kRestartAsked, ignored);
     seen.is_health_asked = fs::exists(runtime_ / kHealthAsked, ignored);
     seen.is_lamp_test_asked = fs::remove(runtime_ / kLampTestAsked, ignored);
-    if (!configuration_file_.empty()) seen.settings = changed_settings();
+    seen.preview = take_preview_wish(runtime_);
+    seen.settings = changed_settings();
     return seen;
 }
 
@@ -75,9 +77,8 @@ std::string apply(const site::Configuration& changed, site::Configuration& runni
                          changed.breeding.breeder == now.breeding.breeder &&
                          changed.breeding.learning_rate == now.breeding.learning_rate &&
                          changed.breeding.mutation == now.breeding.mutation &&
-                         changed.breeding.mutation_form == now.breeding.mutation_form &&
-                         changed.breeding.locked == now.breeding.locked);
-    note("words", changed.words == now.words);
+                         changed.breeding.mutation_form == now.breeding.mutation_form);
+    note("hours.zone", changed.zone == now.zone);
     note("picture.land_samples", changed.picture.land_samples == now.picture.land_samples);
     note("picture.ground", changed.picture.ground == now.picture.ground);
     note("sound", changed.sound.is_on == now.sound.is_on && changed.sound.speaks == now.sound.speaks &&
@@ -97,7 +98,12 @@ std::string apply(const site::Configuration& changed, site::Configuration& runni
     running.picture.samples = changed.picture.samples;
     running.hours = changed.hours;
     running.closing = changed.closing;
+    running.breeding.locked = changed.breeding.locked;
+    running.words = changed.words;
     running.texts = changed.texts;
+    running.texts_in = changed.texts_in;
+    running.themes = changed.themes;
+    running.attract = changed.attract;
     return later;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "machine/machine.hpp"
 #include "site/configuration.hpp"
 #include "site/wall_clock.hpp"
+#include "staff/preview_wish.hpp"
 
 namespace quadrat::staff {
 
@@ -28,13 +30,15 @@ struct Seen {
     bool is_restart_asked = false;
     bool is_health_asked = false;
     bool is_lamp_test_asked = false;
+    std::optional<PreviewWish> preview;
     std::optional<Changed> settings;
     std::vector<std::string> earlier_faults;  // of the runs before this one, oldest first
 };
 
 class Watch {
   public:
-    // `configuration_file` may be empty; `held` is what it held when it was read last, nothing where it could not be.
+    // `configuration_file` may be empty: what the curator says at the desk is followed all the same. `held` is what
+    // both held when they were read last, nothing where that could not be.
     Watch(std::filesystem::path configuration_file, std::optional<std::string> held, std::filesystem::path runtime,
           std::filesystem::path state);
 
@@ -55,8 +59,9 @@ class Watch {
     site::LastTimeSeen last_time_;
     site::ZoneWatch zone_;
     std::optional<std::string> held_;
-    std::string worked_;  // what it held last that could be used
-    std::optional<Stamp> seen_, read_;
+    std::string worked_;                  // what it held last that could be used
+    using Stamps = std::array<Stamp, 2>;  // of the site's file and the curator's
+    std::optional<Stamps> seen_, read_;
 };
 
 // Who asks for a picture makes this file in the runtime folder, and finds it gone when the picture lies beside it.

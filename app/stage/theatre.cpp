@@ -148,9 +148,7 @@ Cast Theatre::cast_of(const nursery::Act& act) const {
     return cast;
 }
 
-render::Drawn Theatre::draw(const Moment& moment, const display::Canvas& canvas, const Over& over) {
-    if (!has_gpu()) return {};
-    const Cast cast = cast_of(moment.act);
+StageView Theatre::view_of(const Moment& moment, const Cast& cast, const Over& over) const {
     StageView view{moment.state, moment.timings, cast, moment.flash, moment.growing_progress,
                    moment.now,   moment.caption};
     view.asked = moment.asked ? &*moment.asked : nullptr;
@@ -160,11 +158,28 @@ render::Drawn Theatre::draw(const Moment& moment, const display::Canvas& canvas,
     view.sign = over.sign;
     view.take_home = moment.take_home;
     view.language = moment.language;
-    render::Frame frame = stage_->frame(view, canvas);
+    return view;
+}
+
+render::Drawn Theatre::draw(const Moment& moment, const display::Canvas& canvas, const Over& over) {
+    if (!has_gpu()) return {};
+    const Cast cast = cast_of(moment.act);
+    render::Frame frame = stage_->frame(view_of(moment, cast, over), canvas);
     frame.is_one_of_many = true;
     if (detail_) frame.detail = *detail_;
     drawn_ = {frame.size, frame.hanging, frame.framebuffer, frame.seconds, {}, {}, frame.detail, {}};
     return renderer_->draw(frame);
+}
+
+mesh::Image Theatre::sketch(const Moment& moment, const display::Canvas& canvas, const Over& over,
+                            const site::Configuration& configuration) {
+    if (!has_gpu()) return {};
+    const Cast cast = cast_of(moment.act);
+    Stage stage(*renderer_, configuration);  // its words are of no use to anybody else
+    render::Frame frame = stage.frame(view_of(moment, cast, over), canvas);
+    if (detail_) frame.detail = *detail_;
+    renderer_->draw(frame);
+    return renderer_->read_pixels(frame);
 }
 
 void Theatre::rehearse(const display::Canvas& canvas) {

@@ -96,7 +96,12 @@ class Theatre {
     // The act as a picture, grown, without words: drawn over the canvas, before the frame itself is.
     mesh::Image photograph(const nursery::Act& act, const pictures::Picture& picture, const display::Canvas& canvas);
 
+    // A moment as it would be with other settings, drawn over the canvas before the frame itself is.
+    mesh::Image sketch(const Moment& moment, const display::Canvas& canvas, const Over& over,
+                       const site::Configuration& configuration);
+
   private:
+    StageView view_of(const Moment& moment, const Cast& cast, const Over& over) const;
     Cast cast_of(const nursery::Act& act) const;
 
     const site::Configuration& configuration_;

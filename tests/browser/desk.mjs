@@ -7,7 +7,9 @@ import { after, before, test } from 'node:test';
 import { ask, freePort, passphrase, secret, sizes, Stage, until } from './stage.mjs';
 
 const axe = readFileSync(new URL('./node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
-const pages = { exhibit: '/', faults: '/faults', log: '/log', doctor: '/doctor', visitors: '/report', backup: '/backup' };
+const pages = { exhibit: '/', faults: '/faults', log: '/log', doctor: '/doctor', visitors: '/report', backup: '/backup', curator: '/curator', hours: '/curator/hours',
+                visit: '/curator/visit', texts: '/curator/texts', words: '/curator/words', themes: '/curator/themes', theme: '/curator/theme',
+                collection: '/curator/collection' };
 
 let stage;
 before(async () => {
@@ -33,7 +35,7 @@ async function findings(page) {
 async function walk(page) {
   await page.evaluate(() => { document.activeElement?.blur(); window.scrollTo(0, 0); });
   const seen = [];
-  for (let i = 0; i < 80; ++i) {
+  for (let i = 0; i < 250; ++i) {
     await page.keyboard.press('Tab');
     const now = await page.evaluate(() => {
       const here = document.activeElement;
@@ -46,7 +48,7 @@ async function walk(page) {
     if (now === null) break;
     seen.push(now);
   }
-  const missed = await page.evaluate(() => [...document.querySelectorAll('a[href], button, input:not([type=hidden])')]
+  const missed = await page.evaluate(() => [...document.querySelectorAll('a[href], button:not([tabindex]), select, textarea, input:not([type=hidden])')]
     .filter((one) => one.checkVisibility() && !one.dataset.walked && !(one.type === 'radio' && !one.checked)).map((one) => one.outerHTML));
   return { seen, missed };
 }
@@ -205,7 +207,7 @@ test('each language has its page, with its own direction', async () => {
     await page.getByRole('link', { name }).click();
     const [lang, dir] = await page.evaluate(() => [document.documentElement.lang, document.documentElement.dir]);
     assert.equal(dir, lang === 'ar' ? 'rtl' : 'ltr');
-    for (const path of ['/', '/faults', '/log', '/doctor', '/backup']) {
+    for (const path of ['/', '/faults', '/log', '/doctor', '/backup', '/curator', '/curator/hours', '/curator/texts', '/curator/words', '/curator/theme']) {
       await page.goto(stage.url + path);
       assert.equal(await page.evaluate(() => document.documentElement.lang), lang, 'it is kept');
       assert.deepEqual(await findings(page), [], `${lang} ${path}`);
@@ -215,6 +217,51 @@ test('each language has its page, with its own direction', async () => {
     await picture(page, `exhibit-${lang}`);
   }
   await page.getByRole('link', { name: 'English' }).click();
+  await page.close();
+});
+
+test('a curator changes by keyboard what is said, sees it drawn, and takes it back', async () => {
+  const page = await stage.newPage();
+  await stage.logIn(page);
+  await page.goto(`${stage.url}/curator/texts?in=fr`);
+  await page.getByLabel('attract', { exact: true }).fill('Venez voir <b>ceci</b>');
+  await page.getByRole('button', { name: 'Show it: attract' }).focus();
+  await page.keyboard.press('Enter');
+  await until('the preview', () => page.evaluate(() => document.querySelector('#preview img').naturalWidth > 0));
+  await picture(page, 'curator-preview');
+  await page.locator('#preview img').screenshot({ path: 'pictures/preview.png' });
+  assert.deepEqual(await findings(page), []);
+  assert.equal(await page.getByLabel('attract', { exact: true }).inputValue(), 'Venez voir <b>ceci</b>');
+  await page.getByLabel('attract', { exact: true }).focus();
+  await page.keyboard.press('Enter');
+  await page.getByRole('status').filter({ hasText: 'Saved.' }).waitFor();
+  assert.ok(page.url().includes('in=fr'), 'the same language');
+  await page.goto(`${stage.url}/curator/visit`);
+  await page.getByLabel('Rounds').fill('7');
+  await page.getByRole('button', { name: 'Save' }).last().click();
+  await page.getByRole('status').filter({ hasText: 'Saved.' }).waitFor();
+  await page.goto(`${stage.url}/curator`);
+  assert.deepEqual(await page.locator('.changes b').allTextContents(), ['Visits and languages', 'Texts']);
+  await picture(page, 'curator-changes');
+  await tabTo(page, 'Take back the last change');
+  await page.keyboard.press('Enter');
+  await page.getByRole('status').filter({ hasText: 'Taken back: Visits and languages.' }).waitFor();
+  await page.goto(`${stage.url}/curator/visit`);
+  assert.equal(await page.getByLabel('Rounds').inputValue(), '6');
+  await page.close();
+});
+
+test('what cannot be is said once, and what was written stays', async () => {
+  const page = await stage.newPage(sizes.phone);
+  await stage.logIn(page);
+  await page.goto(`${stage.url}/curator/hours`);
+  await page.getByLabel('Monday').fill('nine to five');
+  await page.getByLabel('Monday').press('Enter');
+  await page.getByRole('alert').filter({ hasText: 'is no opening time' }).waitFor();
+  assert.equal(await page.getByRole('alert').filter({ hasText: /./ }).count(), 1);
+  assert.equal(await page.getByLabel('Monday').inputValue(), 'nine to five');
+  await picture(page, 'curator-refused');
+  assert.deepEqual(await findings(page), []);
   await page.close();
 });
 

@@ -52,6 +52,36 @@ struct Done {
     int acts = 0;
 };
 
+Curator curator_for(Done& done, std::string_view bytes) {
+    Curator some;
+    some.parts = [] { return std::vector<std::string>{"hours", "texts"}; };
+    some.form = [bytes](const std::string& part, const Fields& query, const Texts&) -> std::optional<Form> {
+        if (part != "hours" && part != "texts") return std::nullopt;
+        const std::string any(bytes);
+        Form form{part, any, {{any, any}}, any, {{any, any}, {"part", part}}, {}, any};
+        using Kind = Entry::Kind;
+        for (const Kind kind :
+             {Kind::Line, Kind::Lines, Kind::Number, Kind::Tick, Kind::Choice, Kind::Day, Kind::Range})
+            form.groups.push_back({any, any, {{kind, any, any, any, any, any, any, {{any, any}}, 0, 1, 1, any, true}}});
+        for (const auto& [name, value] : query) form.kept.emplace(name, value);
+        return form;
+    };
+    some.save = [&done](const std::string& part, const Fields&, Curator::Deed, const std::string&) {
+        ++done.acts;
+        if (part == "texts") throw quadrat::base::InputError("it cannot be");
+        return true;
+    };
+    some.changes = [bytes] { return std::vector<Change>{{"now", std::string(bytes), std::string(bytes)}}; };
+    some.undo = [&done, bytes](const std::string&) {
+        ++done.acts;
+        return std::optional<std::string>(bytes);
+    };
+    some.ask_preview = [&done](const Fields&, const std::string&) { ++done.acts; };
+    some.landscape = [](const std::string&) { return std::nullopt; };
+    some.preview = [] { return std::nullopt; };
+    return some;
+}
+
 Sources sources_for(Done& done, std::string_view bytes) {
     Sources some;
     some.exhibit = "Foyer";
@@ -74,6 +104,7 @@ Sources sources_for(Done& done, std::string_view bytes) {
     some.drop = [&done] { ++done.acts; };
     some.act = [&done](Act) { ++done.acts; };
     some.note = [](const std::string&) {};
+    some.curator = curator_for(done, bytes);
     some.is_passphrase = [](const std::string& passphrase) { return passphrase == "open sesame"; };
     return some;
 }
@@ -112,6 +143,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     const Request request = request_from(text);
     for (int i = 2; i < 4; ++i) check(request, desk.answer(request, Instant{i}), done);
     desk.takes_file(request, Instant{4});
+    desk.takes_long_form(request, Instant{4});
     cookie_of(text, "quadrat-desk");
     preferred_language(text);
     return 0;

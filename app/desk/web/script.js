@@ -58,3 +58,11 @@ if (at('pause')) {
   });
   look();
 }
+
+// A preview is drawn when nobody plays: it is asked for again until it is there.
+const preview = document.querySelector('img[data-again]');
+if (preview) {
+  const again = () => setTimeout(() => { preview.src = `/preview.png?${Date.now()}`; }, 1000);
+  preview.addEventListener('error', again);
+  if (preview.complete && preview.naturalWidth === 0) again();
+}

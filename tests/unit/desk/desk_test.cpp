@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "desk/desk.hpp"
+#include "unit/desk/desk.hpp"
 
-#include <gmock/gmock.h>
-
-#include <random>
-
-#include "base/error.hpp"
 #include "base/listen_address.hpp"
 #include "desk/passphrase.hpp"
 
@@ -18,101 +13,6 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::Pair;
 using namespace std::chrono_literals;
-
-std::string header_of(const Answer& answer, const std::string& name) {
-    for (const auto& [key, value] : answer.headers)
-        if (key == name) return value;
-    return "";
-}
-
-class ADesk : public testing::Test {
-  protected:
-    Sources sources() {
-        Sources some;
-        some.exhibit = "Foyer <1>";
-        some.version = "1.2";
-        some.health = [this] { return health; };
-        some.picture = [] { return std::optional<std::string>("PNG"); };
-        some.examine = [] {
-            return std::vector<Finding>{{"screen", "bad", "no <screen>", "plug it in"}, {"gpu", "good", "fine", ""}};
-        };
-        some.report = [this](const std::string& back) -> std::string {
-            if (breaks) throw std::runtime_error("a fault of ours");
-            return "<html>visits</html>" + back;
-        };
-        some.backup = []() -> std::string { throw base::InputError("no room for a backup"); };
-        some.full_picture = [] { return std::string("large PNG"); };
-        some.faults = [] {
-            return std::vector<Fault>{
-                {"button B is <stuck>", "2026-11-26 11:00:00 UTC", "2026-11-26 12:00:00 UTC", 3, "fault-2.png"}};
-        };
-        some.fault_picture = [](const std::string& name) {
-            return name == "fault-2.png" ? std::optional<std::string>("fault PNG") : std::nullopt;
-        };
-        some.log = [] { return std::vector<std::string>{"it said <b>this</b>"}; };
-        some.notes = [this] { return notes; };
-        some.preview = [](const std::filesystem::path& brought) {
-            if (brought == "damaged") throw base::InputError("is not a backup of Quadrat");
-            return Preview{
-                "2026-11-20 10:00:00 UTC", "foyer<", "1.1", {{"quadrat.db", 1234, 99}, {"words.json", {}, 7}}};
-        };
-        some.restore = [this](Identity identity) { restored.push_back(identity); };
-        some.drop = [this] { ++dropped; };
-        some.act = [this](Act act) {
-            if (act == Act::Restart && refuses) throw base::InputError("no exhibit runs here");
-            acts.push_back(act);
-        };
-        some.note = [this](const std::string& what) { notes.push_back(what); };
-        some.is_passphrase = [](const std::string& passphrase) { return passphrase == "open sesame"; };
-        return some;
-    }
-
-    Answer ask(Request request) {
-        if (!cookie.empty()) request.headers["cookie"] = "a=b; " + cookie;
-        request.headers["host"] = "exhibit:8080";
-        request.peer = peer;
-        return desk.answer(request, now);
-    }
-    Answer get(const std::string& path, Fields query = {}) { return ask({"GET", path, {}, std::move(query), ""}); }
-    Answer bring(const std::string& file) {
-        Request request{"POST", "/restore", {}, {{"token", token()}}, ""};
-        request.brought = file;
-        return ask(std::move(request));
-    }
-    Answer post(const std::string& path, Fields form, Fields headers = {}) {
-        return ask({"POST", path, std::move(headers), std::move(form), ""});
-    }
-    void log_in() {
-        const Answer answer = post("/login", {{"passphrase", "open sesame"}});
-        ASSERT_EQ(answer.status, 303);
-        const std::string set = header_of(answer, "Set-Cookie");
-        cookie = set.substr(0, set.find(';'));
-    }
-    std::string token() {
-        const std::string page = get("/").body;
-        const std::size_t at = page.find("name=\"token\" value=\"") + 20;
-        return page.substr(at, 64);
-    }
-
-    std::mt19937 chance{7};
-    bool breaks = false;
-    std::optional<std::string> health = R"({"verdict": "doubtful", "opening": "open until 18:00", "alpha": 0.5,
-        "frames": {"shown": 100, "late": 2, "per_second": 59.7}, "faults": ["button A <sticks>"]})";
-    bool refuses = false;
-    std::vector<Act> acts;
-    std::vector<Identity> restored;
-    int dropped = 0;
-    std::vector<std::string> notes;
-    std::string cookie, peer = "10.0.0.7";
-    Instant now = 1h;
-    Desk desk{sources(),
-              [this](std::size_t count) {
-                  std::string bytes;
-                  for (std::size_t i = 0; i < count; ++i) bytes += static_cast<char>(chance() & 255U);
-                  return bytes;
-              },
-              false};
-};
 
 TEST_F(ADesk, TellsNobodyAnythingWhoHasNotLoggedIn) {
     for (const char* path : {"/", "/doctor", "/report", "/backup", "/backup.tar.xz", "/faults", "/log"}) {
@@ -405,6 +305,69 @@ TEST(ListenAddress, IsOneOfThisMachineInNumbers) {
     for (const char* wrong : {"", "8080", ":8080", "localhost:8080", "127.0.0.1", "127.0.0.1:0", "127.0.0.1:70000",
                               "127.0.0.1:80x", "::1:80", "[127.0.0.1]:80", "[::1]", "1.2.3:80"})
         EXPECT_THROW(parse_listen_address(wrong), std::invalid_argument) << wrong;
+}
+
+TEST_F(ADesk, ShowsACuratorWhatHoldsAndTakesWhatIsSaid) {
+    EXPECT_EQ(get("/curator").status, 303);
+    EXPECT_EQ(post("/curator/hours", {{"monday", "x"}}).status, 303) << "nobody has logged in";
+    EXPECT_TRUE(said.empty());
+    log_in();
+    const std::string page = get("/curator/hours").body;
+    for (const char* shown :
+         {"Week &lt;1&gt;", "Mon &lt;2&gt;", "value=\"&quot;10:00&quot;\"", "name=\"word.wet.low\" value=\"-0.5\"",
+          "name=\"word.wet.high\" value=\"1\"", "value=\"on\" checked", "a\nb</textarea>", "name=\"in\" value=\"de\"",
+          "name=\"preview\" value=\"monday\""})
+        EXPECT_THAT(page, HasSubstr(shown));
+    EXPECT_EQ(get("/curator/nowhere").status, 404);
+    EXPECT_EQ(post("/curator/hours", {{"monday", "10:00-12:00"}}).status, 403) << "no token";
+    EXPECT_TRUE(said.empty());
+    EXPECT_EQ(header_of(post("/curator/hours", {{"monday", "10:00-12:00"}, {"token", token()}}), "Location"),
+              "/curator/hours?done=saved&in=de");
+    EXPECT_EQ(header_of(post("/curator/hours", {{"token", token()}}), "Location"), "/curator/hours?done=same&in=de");
+    EXPECT_EQ(header_of(post("/curator/hours", {{"remove", "on"}, {"token", token()}}), "Location"),
+              "/curator/hours?done=same");
+    EXPECT_THAT(said, ElementsAre("10.0.0.7 says", "10.0.0.7 says", "10.0.0.7 takes out"));
+    EXPECT_THAT(notes, Contains("10.0.0.7 changed hours"));
+}
+
+TEST_F(ADesk, SaysWhyNothingWasChangedAndKeepsWhatWasWritten) {
+    log_in();
+    const Answer refused = post("/curator/hours", {{"monday", "never"}, {"others", "<c>"}, {"token", token()}});
+    EXPECT_EQ(refused.status, 422);
+    EXPECT_THAT(refused.body, HasSubstr("that is &lt;no&gt; time"));
+    EXPECT_THAT(refused.body, HasSubstr("value=\"never\""));
+    EXPECT_THAT(refused.body, HasSubstr("&lt;c&gt;</textarea>"));
+    EXPECT_THAT(refused.body, Not(HasSubstr(" checked"))) << "a tick that was taken away";
+    EXPECT_TRUE(said.empty());
+}
+
+TEST_F(ADesk, TakesBackAChangeAndAsksForAPreview) {
+    log_in();
+    EXPECT_THAT(get("/curator").body, HasSubstr("2026-11-26 10:00 UTC"));
+    EXPECT_EQ(header_of(post("/curator", {{"undo", "last"}, {"token", token()}}), "Location"),
+              "/curator?done=undone&what=hours");
+    EXPECT_THAT(get("/curator", {{"done", "undone"}, {"what", "hours"}}).body, HasSubstr("Taken back: Opening hours."));
+    changed = false;
+    EXPECT_EQ(header_of(post("/curator", {{"undo", "last"}, {"token", token()}}), "Location"), "/curator?done=same");
+    EXPECT_THAT(get("/curator").body, HasSubstr("Nothing was changed here yet."));
+    const Answer preview =
+        post("/curator/preview", {{"part", "hours"}, {"preview", "monday"}, {"monday", "now"}, {"token", token()}});
+    EXPECT_THAT(preview.body, HasSubstr("src=\"/preview.png\""));
+    EXPECT_THAT(preview.body, HasSubstr("value=\"now\""));
+    EXPECT_THAT(said, ElementsAre("monday=now"));
+    EXPECT_EQ(get("/preview.png").status, 503) << "it was not drawn yet";
+}
+
+TEST_F(ADesk, TakesALongFormFromACuratorAlone) {
+    Request request{"POST", "/curator/texts", {}, {}, peer};
+    EXPECT_FALSE(desk.takes_long_form(request, now));
+    log_in();
+    request.headers["cookie"] = cookie;
+    EXPECT_TRUE(desk.takes_long_form(request, now));
+    for (const char* other : {"/login", "/act", "/curator"}) {
+        request.path = other;
+        EXPECT_FALSE(desk.takes_long_form(request, now)) << other;
+    }
 }
 
 }  // namespace

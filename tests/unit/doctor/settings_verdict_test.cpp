@@ -69,7 +69,7 @@ Verdict doctors(const Site& site) {
 
 Verdict peoples(const Site& site) {
     try {
-        site::settings_for_people(site.file());
+        site::settings_for_people(site.file(), site.state());
         return {};
     } catch (const site::SettingsError& error) {
         return lines_of(error.mistakes());

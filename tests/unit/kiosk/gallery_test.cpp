@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "genome/scene_code.hpp"
 #include "kiosk/show.hpp"
 #include "support/process.hpp"
 
@@ -53,9 +54,58 @@ TEST(Gallery, WhatWentComesBackInItsOrder) {
     EXPECT_EQ(gallery.act().scenes, (nursery::Scenes{third.scenes[0], second.scenes[0]}));
     ASSERT_TRUE(gallery.missing());
     EXPECT_EQ(*gallery.missing(), first.recipes[0]);
-    gallery.bring_back(first.scenes[0]);
+    gallery.bring_back(first.recipes[0], first.scenes[0]);
     EXPECT_EQ(gallery.act().scenes, (nursery::Scenes{third.scenes[0], second.scenes[0], first.scenes[0]}));
     EXPECT_FALSE(gallery.missing());
+}
+
+TEST(Gallery, HangsWhatStaffChoseBesideTheNewestAndInTurn) {
+    nursery::Gallery gallery;
+    std::vector<nursery::Act> liked;
+    nursery::Chosen chosen;
+    for (std::uint64_t n = 11; n <= 15; ++n) {
+        liked.push_back(finale(n));
+        chosen.favourites.push_back(liked.back().recipes[0]);
+    }
+    gallery.choose(chosen);
+    ASSERT_EQ(gallery.missing(), liked[0].recipes[0]) << "before anybody has bred anything";
+    for (std::size_t i = 0; i < nursery::Gallery::kMost; ++i)
+        gallery.bring_back(*gallery.missing(), liked[i].scenes[0]);
+    EXPECT_FALSE(gallery.missing());
+    gallery.make_room();
+    EXPECT_TRUE(gallery.act().scenes.empty()) << "none of them is the last finale, whose room costs nothing";
+    const nursery::Act bred = finale(1);
+    gallery.hang(bred);
+    EXPECT_EQ(gallery.act().scenes, bred.scenes);
+    for (const std::size_t next : {2U, 3U}) {
+        ASSERT_EQ(gallery.missing(), liked[next].recipes[0]) << "the next two, in turn";
+        gallery.bring_back(liked[next].recipes[0], liked[next].scenes[0]);
+    }
+    EXPECT_FALSE(gallery.missing());
+    gallery.bring_back(liked[4].recipes[0], liked[4].scenes[0]);
+    EXPECT_EQ(gallery.act().scenes.size(), nursery::Gallery::kMost) << "nobody waits for that one";
+    chosen.favourites.clear();
+    gallery.choose(chosen);
+    EXPECT_EQ(gallery.act().scenes, bred.scenes);
+}
+
+TEST(Gallery, NeverHangsWhatStaffHideAndShowsWhatCameBefore) {
+    nursery::Gallery gallery;
+    std::vector<nursery::Act> acts;
+    for (std::uint64_t n = 1; n <= 5; ++n) {
+        acts.push_back(finale(n));
+        gallery.hang(acts.back());
+    }
+    nursery::Chosen chosen;
+    chosen.hidden = {genome::code_of(acts[4].recipes[0]), genome::code_of(acts[2].recipes[0])};
+    chosen.favourites = {acts[2].recipes[0]};
+    gallery.choose(chosen);
+    EXPECT_EQ(gallery.act().scenes, acts[3].scenes) << "the others grow again";
+    ASSERT_EQ(gallery.missing(), acts[1].recipes[0]);
+    gallery.bring_back(acts[1].recipes[0], acts[1].scenes[0]);
+    ASSERT_EQ(gallery.missing(), acts[0].recipes[0]);
+    gallery.make_room();
+    EXPECT_EQ(gallery.act().scenes, acts[3].scenes) << "the newest that is shown";
 }
 
 // The exhibit without a screen: whatever is grown counts as uploaded a frame later.

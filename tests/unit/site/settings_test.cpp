@@ -119,13 +119,13 @@ TEST_F(AService, ThatPeopleStartRefusesWithAllMistakes) {
     keep_last_good(folder_.path(), kRight);
     folder_.write("quadrat.toml", "[visit]\nrounds = 300\npatience_s = true\n");
     try {
-        settings_for_people(file_);
+        settings_for_people(file_, folder_.path());
         FAIL() << "it was taken";
     } catch (const SettingsError& error) {
         EXPECT_EQ(error.mistakes().size(), 2U);
         EXPECT_THAT(error.what(), HasSubstr("quadrat.toml:3: visit.patience_s is not a number"));
     }
-    EXPECT_EQ(settings_for_people("").configuration.visit.rounds, Configuration{}.visit.rounds);
+    EXPECT_EQ(settings_for_people("", "").configuration.visit.rounds, Configuration{}.visit.rounds);
 }
 
 TEST(LastGood, IsWrittenOnceAndOnlyWhenItChanges) {

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/preview.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "genome/speech.hpp"
+#include "staff/presence.hpp"
+
+namespace quadrat::commands {
+
+namespace fs = std::filesystem;
+
+void ask_preview(const fs::path& runtime, const staff::PreviewWish& wish) {
+    if (std::ranges::find(genome::kPrompts, wish.prompt) == genome::kPrompts.end())
+        throw base::InputError("there is no such text");
+    if (!staff::is_exhibit_present(runtime)) throw base::InputError("no exhibit runs here that could draw it");
+    std::error_code ignored;
+    fs::remove(runtime / staff::kPreview, ignored);
+    base::write_file(runtime / staff::kPreviewAsked, to_json(wish));
+}
+
+std::optional<std::string> preview_in(const fs::path& runtime) {
+    constexpr std::size_t kMost = 32U << 20U;
+    std::error_code error;
+    if (!fs::is_regular_file(runtime / staff::kPreview, error)) return std::nullopt;
+    try {
+        return base::read_file(runtime / staff::kPreview, kMost);
+    } catch (const base::InputError&) {
+        return std::nullopt;  // it went away meanwhile
+    }
+}
+
+}  // namespace quadrat::commands

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "staff/landscapes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/seed.hpp"
+#include "pictures/picture.hpp"
+#include "pictures/png_picture.hpp"
+
+namespace quadrat::staff {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kWidth = 480;
+constexpr std::size_t kLongestCode = 4096;
+
+}  // namespace
+
+std::string id_of_landscape(std::string_view code) { return fmt::format("{:016x}", base::Seed{}.child(code).value); }
+
+std::vector<KeptLandscape> landscapes_in(const fs::path& folder) {
+    std::vector<KeptLandscape> all;
+    std::error_code error;
+    for (fs::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
+        if (file->path().extension() != ".code") continue;
+        try {
+            const std::string text = base::read_file(file->path(), kLongestCode);
+            KeptLandscape one{file->path().stem().string(), text.substr(0, text.find('\n')), {}};
+            one.at = fs::last_write_time(file->path(), error);
+            if (one.id == id_of_landscape(one.code)) all.push_back(std::move(one));
+        } catch (const base::InputError&) {
+            continue;  // it went away meanwhile
+        }
+    }
+    std::ranges::sort(all, [](const auto& a, const auto& b) { return a.at != b.at ? a.at > b.at : a.id < b.id; });
+    return all;
+}
+
+void keep_landscape(const fs::path& folder, const mesh::Image& picture, const std::string& code, std::size_t most) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    const std::string id = id_of_landscape(code);
+    pictures::write_png_quickly(folder / (id + ".png"),
+                                picture.width > kWidth ? pictures::scaled_to(picture, kWidth) : picture);
+    base::write_file(folder / (id + ".code"), code + "\n");
+    const auto all = landscapes_in(folder);
+    for (std::size_t i = most; i < all.size(); ++i)
+        for (const char* extension : {".code", ".png"}) fs::remove(folder / (all[i].id + extension), error);
+}
+
+}  // namespace quadrat::staff
