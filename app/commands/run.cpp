@@ -15,10 +15,10 @@
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "commands/commands.hpp"
+#include "commands/scripted_visitor.hpp"
 #include "firmware-io/input_spec.hpp"
 #include "firmware-io/merged_buttons.hpp"
 #include "kiosk/run_loop.hpp"
-#include "kiosk/visitor.hpp"
 #include "machine/heap.hpp"
 #include "machine/machine.hpp"
 #include "machine/service.hpp"
@@ -185,7 +185,7 @@ Buttons buttons_for(const site::Configuration& configuration, const display::Dis
                     bool is_demonstration) {
     Buttons buttons;
     if (is_demonstration) {
-        buttons.source = kiosk::scripted_visitor(configuration.visit.rounds, seed);
+        buttons.source = scripted_visitor(configuration.visit.rounds, seed);
         return buttons;
     }
     return open_buttons(configuration.inputs.empty() ? site::default_inputs(screen.kind()) : configuration.inputs);
@@ -278,6 +278,14 @@ void finish(pictures::Album& album) {
                 fs::absolute(album.folder()).lexically_normal().c_str());
 }
 
+std::unique_ptr<pictures::Album> album_for(const Options& options, bool is_demonstration, int rounds) {
+    const std::string folder = options.capture.empty() && is_demonstration ? "quadrat-pictures" : options.capture;
+    if (is_demonstration)
+        base::log::info("no screen and no buttons here: a visitor of {} rounds is played, pictures go to {}", rounds,
+                        folder);
+    return folder.empty() ? nullptr : std::make_unique<pictures::Album>(folder);
+}
+
 int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const fs::path& state) {
     climb(ladder);
     const staff::Mode mode = ladder.rung().mode;
@@ -294,12 +302,7 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
     Buttons& buttons = opened.buttons;
     const bool is_demonstration = opened.is_demonstration;
 
-    const std::string folder = options.capture.empty() && is_demonstration ? "quadrat-pictures" : options.capture;
-    std::unique_ptr<pictures::Album> album;
-    if (!folder.empty() && !is_safe) album = std::make_unique<pictures::Album>(folder);
-    if (is_demonstration)
-        base::log::info("no screen and no buttons here: a visitor of {} rounds is played, pictures go to {}",
-                        configuration.visit.rounds, folder);
+    const auto album = is_safe ? nullptr : album_for(options, is_demonstration, configuration.visit.rounds);
 
     const auto clock = clock_for(options, screen->kind() == "headless" && buttons.is_all_scripted);
     const std::string theme = put_on_theme(configuration, *clock, state);

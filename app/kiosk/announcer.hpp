@@ -2,7 +2,7 @@
 #pragma once
 #include "display/display.hpp"
 #include "kiosk/show.hpp"
-#include "kiosk/start_report.hpp"
+#include "machine/start_report.hpp"
 
 namespace quadrat::kiosk {
 
@@ -18,7 +18,7 @@ class Announcer {
   private:
     void tell_service(Show& show);
 
-    StartReport start_;
+    machine::StartReport start_;
     display::Outcome last_outcome_ = display::Outcome::Shown;
     bool had_landscapes_ = false;  // the last frame
     bool is_ready_ = false;

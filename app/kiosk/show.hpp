@@ -80,7 +80,7 @@ class Show {
     const exhibit::State& state() const { return state_; }
     const exhibit::Timings& timings() const { return timings_; }
     const nursery::Act& act_of(exhibit::Screen screen) const;  // that would be shown on it
-    const nursery::Act& on_stage() const;  // may be empty, before the very first four have grown
+    const nursery::Act& on_stage() const;                      // may be empty, before the very first four have grown
     std::span<const genome::Recipe> recipes_on_stage() const;
     std::vector<const nursery::Act*> in_use() const;  // whose landscapes must stay on the GPU
     bool is_growing() { return grower_.stock().is_busy; }

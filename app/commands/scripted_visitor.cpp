@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kiosk/visitor.hpp"
+#include "commands/scripted_visitor.hpp"
 
 #include "firmware-io/scripted/scripted_buttons.hpp"
 
-namespace quadrat::kiosk {
+namespace quadrat::commands {
 
 using firmware_io::Button;
 
@@ -21,4 +21,4 @@ std::unique_ptr<firmware_io::ButtonSource> scripted_visitor(int rounds, base::Se
     return std::make_unique<firmware_io::scripted::ScriptedButtons>(writer.script());
 }
 
-}  // namespace quadrat::kiosk
+}  // namespace quadrat::commands

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kiosk/start_report.hpp"
+#include "machine/start_report.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -12,7 +12,7 @@
 
 #include "base/log.hpp"
 
-namespace quadrat::kiosk {
+namespace quadrat::machine {
 namespace {
 
 using std::chrono::milliseconds;
@@ -55,4 +55,4 @@ void StartReport::drawn(bool has_landscapes) {
     tell("the first landscapes");
 }
 
-}  // namespace quadrat::kiosk
+}  // namespace quadrat::machine

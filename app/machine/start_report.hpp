@@ -2,7 +2,7 @@
 #pragma once
 #include <chrono>
 
-namespace quadrat::kiosk {
+namespace quadrat::machine {
 
 // Since this program was executed, to ten milliseconds; zero where the system does not say.
 std::chrono::milliseconds since_start();
@@ -18,4 +18,4 @@ class StartReport {
     bool are_landscapes_told_ = false;
 };
 
-}  // namespace quadrat::kiosk
+}  // namespace quadrat::machine
