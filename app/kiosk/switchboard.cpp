@@ -41,8 +41,8 @@ switches::Options switch_options_of(const site::Configuration& configuration) {
     return options;
 }
 
-void Switchboard::take(switches::Step step, base::Instant now) {
-    const Buttons before = std::exchange(state_, std::move(step.state)).buttons;
+void Switchboard::take(const switches::Step& step, base::Instant now) {
+    const Buttons before = std::exchange(state_, step.state).buttons;
     if (before != state_.buttons) {
         constexpr const char* kNames[] = {"four buttons", "two buttons", "one button"};
         base::log::info("played with {}", kNames[static_cast<std::size_t>(state_.buttons)]);

@@ -37,7 +37,7 @@ class Switchboard {
     std::optional<stage::Scanned> scanned(base::Instant now) const;
 
   private:
-    void take(switches::Step step, base::Instant now);
+    void take(const switches::Step& step, base::Instant now);
     switches::Beside beside() const { return {show_.state(), show_.can_go_back(), speaks_until_}; }
     std::string hint(const switches::Options& options) const;
 
