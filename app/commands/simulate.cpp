@@ -30,6 +30,7 @@ struct Options {
     std::string genome = "words";
     std::string world = "archetypes";
     std::string noise = "mild";
+    std::string party = "one";
     std::optional<int> visitors;
     std::optional<int> rounds;
     std::uint64_t seed = 1;
@@ -61,9 +62,9 @@ std::vector<breeding::Standing> standings_of(const breeding::Tournament& tournam
     const auto visitors = static_cast<std::size_t>(tournament.visitors);
     std::vector<std::vector<breeding::Played>> played(methods.size(), std::vector<breeding::Played>(visitors));
     tbb::parallel_for(0, tournament.visitors, [&](int number) {
-        const breeding::SimulatedVisitor visitor = breeding::visitor_of(tournament, number);
+        const breeding::Guests guests = breeding::guests_of(tournament, number);
         for (std::size_t m = 0; m < methods.size(); ++m) {
-            played[m][static_cast<std::size_t>(number)] = breeding::play(tournament, visitor, number, methods[m]);
+            played[m][static_cast<std::size_t>(number)] = breeding::play(tournament, guests, number, methods[m]);
             progress.step();
         }
     });
@@ -86,6 +87,9 @@ std::vector<breeding::Tournament> tournaments_of(const Options& options) {
     base.genome = options.genome == "classic" ? genome::Genome::Classic : genome::Genome::Full;
     base.world = options.world == "anywhere" ? breeding::World::Anywhere : breeding::World::NearArchetypes;
     base.noise = noise_of(options);
+    base.party = options.party == "drifting" ? breeding::Party::Drifting
+                 : options.party == "group"  ? breeding::Party::Group
+                                             : breeding::Party::One;
     if (!options.is_all) return {base};
     std::vector<breeding::Tournament> all;
     for (const auto genome : {genome::Genome::Classic, genome::Genome::Full})
@@ -184,8 +188,10 @@ int simulate(const Options& options) {
                       static_cast<std::size_t>(tournaments.front().visitors));
     for (std::size_t i = 0; i < tournaments.size(); ++i) {
         const auto standings = standings_of(tournaments[i], progress);
-        std::cout << (i > 0 ? "\n" : "") << breeding::table_of(tournaments[i], standings)
-                  << breeding::text_of(breeding::figures_of(standings));
+        std::cout << (i > 0 ? "\n" : "") << breeding::table_of(tournaments[i], standings);
+        // They are of one wish.
+        if (tournaments[i].party == breeding::Party::One)
+            std::cout << breeding::text_of(breeding::figures_of(standings));
         if (tournaments[i].genome == genome::Genome::Full) std::cout << reach_line();
         std::cout << std::flush;
         if (options.plot.empty()) continue;
@@ -219,6 +225,12 @@ void add_simulate(CLI::App& app, Action& chosen) {
         ->capture_default_str();
     command->add_option("--noise", options->noise, "How badly visitors see: none, mild, strong")
         ->check(CLI::IsMember({"none", "mild", "strong"}))
+        ->capture_default_str();
+    command
+        ->add_option("--party", options->party,
+                     "Who presses: one; drifting (who comes to wish half of all as another does); group (three who "
+                     "take turns, a round each: closeness is the mean of theirs)")
+        ->check(CLI::IsMember({"one", "drifting", "group"}))
         ->capture_default_str();
     command->add_option("--visitors", options->visitors, "How many play each method")
         ->check(CLI::Range(2, 100000))

@@ -38,9 +38,9 @@ std::string colour_of(std::size_t i) {
 
 std::string title_of(const Tournament& t) {
     return fmt::format(
-        "{} parameters, wishes {}, noise {}, {} visitors",
+        "{} parameters, wishes {}, noise {}, {} {}",
         t.genome == genome::Genome::Classic ? "21 classic" : fmt::format("all {}", genome::kParameterCount),
-        name_of(t.world), name_of(t.noise), t.visitors);
+        name_of(t.world), name_of(t.noise), t.visitors, name_of(t.party));
 }
 
 }  // namespace
@@ -72,21 +72,59 @@ SimulatedVisitor visitor_of(const Tournament& t, int visitor) {
     return {t.genome, t.world, t.noise, all_archetypes(t.genome), seed_of(t, visitor)};
 }
 
+std::string_view name_of(Party party) {
+    switch (party) {
+        case Party::One:
+            break;
+        case Party::Drifting:
+            return "visitors whose taste drifts";
+        case Party::Group:
+            return "groups of three who take turns";
+    }
+    return "visitors";
+}
+
+Guests guests_of(const Tournament& t, int number) {
+    const SimulatedVisitor first = visitor_of(t, number);
+    const auto another = [&](int i) { return visitor_of(t, number + i * 1'000'000); };
+    Guests guests{first};
+    if (t.party == Party::Group)
+        for (int i = 1; i < kInAGroup; ++i) guests.push_back(another(i));
+    if (t.party != Party::Drifting) return guests;
+    const SimulatedVisitor other = another(1);
+    for (int round = 2; round <= t.rounds; ++round)
+        guests.push_back(first.drifted(other, 0.5 * (round - 1) / (t.rounds - 1)));
+    return guests;
+}
+
 Played play(const Tournament& t, const SimulatedVisitor& visitor, int number, Method method) {
+    return play(t, Guests{visitor}, number, method);
+}
+
+Played play(const Tournament& t, const Guests& guests, int number, Method method) {
     const base::Seed seed = seed_of(t, number);
-    const auto playing = player(method, visitor, known_half(), seed.child("player"));
+    const auto playing = player(method, guests.front(), known_half(), seed.child("player"));
     base::RandomStream chance(seed.child("chance").child(name_of(method)));
     Played played;
     std::optional<double> before;
     for (int round = 1; round <= t.rounds; ++round) {
+        const SimulatedVisitor& visitor = guests[static_cast<std::size_t>(round - 1) % guests.size()];
         playing->play_round(visitor, chance);
-        played.closeness.push_back(visitor.closeness(playing->taken_home()));
+        const genome::ParameterValues taken = playing->taken_home();
+        double closeness = visitor.closeness(taken);
+        if (t.party == Party::Group) {
+            closeness = 0;
+            for (const SimulatedVisitor& guest : guests)
+                closeness += guest.closeness(taken) / static_cast<double>(guests.size());
+        }
+        played.closeness.push_back(closeness);
         const auto best = playing->best_shown();
         if (best && before && round <= 8) {
             ++played.compared;
             if (*best > *before + kVisibly) ++played.worse;
         }
-        before = best;
+        // What another one saw says nothing of whether it got worse.
+        before = t.party == Party::One ? best : std::nullopt;
     }
     return played;
 }

@@ -17,10 +17,20 @@ struct Estimate {
 };
 Estimate mean_of(const std::vector<double>& numbers);
 
+// Who presses.
+enum class Party {
+    One,
+    Drifting,  // one who comes to wish half of all parameters as another one does, round by round
+    Group      // three who take turns, a round each, each with a wish
+};
+std::string_view name_of(Party party);
+inline constexpr int kInAGroup = 3;
+
 struct Tournament {
     genome::Genome genome = genome::Genome::Classic;
     World world = World::NearArchetypes;
     Noise noise = Noise::Mild;
+    Party party = Party::One;
     int visitors = 200;
     int rounds = 15;
     base::Seed seed{1};
@@ -37,6 +47,13 @@ struct Played {
 // archetypes are known to breeders; wishes come from all.
 SimulatedVisitor visitor_of(const Tournament& tournament, int number);
 Played play(const Tournament& tournament, const SimulatedVisitor& visitor, int number, Method method);
+
+// All who are one number's party, in the order in which they press, a round each and then again from the first.
+using Guests = std::vector<SimulatedVisitor>;
+Guests guests_of(const Tournament& tournament, int number);
+// Closeness is that to the wish of the round; a group's, the mean of its members'. Ways that need no picks
+// (Method::BestArchetype, Projection) know the first guest's wish alone.
+Played play(const Tournament& tournament, const Guests& guests, int number, Method method);
 
 // The word map that breeders have in a simulated world: every second named scene is known, every word's ends are; what
 // a site would have that had made half of them itself.

@@ -16,10 +16,11 @@ using genome::kAspects;
 
 constexpr double kSaturation = 0.4;    // differences beyond it look alike
 constexpr double kInteractions = 0.3;  // share of the distance that pairs make
-constexpr double kGated = 0.2;         // share of parameters that matter as much as another allows
-constexpr double kResidue = 0.15;      // deviation of a wish from a mixture of archetypes
-constexpr double kMeaningless = 0.1;   // picks that children make
-constexpr double kIndifferent = 1.3;   // distances beyond it are all too far
+constexpr double kGoldenShare = 0.6180339887498949;
+constexpr double kGated = 0.2;        // share of parameters that matter as much as another allows
+constexpr double kResidue = 0.15;     // deviation of a wish from a mixture of archetypes
+constexpr double kMeaningless = 0.1;  // picks that children make
+constexpr double kIndifferent = 1.3;  // distances beyond it are all too far
 constexpr std::size_t kRandomScenes = 400;
 
 double hyperbolic_tangent(double x) {
@@ -152,6 +153,19 @@ double SimulatedVisitor::raw_distance(const Eye& eye, const Place& place) const 
     }
     if (weights > 0) together /= weights;
     return std::sqrt((1 - kInteractions) * alone + kInteractions * together);
+}
+
+SimulatedVisitor SimulatedVisitor::drifted(const SimulatedVisitor& to, double share) const {
+    SimulatedVisitor moved = *this;
+    for (const Aspect aspect : kAspects) {
+        Place& wish = moved.aspects_[aspect].wish;
+        const Place& other = to.aspects_[aspect].wish;
+        for (std::size_t i = 0; i < wish.size(); ++i) {
+            const double turn = kGoldenShare * static_cast<double>(i + 1);
+            if (turn - std::floor(turn) < share) wish[i] = other[i];
+        }
+    }
+    return moved;
 }
 
 double SimulatedVisitor::distance(const Place& place, Aspect aspect) const {

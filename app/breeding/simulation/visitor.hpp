@@ -36,6 +36,10 @@ class SimulatedVisitor {
     // Which of the places they name best.
     std::size_t pick(std::span<const Place> places, genome::Aspect aspect, base::RandomStream& chance) const;
 
+    // The same eye, that wishes this share of its parameters as another visitor does; the more, the larger the share.
+    // In between of two wishes it would be content with the average.
+    SimulatedVisitor drifted(const SimulatedVisitor& to, double share) const;
+
     // For slider users, who know what each slider should be, more or less.
     const Place& wish(genome::Aspect aspect) const { return aspects_[aspect].wish; }
     const std::vector<double>& weights(genome::Aspect aspect) const { return aspects_[aspect].weights; }

@@ -128,6 +128,54 @@ TEST(Tournament, InWordsItIsWherePbilAndSlidersNeverCome) {
     EXPECT_GT(figures.ahead_of_novice_8.value, 0.1);
 }
 
+Standing standing_in(Party party, Method method) {
+    Tournament tournament = tournament_of(genome::Genome::Full);
+    tournament.party = party;
+    tournament.visitors = 40;
+    tournament.rounds = 8;
+    std::vector<Played> played;
+    for (int number = 0; number < tournament.visitors; ++number)
+        played.push_back(play(tournament, guests_of(tournament, number), number, method));
+    return standing_of(method, played);
+}
+
+TEST(Parties, AreWhoTheyAreSaidToBe) {
+    Tournament tournament = tournament_of(genome::Genome::Full);
+    EXPECT_EQ(guests_of(tournament, 5).size(), 1U);
+    tournament.party = Party::Group;
+    const Guests group = guests_of(tournament, 5);
+    ASSERT_EQ(group.size(), static_cast<std::size_t>(kInAGroup));
+    EXPECT_NE(group[0].wish(Aspect::Land), group[1].wish(Aspect::Land));
+    EXPECT_NE(group[1].wish(Aspect::Land), group[2].wish(Aspect::Land));
+    tournament.party = Party::Drifting;
+    tournament.rounds = 8;
+    const Guests drifting = guests_of(tournament, 5);
+    ASSERT_EQ(drifting.size(), 8U);
+    EXPECT_EQ(drifting.front().wish(Aspect::Land), visitor_of(tournament, 5).wish(Aspect::Land));
+    std::size_t before = 0;
+    for (const SimulatedVisitor& now : drifting) {
+        const Place& first = drifting.front().wish(Aspect::Land);
+        std::size_t changed = 0;
+        for (std::size_t i = 0; i < first.size(); ++i) changed += now.wish(Aspect::Land)[i] != first[i] ? 1U : 0U;
+        EXPECT_GE(changed, before);
+        before = changed;
+    }
+    const auto all = static_cast<double>(drifting.front().wish(Aspect::Land).size());
+    EXPECT_NEAR(static_cast<double>(before), 0.5 * all, 0.08 * all);
+}
+
+TEST(Parties, WhoDriftIsFollowedAndWhoTakeTurnsComeNearerTogether) {
+    for (const Party party : {Party::Drifting, Party::Group}) {
+        const Standing belief = standing_in(party, Method::Belief);
+        const Standing gaussian = standing_in(party, Method::PbilGaussian);
+        const Standing none = standing_in(party, Method::NoPick);
+        const double error = belief.standard_error.back() + none.standard_error.back();
+        EXPECT_GT(belief.closeness.back(), none.closeness.back() + 3 * error) << name_of(party);
+        EXPECT_GT(belief.closeness.back(), gaussian.closeness.back() + 3 * error) << name_of(party);
+        EXPECT_EQ(belief.worse_share, 0);
+    }
+}
+
 TEST(Figures, FollowFromTheStandings) {
     const auto standing = [](Method method, double at_5, double at_8, double at_15) {
         Standing one{method, std::vector<double>(15, at_5), std::vector<double>(15, 0.01), 0, 0};
