@@ -6,34 +6,22 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <optional>
 
 #include "mesh/plan_check.hpp"
+#include "support/plans.hpp"
 
 namespace mesh = quadrat::mesh;
 
 namespace {
 
-using Loop = std::vector<glm::dvec2>;
+using quadrat::tests::Loop;
 using Loops = std::vector<Loop>;
 
-// Four bytes a point; a point far to the left begins a hole. Nothing if it is no plan.
+// Nothing if it is no plan.
 std::optional<Loops> shape_of(const std::uint8_t* data, std::size_t size, glm::dvec2 moved) {
-    mesh::Plan plan;
-    Loop* loop = &plan.outer;
-    for (std::size_t i = 0; i + 4 <= size; i += 4) {
-        std::int16_t x = 0;
-        std::int16_t y = 0;
-        std::memcpy(&x, data + i, 2);
-        std::memcpy(&y, data + i + 2, 2);
-        if (x == -32768) {
-            loop = &plan.holes.emplace_back();
-            continue;
-        }
-        loop->push_back(glm::dvec2{x, y} * 0.37);
-    }
+    const mesh::Plan plan = quadrat::tests::plan_of_bytes(data, size, 0.37);
     try {
         const mesh::CheckedPlan plain = mesh::checked(plan);
         Loops loops;

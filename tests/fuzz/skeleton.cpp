@@ -8,26 +8,13 @@
 
 namespace mesh = quadrat::mesh;
 
-// A byte of how, then four bytes a point; a point far to the left begins a hole.
+// A byte of how, then the plan.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size < 13 || size > 600) return 0;
-    mesh::Plan plan;
     mesh::RoofOptions options;
     options.profiles = {{{{0, 45}}}, {{{0, 90}, {2, 30}}}, {{{0, 60}}}, {{{0, 20}, {1, 70}}}};
     const std::uint8_t how = data[0];
-    quadrat::tests::Loop* loop = &plan.outer;
-    for (std::size_t i = 1; i + 4 <= size; i += 4) {
-        std::int16_t x = 0;
-        std::int16_t y = 0;
-        std::memcpy(&x, data + i, 2);
-        std::memcpy(&y, data + i + 2, 2);
-        if (x == -32768) {
-            loop = &plan.holes.emplace_back();
-            continue;
-        }
-        const double unit = (how & 1) != 0 ? 1.0 / 256 : 0.37;
-        loop->emplace_back(x * unit, y * unit);
-    }
+    const mesh::Plan plan = quadrat::tests::plan_of_bytes(data + 1, size - 1, (how & 1) != 0 ? 1.0 / 256 : 0.37);
     for (std::size_t i = 0; i < plan.edge_count(); ++i)
         options.profile_of_edge.push_back((how & 2) != 0 ? static_cast<int>((i * 7 + how) % 4) : 0);
     if ((how & 4) != 0) options.height_m = 3;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <numbers>
 #include <numeric>
 #include <string>
@@ -16,6 +18,23 @@
 namespace quadrat::tests {
 
 using Loop = std::vector<glm::dvec2>;
+
+// Whatever a fuzzer says: four bytes a point, in so many metres; a point far to the left begins a hole.
+inline mesh::Plan plan_of_bytes(const std::uint8_t* data, std::size_t size, double unit_m) {
+    mesh::Plan plan;
+    Loop* loop = &plan.outer;
+    for (std::size_t i = 0; i + 4 <= size; i += 4) {
+        std::int16_t x = 0;
+        std::int16_t y = 0;
+        std::memcpy(&x, data + i, 2);
+        std::memcpy(&y, data + i + 2, 2);
+        if (x == -32768)
+            loop = &plan.holes.emplace_back();
+        else
+            loop->emplace_back(x * unit_m, y * unit_m);
+    }
+    return plan;
+}
 
 inline double signed_area(const Loop& loop) {
     double area = 0;
