@@ -16,6 +16,7 @@ void add_run(CLI::App& app, Action& chosen);
 void add_breed(CLI::App& app, Action& chosen);
 void add_render(CLI::App& app, Action& chosen);
 void add_code(CLI::App& app, Action& chosen);
+void add_postcard(CLI::App& app, Action& chosen);
 void add_sound(CLI::App& app, Action& chosen);
 void add_languages(CLI::App& app, Action& chosen);
 void add_export(CLI::App& app, Action& chosen);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "pictures/paste.hpp"
 #include "pictures/picture.hpp"
 #include "render/lettering.hpp"
 
@@ -25,18 +26,6 @@ void put_scaled(const mesh::Image& source, mesh::Image& target, int left, int to
                     for (int c = 0; c < 3; ++c) sum[c] += source.pixel(sx, sy)[c];
             const int count = (y1 - y0) * (x1 - x0);
             for (int c = 0; c < 3; ++c) target.pixel(left + x, top + y)[c] = static_cast<std::uint8_t>(sum[c] / count);
-        }
-    }
-}
-
-// `over` is premultiplied.
-void put_over(const mesh::Image& over, mesh::Image& target, int left, int top) {
-    for (int y = 0; y < std::min(over.height, target.height - top); ++y) {
-        for (int x = 0; x < std::min(over.width, target.width - left); ++x) {
-            const std::uint8_t* from = over.pixel(x, y);
-            std::uint8_t* to = target.pixel(left + x, top + y);
-            for (int c = 0; c < 3; ++c)
-                to[c] = static_cast<std::uint8_t>(std::min(255, from[c] + to[c] * (255 - from[3]) / 255));
         }
     }
 }
@@ -68,7 +57,7 @@ mesh::Image contact_sheet(const std::vector<SheetEntry>& entries, int columns, i
         render::TextStyle style;
         style.size_px = 18;
         style.shadow_px = 0;
-        put_over(render::letter(entries[i].caption, style), sheet, left, top + height_px + 6);
+        paste(render::letter(entries[i].caption, style), sheet, left, top + height_px + 6);
     }
     return sheet;
 }

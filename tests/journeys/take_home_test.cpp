@@ -31,6 +31,12 @@ std::string read_from_the_screen(Process& exhibit, const TemporaryFolder& folder
     return "";
 }
 
+std::string code_of(const std::string& scene, const TemporaryFolder& folder) {
+    const Ended encoded = run(program({"code", "encode", scene}), folder);
+    EXPECT_TRUE(succeeds(encoded));
+    return encoded.out.substr(0, encoded.out.find('\n'));
+}
+
 TEST(TakeHome, TheCodeOnTheScreenIsTheLandscapeThatWasBredAndDrawsItElsewhere) {
     const TemporaryFolder folder;
     folder.write(
@@ -62,11 +68,26 @@ TEST(TakeHome, TheCodeOnTheScreenIsTheLandscapeThatWasBredAndDrawsItElsewhere) {
     EXPECT_TRUE(succeeds(run(program({"render", address, "-o", "home.png", "--size", "160x90"}), folder)));
 }
 
+TEST(TakeHome, APostcardIsReadFromPaperAndDrawsItsLandscapeAgain) {
+    const TemporaryFolder folder;
+    folder.write("scene.json", "{\"quadrat\":\"picture\",\"version\":1,\"land_samples\":65,\"scenes\":[" +
+                                   run(program({"code", "decode", code_of("seed:7", folder)}), folder).out + "]}");
+    const Ended made = run(program({"postcard", "scene.json", "-o", "card.png", "--language", "de", "--place", "Museum",
+                                    "--date", "12. 10. 2026", "--address", kAddress}),
+                           folder);
+    ASSERT_TRUE(succeeds(made));
+    EXPECT_THAT(made.out, HasSubstr("/card.png\n"));
+    const Ended read = run({"zbarimg", "--quiet", "--raw", "card.png"}, folder);
+    ASSERT_TRUE(succeeds(read));
+    EXPECT_EQ(read.out, kAddress + code_of("seed:7", folder) + "\n");
+    EXPECT_EQ(code_of("card.png", folder), code_of("seed:7", folder)) << "it carries its scene";
+    EXPECT_EQ(run(program({"postcard", "seed:7", "-o", "card.jpg"}), folder).status, 2);
+    EXPECT_EQ(run(program({"postcard", "nothing.json", "-o", "card.png"}), folder).status, 2);
+}
+
 TEST(TakeHome, ACodeThatWasMisreadIsToldInOneLine) {
     const TemporaryFolder folder;
-    const Ended encoded = run(program({"code", "encode", "seed:7"}), folder);
-    ASSERT_TRUE(succeeds(encoded));
-    std::string code = encoded.out.substr(0, encoded.out.find('\n'));
+    std::string code = code_of("seed:7", folder);
     const Ended decoded = run(program({"code", "decode", code}), folder);
     EXPECT_THAT(decoded.out, StartsWith("{\"quadrat\":\"scene\",\"version\":1,"));
     std::swap(code[40], code[41]);

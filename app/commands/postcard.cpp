@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pictures/postcard.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "breeding/belief/coordinates.hpp"
+#include "breeding/words/nearest_words.hpp"
+#include "breeding/words/word_map.hpp"
+#include "commands/commands.hpp"
+#include "genome/scene_code.hpp"
+#include "genome/speech.hpp"
+#include "pictures/picture.hpp"
+#include "site/wall_clock.hpp"
+#include "stage/easel.hpp"
+
+namespace quadrat::commands {
+namespace {
+
+struct Options {
+    std::string scene;
+    std::string output;
+    std::string title;
+    std::string language = "en";
+    std::string place;
+    std::string date;
+    std::string address;
+    std::optional<float> seconds;
+    bool has_no_code = false;
+};
+
+// What the map would have called it.
+std::string title_of(const genome::Recipe& recipe, const genome::Language& language) {
+    genome::Description words;
+    for (const genome::Aspect aspect : genome::kAspects) {
+        const auto place = [&](const genome::ParameterValues& values) {
+            return breeding::place_of(values, genome::Genome::Full, aspect);
+        };
+        const breeding::Place wanted = place(recipe.values);
+        words = breeding::nearest_words(breeding::default_word_map(), aspect, words,
+                                        [&](const genome::ParameterValues& values) {
+                                            const breeding::Place other = place(values);
+                                            double sum = 0;
+                                            for (std::size_t i = 0; i < wanted.size(); ++i)
+                                                sum += (other[i] - wanted[i]) * (other[i] - wanted[i]);
+                                            return std::sqrt(sum);
+                                        });
+    }
+    return language.describe(words);
+}
+
+std::string today() { return site::date_text(site::read_wall_clock(site::LastTimeSeen({})).date); }
+
+int draw(const Options& options) {
+    base::require_ending(options.output, {".png"}, "a postcard");
+    const genome::Language& language = genome::language(options.language);
+    pictures::Picture picture = pictures::read_scene(options.scene);
+    if (picture.scenes.size() != 1)
+        throw base::InputError(options.scene + ": it shows four scenes; a postcard is of one");
+    picture.width = pictures::kOnPostcard_px.x;
+    picture.height = pictures::kOnPostcard_px.y;
+    picture.samples = 4;
+    picture.alpha = 2;
+    if (options.seconds) picture.seconds = *options.seconds;
+    stage::Easel easel(picture.width, picture.height, picture.ground);
+    pictures::Postcard card;
+    card.landscape = easel.draw(picture);
+    card.title = options.title.empty() ? title_of(picture.scenes.front(), language) : options.title;
+    const std::string date = options.date.empty() ? today() : options.date;
+    // Apart from what is written the other way.
+    const std::string when = fmt::format("\u2066{}\u2069", date);
+    card.below = options.place.empty() ? when : fmt::format("{} · {}", options.place, when);
+    if (!options.has_no_code) card.code = options.address + genome::code_of(picture.scenes.front());
+    card.reads_right_to_left = language.reads_right_to_left();
+    pictures::write_picture(options.output, pictures::draw_postcard(card), to_json(picture));
+    std::printf("%s\n", std::filesystem::absolute(options.output).lexically_normal().c_str());
+    return 0;
+}
+
+}  // namespace
+
+void add_postcard(CLI::App& app, Action& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "postcard", "A landscape on a card of 148 x 105 mm: its picture, its words, where and when, and its code");
+    command->add_option("scene", options->scene, "seed:N, a scene file, a picture that quadrat wrote, or a scene code")
+        ->required();
+    command->add_option("-o,--output", options->output, "Where to write it: NAME.png, which carries the scene inside")
+        ->required();
+    command->add_option("--title", options->title, "Instead of its words")->default_str("its words");
+    command->add_option("--language", options->language, "That its words are in, as de")
+        ->check(CLI::IsMember(genome::language_codes()))
+        ->capture_default_str();
+    command->add_option("--place", options->place, "Where it was bred, as \"Museum of Landscapes\"")
+        ->default_str("none");
+    command->add_option("--date", options->date, "When")->default_str("today, as 2026-10-12");
+    command->add_option("--address", options->address, "Before its code, as take_home.url among the settings")
+        ->default_str("none");
+    command->add_option("--time", options->seconds, "Seconds into the flight")
+        ->check(CLI::Range(0.0F, 1e6F))
+        ->default_str("the scene's, else 0");
+    command->add_flag("--no-code", options->has_no_code, "Without its code");
+    command->callback([options, &chosen] { chosen = [options] { return draw(*options); }; });
+}
+
+}  // namespace quadrat::commands
