@@ -151,14 +151,13 @@ void add_flowers(CoverMesh& to) {
     }
 }
 
-// A stone of five sides under a tilted top of three facets, and two small ones beside it.
-constexpr int kStones = 3;
+// A stone of five sides under a tilted top of three facets, and a small one beside it.
+constexpr int kStones = 2;
 constexpr int kSides = 5;
 constexpr int kFacets = 2 * kSides + kSides - 2;
 void add_stones(CoverMesh& to) {
     Tufts tufts(0x73'74'6F'6E, kStones, to);
-    constexpr std::array<glm::vec3, kStones> kPlaces{
-        {{0, 0, 1}, {1.9F, 0.8F, 0.5F}, {-1.1F, 1.7F, 0.38F}}};  // across, along, size
+    constexpr std::array<glm::vec3, kStones> kPlaces{{{0, 0, 1}, {1.7F, 0.9F, 0.48F}}};  // across, along, size
     using Ring = std::array<glm::vec3, kSides>;
     for (int i = 0; i < kStones; ++i) {
         const glm::vec3 stone = kPlaces[static_cast<std::size_t>(i)];

@@ -22,6 +22,7 @@ constexpr float kBladesA_px2 = 0.22F;  // of a plant as high as wide, where all 
 constexpr std::size_t kFewestBlades = 4;
 constexpr float kFewestBladesA_px = 0.15F;  // of its height: large blades that are few are flags
 constexpr float kLeastStand = 0.3F;   // of plants that are but a few blades: the fewest that stand for all of them
+constexpr float kStem_px = 11;         // high; of a smaller tree with leaves it is left out
 constexpr float kStandsFrom_px = 44;  // high; larger ones stand for themselves
 constexpr float kStandsTo_px = 24;
 constexpr float kMergedFrom = 0.40F;  // share of its blades with which a crown begins to become one mass
@@ -36,10 +37,10 @@ constexpr float kMassAlone = 0.7F;       // of its leaves, where its mass stands
 constexpr std::size_t kSimpleMass = 16;  // triangles: no more than the blades that would be seen instead
 // With less fineness than this larger crowns merge too: four blades that stand for thousands are shards.
 constexpr float kLeafyFrom = 0.125F;
-constexpr float kMassOutline = 8;          // triangles at least, times its height in pixels to this power:
-constexpr float kMassOutlinePower = 0.8F;  // its outline is smooth at any size
-constexpr float kBladesFineness = 0.012F;  // nor what is never a mass: a handful of its blades are flags
-constexpr float kFewestOverMass = 12;      // blades; fewer are left out
+constexpr float kMassOutline = 9;          // triangles at least, times its height in pixels to this power:
+constexpr float kMassOutlinePower = 0.75F;  // its outline is smooth at any size
+constexpr float kBladesFineness = 0.012F;   // nor what is never a mass: a handful of its blades are flags
+constexpr float kFewestOverMass = 12;       // blades; fewer are left out
 // Blades that would have to be enlarged by so much, and are so long on the screen, are shards in a thin crown, which is
 // better one mass without them where little is drawn of anything.
 constexpr float kShardsFrom = 2.8F;
@@ -235,8 +236,8 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     const Level wood = level_leaving_out(kind.wood_left_out_m, kLimb_px * m_a_px / std::sqrt(fineness));
     how.wood_level = wood.at;
     how.to_coarser = wood.to_coarser;
-    // A stem under half a pixel behind leaves is not missed.
-    if (has_leaves && height_px < 14) how.wood_level = kind.wood_triangles.size();
+    // A stem that is no pixel wide behind leaves is not missed.
+    if (has_leaves && height_px < kStem_px) how.wood_level = kind.wood_triangles.size();
     if (!has_leaves) return how;
     const float least = kind.mass_triangles.empty() ? kBladesFineness : 0;
     const float fewest = std::min(static_cast<float>(kind.blades),

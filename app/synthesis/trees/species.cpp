@@ -94,7 +94,7 @@ scene::Species species_of(TreeSkeleton skeleton, const Form& f, base::Seed seed)
     if (!k.is_rosette && !has_spines) species.masses = crown_masses(species.leaves);
     add_fringe(species.masses);
     if (species.leaves.blades > 0 && !has_spines) add_spindle(species.wood, species.height_m, species.trunk_radius_m);
-    set_coarser(species.wood);
+    set_coarser(species.wood, species.trunk_radius_m);
     // Twigs are all the crown that a bare tree has: they are left out later.
     for (scene::Wood& wood : species.wood) wood.left_out_m *= 1 + 2.5F * f.bareness;
     if (k.is_rosette) {

@@ -20,6 +20,7 @@ namespace quadrat::synthesis::trees {
 namespace {
 
 constexpr float kTurn_rad = 6.2831853F;
+constexpr float kStemOfHeight = 0.06F;  // a shrub's, its radius
 
 glm::vec3 flat_direction(float bearing_rad) { return {std::cos(bearing_rad), 0, std::sin(bearing_rad)}; }
 
@@ -286,7 +287,7 @@ scene::Species shrub(const ShrubOptions& o, base::Seed seed) {
     far.flattest = 2;
     species.wood = {sweep_tubes(skeleton, near), sweep_tubes(skeleton, far)};
     species.wood.back().left_out_m = thickest_left_out_m(skeleton, far.most_nodes);
-    set_coarser(species.wood);
+    set_coarser(species.wood, kStemOfHeight * o.height_m);
     FoliageOptions foliage;
     foliage.kind = LeafKind::Ovate;
     const float ratio = o.height_m * o.height_m / (o.leaf_m * o.leaf_m);
@@ -308,7 +309,7 @@ scene::Species shrub(const ShrubOptions& o, base::Seed seed) {
     species.bark_colour = o.bark;
     species.height_m = o.height_m;
     species.crown_radius_m = 0.55F * o.height_m * (0.4F + 0.6F * o.width);
-    species.trunk_radius_m = 0.06F * o.height_m;
+    species.trunk_radius_m = kStemOfHeight * o.height_m;
     species.treeline_m = 300;
     species.steepest_slope = 0.9F;
     return species;

@@ -78,8 +78,9 @@ class Neighbours {
 // a web between both.
 class Untorn {
   public:
-    Untorn(const mesh::Mesh& mesh, Ways ways)
-        : mesh_(mesh), neighbours_(mesh), ways_(std::move(ways)), is_settled_(ways_.size(), 1) {
+    // slack_m: across a trunk's foot neighbours may go to opposite sides.
+    Untorn(const mesh::Mesh& mesh, Ways ways, float slack_m)
+        : mesh_(mesh), neighbours_(mesh), ways_(std::move(ways)), slack_m_(slack_m), is_settled_(ways_.size(), 1) {
         std::vector<std::uint32_t> torn = in_torn_pieces();
         std::ranges::stable_sort(torn, {}, [&](std::uint32_t v) { return ways_[v].distance_m; });
         for (const std::uint32_t vertex : torn)
@@ -93,8 +94,8 @@ class Untorn {
         return glm::dot(off, off);
     }
     bool is_torn(std::uint32_t a, std::uint32_t b) const {
-        const glm::vec3 off = ways_[a].at_m - ways_[b].at_m;
-        return glm::dot(off, off) > kMostStretched * kMostStretched * apart2(a, b);
+        const float off_m = glm::distance(ways_[a].at_m, ways_[b].at_m);
+        return off_m > slack_m_ && off_m > slack_m_ + kMostStretched * std::sqrt(apart2(a, b));
     }
     // All vertices of pieces that have a torn edge, which are no longer settled.
     std::vector<std::uint32_t> in_torn_pieces() {
@@ -145,6 +146,7 @@ class Untorn {
     const mesh::Mesh& mesh_;
     const Neighbours neighbours_;
     Ways ways_;
+    float slack_m_;
     std::vector<char> is_settled_;
 };
 
@@ -214,14 +216,14 @@ void add_spindle(std::vector<scene::Wood>& levels, float height_m, float radius_
     levels.push_back(std::move(wood));
 }
 
-void set_coarser(std::vector<scene::Wood>& levels) {
+void set_coarser(std::vector<scene::Wood>& levels, float trunk_radius_m) {
     for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
         scene::Wood& wood = levels[level];
         const scene::Wood& next = levels[level + 1];
         if (next.mesh.indices.empty()) continue;
         wood.coarser_m.clear();
         wood.coarser_sways.clear();
-        const Untorn untorn(wood.mesh, nearest_on(next.mesh, wood.mesh.positions_m));
+        const Untorn untorn(wood.mesh, nearest_on(next.mesh, wood.mesh.positions_m), trunk_radius_m);
         for (const mesh::Nearness::Nearest& on : untorn.ways()) {
             wood.coarser_m.push_back(on.at_m);
             wood.coarser_sways.push_back(between(next.mesh, next.sways, on));

@@ -17,6 +17,6 @@ void add_spindle(std::vector<scene::Wood>& levels, float height_m, float radius_
 
 // Where each vertex of a level goes as the next takes its place: the nearest point of that, or where its neighbours go
 // if that is elsewhere, so that limbs which are left out draw back into those that bear them.
-void set_coarser(std::vector<scene::Wood>& levels);
+void set_coarser(std::vector<scene::Wood>& levels, float trunk_radius_m);
 
 }  // namespace quadrat::synthesis::trees

@@ -38,14 +38,29 @@ std::string wood_fault(const scene::Wood& wood) {
     return n > 0 && tests::volume_of(wood.mesh) <= 0 ? "inside out" : "";
 }
 
-// Of all levels: that each knows the way to the next one's surface.
-std::string levels_fault(const std::vector<scene::Wood>& levels) {
+// How far from what is nearest of the next level what stands on the ground goes, in the mean.
+float foot_strays_m(const scene::Wood& wood, const mesh::Nearness& next, float foot_m) {
+    float strays = 0;
+    float count = 0;
+    for (std::size_t i = 0; i < wood.coarser_m.size(); ++i) {
+        const glm::vec3 at_m = wood.mesh.positions_m[i];
+        if (at_m.y > foot_m) continue;
+        strays += glm::distance(wood.coarser_m[i], next.nearest(at_m).at_m);
+        ++count;
+    }
+    return strays / std::max(count, 1.0F);
+}
+
+// Of all levels: that each knows the way to the next one's surface, and none takes a trunk from the ground.
+std::string levels_fault(const std::vector<scene::Wood>& levels, float trunk_radius_m) {
     for (std::size_t level = 0; level < levels.size(); ++level) {
         const scene::Wood& wood = levels[level];
         const std::size_t ways = level + 1 < levels.size() ? wood.mesh.positions_m.size() : 0;
         if (wood.coarser_m.size() != ways || wood.coarser_sways.size() != ways) return "a vertex without a way";
         if (ways == 0) continue;
         const mesh::Nearness next(levels[level + 1].mesh);
+        const float strays = foot_strays_m(wood, next, trunk_radius_m) / trunk_radius_m;
+        if (strays > 0.5F) return "a trunk that leaves the ground by " + std::to_string(strays);
         for (std::size_t i = 0; i < ways; ++i) {
             if (next.distance_m(wood.coarser_m[i]) > 1e-3F) return "a way that ends beside the next level";
             if (!(wood.coarser_sways[i] >= 0 && wood.coarser_sways[i] <= 1)) return "a sway beyond 0 to 1";
@@ -113,7 +128,7 @@ TEST_P(EveryHabit, GrowsSoundClosedWoodAndLeavesWithinItsBudget) {
         SCOPED_TRACE(species.name);
         ASSERT_FALSE(species.wood.empty());
         for (const scene::Wood& wood : species.wood) EXPECT_EQ(wood_fault(wood), "");
-        EXPECT_EQ(levels_fault(species.wood), "");
+        EXPECT_EQ(levels_fault(species.wood, species.trunk_radius_m), "");
         EXPECT_EQ(leaves_fault(species.leaves), "");
         EXPECT_EQ(masses_fault(species), "");
     }
@@ -204,7 +219,8 @@ TEST(Trees, OfRandomGenomesHoldTheirBudgets) {
             if (wood.mesh.triangle_count() > kMostWoodTriangles)
                 blame(i, "too many triangles of wood: " + std::to_string(wood.mesh.triangle_count()));
         }
-        if (const std::string fault = levels_fault(species.wood); !fault.empty()) blame(i, fault);
+        if (const std::string fault = levels_fault(species.wood, species.trunk_radius_m); !fault.empty())
+            blame(i, fault);
         if (const std::string fault = leaves_fault(species.leaves); !fault.empty()) blame(i, fault);
         if (const std::string fault = masses_fault(species); !fault.empty()) blame(i, fault);
         if (species.leaves.indices.size() / 3 > kMostLeafTriangles) blame(i, "too many leaves");

@@ -166,8 +166,10 @@ TEST(WoodLevels, LeaveNoWebBetweenLimbs) {
         Form form;
         form.habit = habit;
         form.bareness = 1;
-        std::vector<scene::Wood> levels = wood_levels(skeleton_of_species(form, base::Seed{7}), 1);
-        set_coarser(levels);
+        const TreeSkeleton skeleton = skeleton_of_species(form, base::Seed{7});
+        const float trunk_radius_m = skeleton.limbs.front().nodes.front().radius_m;
+        std::vector<scene::Wood> levels = wood_levels(skeleton, 1);
+        set_coarser(levels, trunk_radius_m);
         for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
             const scene::Wood& wood = levels[level];
             const scene::Wood& next = levels[level + 1];
