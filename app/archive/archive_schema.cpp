@@ -124,7 +124,7 @@ int version_of_ours(const Connection& connection, const std::string& schema) {
 
 void require_whole(const Connection& connection) {
     Statement check = connection.prepare("PRAGMA quick_check(1)");
-    if (!check.step() || check.text(0) != "ok") throw DamageError("it fails SQLite's check: " + check.text(0));
+    if (!check.step() || check.text(0) != "ok") throw DamageError("it fails SQLite's check: " + legible(check.text(0)));
 }
 
 // A file of an older program has larger pages. Not while somebody else reads it: then at the next start.

@@ -3,6 +3,7 @@
 
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <string>
 
 namespace quadrat::archive {
@@ -11,7 +12,7 @@ namespace {
 constexpr int kBusyTimeout_ms = 2000;  // a report being read beside the running exhibit
 
 [[noreturn]] void fail(sqlite3* database, int code) {
-    throw SqliteError(code & 0xff, database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code));
+    throw SqliteError(code & 0xff, legible(database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code)));
 }
 
 // Every byte as a number: no name means anything else.
@@ -29,6 +30,12 @@ std::string uri_at_rest(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+std::string legible(std::string message) {
+    std::ranges::replace_if(
+        message, [](char c) { return c < ' ' || c > '~'; }, '?');
+    return message;
+}
 
 void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 

@@ -13,6 +13,9 @@ struct sqlite3_stmt;
 
 namespace quadrat::archive {
 
+// What SQLite says of a damaged file quotes what that holds: no byte of it may reach a terminal.
+std::string legible(std::string message);
+
 // As much of SQLite as the archive needs. Both throw SqliteError; the archive turns it into a value.
 class SqliteError : public std::runtime_error {
   public:

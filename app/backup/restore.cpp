@@ -92,8 +92,8 @@ class Restorer {
     void check_state() const {
         for (const std::string& name : unpacked_.state) {
             const fs::path file = staging_.place(name);
+            if (name == archive::kStateFile) check_state_file(file);
             try {
-                if (name == archive::kStateFile) check_state_file(file);
                 if (name.starts_with("words")) breeding::word_lessons_from(base::read_file(file, kLargest), name);
                 if (name == "buttons.map") firmware_io::hid::read_mappings(file);
             } catch (const base::InputError& error) {

@@ -135,6 +135,7 @@ class Derivation {
         for (std::size_t i = 0; i < rule.parts.size(); ++i) {
             const double size =
                 rule.parts[i].is_relative ? std::max(0.0, whole - fixed) * sizes[i] / shares : squeeze * sizes[i];
+            if (!std::isfinite(size)) refuse_at(grammar_.source, rule.place, "parts that have no size, or no end");
             Shape part = shape;
             part.low[rule.axis] = at;
             at += size;
