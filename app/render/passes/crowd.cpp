@@ -22,7 +22,7 @@ constexpr float kBladesA_px2 = 0.22F;  // of a plant as high as wide, where all 
 constexpr std::size_t kFewestBlades = 4;
 constexpr float kFewestBladesA_px = 0.15F;  // of its height: large blades that are few are flags
 constexpr float kLeastStand = 0.3F;   // of plants that are but a few blades: the fewest that stand for all of them
-constexpr float kStem_px = 11;         // high; of a smaller tree with leaves it is left out
+constexpr float kStem_px = 11;        // high; of a smaller tree with leaves it is left out
 constexpr float kStandsFrom_px = 44;  // high; larger ones stand for themselves
 constexpr float kStandsTo_px = 24;
 constexpr float kMergedFrom = 0.40F;  // share of its blades with which a crown begins to become one mass
@@ -37,7 +37,7 @@ constexpr float kMassAlone = 0.7F;       // of its leaves, where its mass stands
 constexpr std::size_t kSimpleMass = 16;  // triangles: no more than the blades that would be seen instead
 // With less fineness than this larger crowns merge too: four blades that stand for thousands are shards.
 constexpr float kLeafyFrom = 0.125F;
-constexpr float kMassOutline = 9;          // triangles at least, times its height in pixels to this power:
+constexpr float kMassOutline = 9;           // triangles at least, times its height in pixels to this power:
 constexpr float kMassOutlinePower = 0.75F;  // its outline is smooth at any size
 constexpr float kBladesFineness = 0.012F;   // nor what is never a mass: a handful of its blades are flags
 constexpr float kFewestOverMass = 12;       // blades; fewer are left out
