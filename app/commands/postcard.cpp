@@ -3,14 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "breeding/belief/coordinates.hpp"
 #include "breeding/words/nearest_words.hpp"
 #include "breeding/words/word_map.hpp"
 #include "commands/commands.hpp"
@@ -35,23 +33,10 @@ struct Options {
     bool has_no_code = false;
 };
 
-// What the map would have called it.
 std::string title_of(const genome::Recipe& recipe, const genome::Language& language) {
     genome::Description words;
-    for (const genome::Aspect aspect : genome::kAspects) {
-        const auto place = [&](const genome::ParameterValues& values) {
-            return breeding::place_of(values, genome::Genome::Full, aspect);
-        };
-        const breeding::Place wanted = place(recipe.values);
-        words = breeding::nearest_words(breeding::default_word_map(), aspect, words,
-                                        [&](const genome::ParameterValues& values) {
-                                            const breeding::Place other = place(values);
-                                            double sum = 0;
-                                            for (std::size_t i = 0; i < wanted.size(); ++i)
-                                                sum += (other[i] - wanted[i]) * (other[i] - wanted[i]);
-                                            return std::sqrt(sum);
-                                        });
-    }
+    for (const genome::Aspect aspect : genome::kAspects)
+        words = breeding::words_of_scene(recipe.values, aspect, breeding::default_word_map(), words);
     return language.describe(words);
 }
 

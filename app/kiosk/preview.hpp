@@ -7,8 +7,7 @@
 namespace quadrat::kiosk {
 
 // The words that were wished for where they would stand, over the landscapes of now. Drawn over the canvas, before the
-// frame itself is; empty where nothing can be drawn, or there is
-// no such prompt.
+// frame itself is; empty where nothing can be drawn, or there is no such prompt.
 mesh::Image preview_of(const staff::PreviewWish& wish, const Show& show, stage::Theatre& theatre,
                        const site::Configuration& configuration, const display::Canvas& canvas, base::Instant now);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "staff/caretaker.hpp"
-#include "staff/landscapes.hpp"
 
 #include <fmt/format.h>
 
@@ -13,6 +12,7 @@
 #include "machine/version.hpp"
 #include "pictures/picture.hpp"
 #include "pictures/png_picture.hpp"
+#include "staff/landscapes.hpp"
 
 namespace quadrat::staff {
 namespace {

@@ -54,4 +54,18 @@ genome::Description nearest_words(const WordMap& map, genome::Aspect aspect, con
     return search.nearest;
 }
 
+genome::Description words_of_scene(const genome::ParameterValues& values, genome::Aspect aspect, const WordMap& map,
+                                   const genome::Description& words) {
+    const auto ids = parameters_of(aspect, genome::Genome::Full);
+    return nearest_words(map, aspect, words, [&](const genome::ParameterValues& told) {
+        double squares = 0;
+        for (const genome::ParameterId id : ids) {
+            const genome::Parameter& p = parameter(id);
+            const double apart = static_cast<double>(told[id] - values[id]) / static_cast<double>(p.max - p.min);
+            squares += apart * apart;
+        }
+        return squares;
+    });
+}
+
 }  // namespace quadrat::breeding

@@ -14,4 +14,8 @@ using Farness = std::function<double(const genome::ParameterValues&)>;
 genome::Description nearest_words(const WordMap& map, genome::Aspect aspect, const genome::Description& words,
                                   const Farness& farness);
 
+// What the map would have called an aspect of a scene; the other aspects' words stay as they are in `words`.
+genome::Description words_of_scene(const genome::ParameterValues& values, genome::Aspect aspect, const WordMap& map,
+                                   const genome::Description& words = {});
+
 }  // namespace quadrat::breeding

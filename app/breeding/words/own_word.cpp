@@ -46,19 +46,6 @@ void require_of_aspect(const genome::PartialDescription& words, Aspect aspect, s
                                          name_of(word.aspect), name_of(aspect)));
 }
 
-genome::Description described(const genome::ParameterValues& values, Aspect aspect, const WordMap& map) {
-    const auto ids = parameters_of(aspect, genome::Genome::Full);
-    return nearest_words(map, aspect, {}, [&](const genome::ParameterValues& told) {
-        double squares = 0;
-        for (const genome::ParameterId id : ids) {
-            const genome::Parameter& p = parameter(id);
-            const double apart = static_cast<double>(told[id] - values[id]) / static_cast<double>(p.max - p.min);
-            squares += apart * apart;
-        }
-        return squares;
-    });
-}
-
 void append_scene(Said& said, const json& scene, Aspect aspect, const WordMap& map, std::string_view source,
                   const std::string& place) {
     genome::require_object(scene, {"value", "words", "parameters"}, source, place);
@@ -75,7 +62,7 @@ void append_scene(Said& said, const json& scene, Aspect aspect, const WordMap& m
         said.words.push_back(point_of(map.completed(words), aspect));
     } else {
         const auto values = genome::values_from(scene["parameters"], source, place + ".parameters");
-        said.words.push_back(point_of(described(values, aspect, map), aspect));
+        said.words.push_back(point_of(words_of_scene(values, aspect, map), aspect));
     }
 }
 

@@ -23,6 +23,7 @@ namespace {
 constexpr int kLevels = 10;          // of the light's grid, from base to top
 constexpr int kSide = 128;           // of it, over the tile
 constexpr float kRelief = 1.3F;      // of thick clouds' undersides, in their light
+constexpr float kBrightest = 0.16F;  // thinner than this nothing is told apart: holes would be lamps
 constexpr float kStep = 1.036F;      // of the distance from one slab to the next
 constexpr std::size_t kAround = 4;   // halvings of the tile: sixteenths of a cloud
 constexpr float kGapHeight = 0.24F;  // sine of how high a whole gap reaches
@@ -178,7 +179,7 @@ class Column {
         // What comes down through the whole of it.
         const float through =
             std::exp(-0.45F * slab.told_apart * slab.depth) * (0.8F + 0.35F * tiled(*slab.bulges, slab.at));
-        const float relief = kRelief * (1.0F - slab.told_apart) * (through - 0.42F);
+        const float relief = kRelief * (1.0F - slab.told_apart) * std::min(through - 0.42F, kBrightest);
         const float tiles_per_m = 1.0F / shape.tile_m;
         for (auto y = static_cast<std::size_t>(first); y < rows.rise.size(); ++y) {
             const float t = rows.rise[y];

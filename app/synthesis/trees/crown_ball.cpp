@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "mesh/nearness.hpp"
+#include "synthesis/trees/crown_reach.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -66,15 +67,13 @@ scene::CrownMass wrapped(const scene::CrownMass& crown, const Sphere& sphere) {
     glm::vec3 about_m{0};
     for (const glm::vec3& at_m : crown.mesh.positions_m) about_m += at_m;
     about_m /= static_cast<float>(crown.mesh.positions_m.size());
-    float reach_m = 0.01F;
-    for (const glm::vec3& at_m : crown.mesh.positions_m) reach_m = std::max(reach_m, glm::length(at_m));
+    const float most_m = reach_m(crown.mesh);
     scene::CrownMass mass;
     mass.share = crown.share;
     mass.mesh.indices = sphere.indices;
     for (const glm::vec3& direction : sphere.directions) {
         const auto [like, far_m] = farthest(crown.mesh, about_m, direction);
-        const glm::vec3 at_m = about_m + far_m * direction;
-        mass.mesh.positions_m.push_back(at_m * std::min(reach_m / std::max(glm::length(at_m), 1e-3F), 1.0F));
+        mass.mesh.positions_m.push_back(within(about_m + far_m * direction, most_m));
         mass.mesh.normals.push_back(direction);
         mass.colours.push_back(crown.colours[like]);
         mass.shades.push_back(crown.shades[like]);

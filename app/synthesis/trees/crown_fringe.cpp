@@ -10,6 +10,7 @@
 #include "base/seed.hpp"
 #include "mesh/pieces.hpp"
 #include "synthesis/trees/crown_ball.hpp"
+#include "synthesis/trees/crown_reach.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -20,7 +21,6 @@ constexpr float kCovers = 1.0F;               // of the mass, by area,
 constexpr float kLargest = 0.016F;            // of it, one spray: larger ones are spikes
 constexpr float kLength = 1.8F;               // of a spray, to the square root of its area, and so its width
 constexpr float kWidth = 4.0F / 3;
-constexpr float kReach = 1.0F;  // of the mass, from the root
 constexpr double kGoldenShare = 0.6180339887498949;
 
 // Where a spray stands on the finest mass, and what the leaves about it are.
@@ -89,12 +89,12 @@ std::vector<Spray> sprays_of(const scene::CrownMass& mass, std::size_t count) {
 }
 
 // Foot, foot, tip, its outside to the front; none further from the root than so much. area_m2: of the triangle.
-std::array<glm::vec3, 3> corners(const Spray& spray, float area_m2, float reach_m) {
+std::array<glm::vec3, 3> corners(const Spray& spray, float area_m2, float most_m) {
     const float length_m = kLength * std::sqrt(area_m2);
     const float half_m = 0.5F * kWidth * std::sqrt(area_m2);
     const glm::vec3 foot = spray.at_m - 0.2F * length_m * spray.along;
     std::array<glm::vec3, 3> at{foot - half_m * spray.side, foot + half_m * spray.side, foot + length_m * spray.along};
-    for (glm::vec3& corner : at) corner *= std::min(reach_m / std::max(glm::length(corner), 1e-3F), 1.0F);
+    for (glm::vec3& corner : at) corner = within(corner, most_m);
     return at;
 }
 
@@ -126,12 +126,10 @@ void add_fringe(std::vector<scene::CrownMass>& masses) {
     if (counts.front() == 0) return;
     const std::vector<Spray> sprays = sprays_of(masses.front(), counts.front());
     const float crown_m2 = areas_up_to(masses.front().mesh).back();
-    float reach_m = 0;
-    for (const glm::vec3& at_m : masses.front().mesh.positions_m)
-        reach_m = std::max(reach_m, kReach * glm::length(at_m));
+    const float most_m = reach_m(masses.front().mesh);
     const auto at = [&](std::size_t level, std::size_t spray) {
         const float share = std::min(kCovers / static_cast<float>(counts[level]), kLargest);
-        return corners(sprays[spray], share * crown_m2, reach_m);
+        return corners(sprays[spray], share * crown_m2, most_m);
     };
     for (std::size_t level = 0; level < masses.size() && counts[level] > 0; ++level) {
         const bool has_coarser = !masses[level].coarser_m.empty();

@@ -18,6 +18,7 @@
 #include "mesh/progressive.hpp"
 #include "mesh/sparse_field.hpp"
 #include "synthesis/trees/crown_ball.hpp"
+#include "synthesis/trees/crown_reach.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -268,12 +269,6 @@ glm::vec3 middle_m(const mesh::Mesh& mesh, const Clump& clump) {
     return sum / static_cast<float>(3 * clump.size());
 }
 
-float reach_m(const mesh::Mesh& mesh) {
-    float reach = 0;
-    for (const glm::vec3& at_m : mesh.positions_m) reach = std::max(reach, glm::length(at_m));
-    return reach;
-}
-
 // What is left of a crown when all but some of its clumps are left out.
 struct Fewer {
     mesh::Mesh mesh;
@@ -295,7 +290,7 @@ Fewer enlarged(const mesh::Mesh& crown, std::span<const Clump> clumps, std::size
                 const auto [at, is_new] = now.try_emplace(was, static_cast<std::uint32_t>(fewer.sources.size()));
                 if (is_new) {
                     const glm::vec3 larger_m = glm::mix(about_m, crown.positions_m[was], larger);
-                    fewer.at_m[was] = c < kept ? larger_m * std::min(most_m / glm::length(larger_m), 1.0F) : about_m;
+                    fewer.at_m[was] = c < kept ? within(larger_m, most_m) : about_m;
                 }
                 if (c >= kept) continue;
                 fewer.mesh.indices.push_back(at->second);
@@ -367,8 +362,7 @@ std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves, float de
     const mesh::Surface surface = mesh::polygonise(field);
     mesh::Mesh whole;
     for (const glm::vec3& p : surface.positions) {
-        const glm::vec3 at_m = density.place_m(p);
-        whole.positions_m.push_back(at_m * std::min(density.reach_m() / std::max(glm::length(at_m), 1e-3F), 1.0F));
+        whole.positions_m.push_back(within(density.place_m(p), density.reach_m()));
     }
     whole.indices = surface.indices;
     mesh::ProgressiveOptions options;
