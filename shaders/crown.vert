@@ -28,8 +28,11 @@ void main() {
     vec2 away = normalize(root_scale.xz - view.eye_seconds.xz);
     vec3 from_root = (at_m - root_scale.xyz) * (height_m_tiles.y / root_scale.w);
     on_blade = vec3(dot(from_root.xz, vec2(-away.y, away.x)), -0.5 * dot(from_root.xz, away) - from_root.y,
-                    1.35 - 1.35 * air.a);
+                    2.1 - 2.1 * air.a);
     // Behind leaves it is the crown's inside, which is darker.
     float lit = 0.7 + 0.3 * becoming.z;
-    shown = leaf_shown(turned(crown_normal), root_colour_shade * vec4(vec3(sqrt(lit)), lit));
+    // Its underside sees the ground and its own shadow, its top the whole sky: so it looks round from afar.
+    vec3 normal = turned(crown_normal);
+    lit *= 0.38 + 0.84 * smoothstep(-0.9, 0.8, normal.y);
+    shown = leaf_shown(normal, root_colour_shade * vec4(vec3(sqrt(lit)), lit));
 }

@@ -17,8 +17,8 @@ out vec4 over_grain;
 out vec2 grains;
 
 const vec4 kTiles = vec4(vec2(1.0 / 210.0), vec2(1.0 / 690.0));  // 1/m
-const float kSoft = 0.5;
-const float kStone = 0.7;
+const float kSoft = 0.32;
+const float kStone = 0.6;
 
 void main() {
     vec3 at_m = grid_place();

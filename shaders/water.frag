@@ -21,9 +21,9 @@ layout(location = 0) out vec4 pixel;
 void main() {
     float slope = mix(texture(ripples, carried.xy).r, texture(ripples, carried.zw).r, turn) * 2.4 - 1.2;
     float deep = texture(ground, over_land).a;
-    // A ripple that leans away shows what is higher; one that leans just so, the sun.
+    // A ripple that leans away shows what is higher, and more of it; one that leans just so, the sun.
     vec3 sky = texture(picture, vec2(mirrored.x, slope * mirror.ripple.x + mirrored.y)).rgb;
-    float share = mirrored.z + exp2(slope * mirror.ripple.y + glitter);
+    float share = mirrored.z + slope * 0.05 + exp2(slope * mirror.ripple.y + glitter);
     float foam = max(white - deep * 13.0, 0.0) * view.mirrored.w;
     // The bed shows through where it is near, and at the very shore there is only a film. The target clamps.
     pixel = vec4(sky * share + before + foam, deep * 1.4 + (min(deep * 14.0, 0.25) + foam));

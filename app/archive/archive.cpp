@@ -9,6 +9,7 @@
 
 #include "archive/archive_schema.hpp"
 #include "archive/scene_rows.hpp"
+#include "archive/visit_rows.hpp"
 #include "archive/word_answers.hpp"
 #include "base/error.hpp"
 #include "genome/json_text.hpp"
@@ -95,15 +96,6 @@ bool is_open_in(const Connection& connection, std::int64_t visit) {
         return row.bind(visit).step();
     } catch (const SqliteError&) {
         return false;
-    }
-}
-
-std::string remembered_in(const Connection& connection, std::string_view name) {
-    try {
-        Statement row = connection.prepare("SELECT value FROM memory WHERE name=?");
-        return row.bind(name).step() ? row.text(0) : std::string{};
-    } catch (const SqliteError&) {
-        return {};
     }
 }
 
@@ -296,7 +288,7 @@ Trouble Archive::remember(std::string_view name, std::string_view value) {
     });
 }
 
-std::string Archive::remembered(std::string_view name) const { return remembered_in(connection_, name); }
+std::string Archive::remembered(std::string_view name) const { return archive::remembered(connection_, name); }
 
 Trouble Archive::post(std::string_view topic, std::string_view payload, int most) {
     return attempt("a message", [&] {
@@ -313,10 +305,11 @@ Kept Archive::kept_in(const Connection& connection) {
     Kept kept;
     kept.interrupted = latest_in(connection);
     if (kept.interrupted && !is_open_in(connection, kept.interrupted->visit)) kept.interrupted.reset();
-    kept.buttons = remembered_in(connection, "buttons");
-    kept.detail = remembered_in(connection, "detail");
-    kept.gpu = remembered_in(connection, "gpu");
-    kept.language = remembered_in(connection, "language");
+    kept.buttons = archive::remembered(connection, "buttons");
+    kept.detail = archive::remembered(connection, "detail");
+    kept.gpu = archive::remembered(connection, "gpu");
+    kept.language = archive::remembered(connection, "language");
+    kept.collection = archive::remembered(connection, "collection");
     return kept;
 }
 

@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 #include "base/error.hpp"
+#include "genome/scene_code.hpp"
 
 namespace quadrat::archive {
 namespace {
 
 constexpr char kNone = '-';
+constexpr char kLiked = '=';
 
 [[noreturn]] void refuse(std::string_view word) {
     throw base::InputError(fmt::format("\"{}\" is neither three picks nor a turn of a slider", word));
@@ -38,12 +41,48 @@ Deed step_from(std::string_view word) {
     return {{}, step};
 }
 
+Deed liking(std::string code) {
+    Deed deed;
+    deed.pick.each.fill(0);
+    deed.liked = std::move(code);
+    return deed;
+}
+
+Deed liking_from(std::string_view word) {
+    const std::string code(word.substr(1));
+    genome::recipe_of_code(code, "deeds");  // throws for what is none
+    return liking(code);
+}
+
+Deed deed_from(std::string_view word) {
+    if (word.front() == kLiked) return liking_from(word);
+    return word.front() >= '0' && word.front() <= '9' ? step_from(word) : pick_from(word);
+}
+
 }  // namespace
+
+std::vector<Deed> deeds_of(const std::string& liked, const std::vector<genome::Pick>& picks) {
+    std::vector<Deed> deeds;
+    if (!liked.empty()) deeds.push_back(liking(liked));
+    for (const genome::Pick& pick : picks) deeds.push_back({pick, std::nullopt});
+    return deeds;
+}
+
+std::vector<genome::Pick> picks_of(const std::vector<Deed>& deeds) {
+    std::vector<genome::Pick> picks;
+    for (const Deed& deed : deeds)
+        if (deed.liked.empty()) picks.push_back(deed.pick);
+    return picks;
+}
 
 std::string to_text(const std::vector<Deed>& deeds) {
     std::string text;
     for (const Deed& deed : deeds) {
         if (!text.empty()) text += ' ';
+        if (!deed.liked.empty()) {
+            text += kLiked + deed.liked;
+            continue;
+        }
         if (deed.step) {
             text += fmt::format("{}{}", deed.step->slider, deed.step->direction < 0 ? '-' : '+');
             continue;
@@ -59,7 +98,7 @@ std::vector<Deed> deeds_from(std::string_view text) {
     while (!text.empty()) {
         const std::string_view word = text.substr(0, text.find(' '));
         if (word.empty()) refuse(word);
-        deeds.push_back(word.front() >= '0' && word.front() <= '9' ? step_from(word) : pick_from(word));
+        deeds.push_back(deed_from(word));
         text.remove_prefix(std::min(text.size(), word.size() + 1));
     }
     return deeds;

@@ -41,4 +41,10 @@ Trouble Outbox::forget(std::int64_t up_to_id) {
     }
 }
 
+std::string told_of_visit(exhibit::Ending ending, int rounds, WallTime at) {
+    constexpr const char* kNames[] = {"finished", "left", "stuck"};
+    return fmt::format(R"({{"ended_ms":{},"ending":"{}","rounds":{}}})", at.time_since_epoch().count(),
+                       kNames[static_cast<std::size_t>(ending)], rounds);
+}
+
 }  // namespace quadrat::archive

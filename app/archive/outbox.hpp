@@ -24,4 +24,7 @@ class Outbox {
     Connection connection_;
 };
 
+// What is published of a visit that has ended, as JSON.
+std::string told_of_visit(exhibit::Ending ending, int rounds, WallTime at);
+
 }  // namespace quadrat::archive

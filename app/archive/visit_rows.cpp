@@ -80,6 +80,15 @@ std::vector<std::int64_t> starts(const Connection& connection, std::int64_t from
     return starts;
 }
 
+std::string remembered(const Connection& connection, std::string_view name) {
+    try {
+        Statement row = connection.prepare("SELECT value FROM memory WHERE name=?");
+        return row.bind(name).step() ? row.text(0) : std::string{};
+    } catch (const SqliteError&) {
+        return {};
+    }
+}
+
 void read_state(const std::filesystem::path& directory, const std::function<void(const Connection&)>& read) {
     const std::filesystem::path file = state_file_in(directory);
     named_in_errors(file, [&] { read_from(file, read); });

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "archive/sqlite.hpp"
@@ -43,6 +44,9 @@ std::vector<WordRow> word_rows(const Connection& connection, std::int64_t from_m
 
 // When the exhibit was started. Oldest first.
 std::vector<std::int64_t> starts(const Connection& connection, std::int64_t from_ms, std::int64_t until_ms);
+
+// What is remembered under a name; "" where there is none.
+std::string remembered(const Connection& connection, std::string_view name);
 
 // read(connection) of the state file of a directory. Throws InputError: there is none, or it is not whole.
 void read_state(const std::filesystem::path& directory, const std::function<void(const Connection&)>& read);

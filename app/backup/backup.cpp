@@ -60,7 +60,7 @@ bool is_there(const fs::path& file) {
 Small read_small(const fs::path& file) { return {base::read_file(file, kLargest), ownership_of(file)}; }
 
 void add_state(const fs::path& state, Contents& contents) {
-    for (const std::string& name : site_files())
+    for (const std::string& name : site_files_in(state))
         if (name != archive::kStateFile && is_there(state / name))
             contents.small[std::string(kStateFolder) + name] = {base::read_file(state / name, kLargest), {}};
 }

@@ -67,8 +67,9 @@ Manifest manifest_of(const fs::path& backup) {
 
 std::vector<fs::path> files_named_in(const site::Configuration& configuration) {
     std::vector<fs::path> files;
-    for (const std::string& file : {configuration.fleet.password_file, configuration.fleet.ca_file,
-                                    configuration.desk.certificate, configuration.desk.key})
+    for (const std::string& file :
+         {configuration.screen.power_password_file, configuration.fleet.password_file, configuration.fleet.ca_file,
+          configuration.desk.certificate, configuration.desk.key})
         if (!file.empty()) files.emplace_back(file);
     for (const std::string& input : configuration.inputs) {
         if (input.starts_with("script:")) files.emplace_back(input.substr(7));

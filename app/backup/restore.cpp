@@ -77,7 +77,10 @@ class Restorer {
     void take(TarReader& tar, const TarReader::Entry& entry) {
         const std::string name = entry.name.substr(std::min(entry.name.find('/'), entry.name.size() - 1) + 1);
         const auto known = site_files();
-        if (entry.name.starts_with(kStateFolder) && std::ranges::find(known, name) != known.end()) {
+        const bool is_known = std::ranges::find(known, name) != known.end();
+        if (entry.name.starts_with(kStateFolder) && (is_known || is_of_a_collection(name))) {
+            if (!is_known && ++of_a_collection_ > kMostOfACollection)
+                refuse("it has more landscapes than this program keeps");
             tar.extract_to(staging_.place(name));
             unpacked_.state.push_back(name);
         } else if (entry.name.starts_with(kSettingsFolder) && !name.empty() && name.find('/') == std::string::npos &&
@@ -203,6 +206,7 @@ class Restorer {
     const Progress& progress_;
     Staging staging_;
     Unpacked unpacked_;
+    std::size_t of_a_collection_ = 0;
 };
 
 }  // namespace

@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kNote = "ready";
+constexpr std::string_view kCollection = "collection/";
 
 fs::path folder_in(const fs::path& state) { return state / "restoring"; }
 fs::path note_in(const fs::path& state) { return folder_in(state) / kNote; }
@@ -70,7 +71,10 @@ void move_if_there(const fs::path& state, const std::string& name, const fs::pat
 void carry_out(const fs::path& state, const Note& note) {
     const fs::path before = state / note.before;
     std::error_code error;
-    for (const std::string& name : site_files()) {
+    std::vector<std::string> names = site_files_in(state);
+    for (const std::string& name : note.staged)
+        if (is_of_a_collection(name)) names.push_back(name);  // moved there already, or new: it is looked at twice
+    for (const std::string& name : names) {
         const bool is_staged = std::ranges::find(note.staged, name) != note.staged.end();
         if (is_staged && !fs::exists(folder_in(state) / name, error)) continue;
         if (name == archive::kStateFile)
@@ -102,6 +106,27 @@ std::vector<std::string> site_files() {
             "earlier/landscape-3.png"};
 }
 
+bool is_of_a_collection(const std::string& name) {
+    constexpr std::size_t kDigits = 16;
+    if (!name.starts_with(kCollection)) return false;
+    const std::string file = name.substr(kCollection.size());
+    const std::string ending = file.substr(std::min(kDigits, file.size()));
+    return (ending == ".png" || ending == ".code") && file.find_first_not_of("0123456789abcdef") == kDigits;
+}
+
+std::vector<std::string> site_files_in(const fs::path& state) {
+    std::vector<std::string> names = site_files(), chosen;
+    std::error_code error;
+    for (fs::directory_iterator file(state / kCollection, error), end; !error && file != end; file.increment(error)) {
+        std::string name = std::string(kCollection) + file->path().filename().string();
+        if (is_of_a_collection(name)) chosen.push_back(std::move(name));
+    }
+    std::ranges::sort(chosen);
+    chosen.resize(std::min(chosen.size(), kMostOfACollection));
+    names.insert(names.end(), chosen.begin(), chosen.end());
+    return names;
+}
+
 Staging::Staging(const fs::path& state) : state_(state) {
     std::error_code ignored;
     fs::remove_all(folder_in(state), ignored);
@@ -121,7 +146,7 @@ fs::path Staging::place(const std::string& name) const {
 void Staging::commit(const std::string& before) {
     Note note{before, {}};
     std::error_code error;
-    for (const std::string& name : site_files()) {
+    for (const std::string& name : site_files_in(folder_in(state_))) {
         const fs::path file = folder_in(state_) / name;
         if (!fs::exists(file, error)) continue;
         base::flush_file(file);

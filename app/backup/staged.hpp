@@ -12,6 +12,11 @@ namespace quadrat::backup {
 // What of a state folder goes into a backup, and comes out of one: what the site made and taught. All else in the
 // folder is of this machine or of this moment.
 std::vector<std::string> site_files();  // by their names from the folder: "words.json", "earlier/landscape-1.png"
+// And what of it was chosen from visitors' landscapes, whose names tell which: "collection/0123456789abcdef.png".
+bool is_of_a_collection(const std::string& name);
+inline constexpr std::size_t kMostOfACollection = 256;
+// Both, of a state folder: all of the former, and of the latter what is there.
+std::vector<std::string> site_files_in(const std::filesystem::path& state);
 
 // A restore that a pulled plug leaves either undone or to be completed: everything new lies in the folder "restoring"
 // until it is whole and on the disk; then a note says so, and it takes the place of what was there, file by file.

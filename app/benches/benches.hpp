@@ -31,6 +31,7 @@ struct Options {
     double hz = 30;             // of the screen they are played on
     double then_hz = 0;         // and in the last third of them; 0: the same
     bool is_busy = false;       // another process takes a core, and time from uploads, for their middle third
+    std::string attended;       // visit: folder where staff look at it from afar, as at an exhibit's; "": nobody does
     std::string profile;        // detail: "pi4", "pi5": what a frame would take there; or empty
     std::size_t triangles = 0;  // of a frame at most; 0: whatever alpha makes of it
     std::size_t pixels = 0;

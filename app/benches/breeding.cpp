@@ -56,7 +56,7 @@ void breeding(Results& results) {
         for (const genome::Word& word : genome::vocabulary()) words.set(word.id, chance.between(-1, 1));
     float sum = 0;
     const double ms = least_ms(5, [&] {
-        for (const genome::Description& words : asked) sum += (*map)(words)[genome::ParameterId::tree_height_m];
+        for (const genome::Description& words : asked) sum += (*map)(words)[*genome::parameter_named("tree.height_m")];
     });
     results.push_back({"breeding.ask_us", sum > 0 ? 1e3 * ms / kAsked : 0, "us", 1});
     ::quadrat::breeding::BreederOptions options;

@@ -14,7 +14,7 @@
 #include "render/passes/blocks.hpp"
 #include "render/passes/ground.hpp"
 #include "render/passes/hold.hpp"
-#include "scene/parameters.hpp"
+#include "scene/land_parameters.hpp"
 #include "synthesis/compose/track.hpp"
 #include "synthesis/grow.hpp"
 
@@ -71,7 +71,7 @@ Flight flight_over(const scene::Land& land, base::Seed seed) {
 // Both choose what lies within 1.3 pixels of the ground, without a budget, and leave out what cannot be seen.
 void ground(Results& results) {
     const genome::Recipe r = genome::random_recipe(base::Seed{1});
-    const scene::Land land = synthesis::grow_land(scene::realise(r.values).land, r.seeds[genome::Aspect::Land]);
+    const scene::Land land = synthesis::grow_land(scene::realise_land(r.values), r.seeds[genome::Aspect::Land]);
     const Flight flight = flight_over(land, r.flight);
     const auto frames = static_cast<double>(flight.frusta.size());
     std::vector<std::uint32_t> indices;

@@ -11,17 +11,10 @@
 namespace quadrat::benches {
 namespace {
 
-std::unique_ptr<nursery::Grower> begun(std::uint64_t seed) {
-    auto grower = std::make_unique<nursery::Grower>();
-    grower->order({random_candidates(seed), base::Seed{seed}});
-    return grower;
-}
-
 // Asked once a millisecond, as frames ask.
-template <typename Ask>
-nursery::Scenes awaited(const Ask& ask) {
+nursery::Graph::AllLit awaited(const nursery::Nursery& nursery, const nursery::Landscapes& four, bool is_full) {
     for (;;) {
-        if (const auto scenes = ask()) return *scenes;
+        if (auto lit = nursery.find(four); lit && (lit->is_full || !is_full)) return *lit;
         std::this_thread::sleep_for(std::chrono::milliseconds{1});
     }
 }
@@ -29,7 +22,7 @@ nursery::Scenes awaited(const Ask& ask) {
 }  // namespace
 
 FourViews::FourViews(const Options& options, std::uint64_t seed)
-    : growing_(begun(seed)),
+    : growing_(begin(seed)),
       easel(display::size_from(options.size, "--size").width, display::size_from(options.size, "--size").height,
             render::ground_named(options.ground)) {
     const display::Size size = display::size_from(options.size, "--size");
@@ -43,17 +36,30 @@ FourViews::FourViews(const Options& options, std::uint64_t seed)
 }
 
 void FourViews::grow(std::uint64_t seed) {
-    growing_ = begun(seed);
+    growing_ = begin(seed);
     show_what_grows();
 }
 
+void FourViews::show(const nursery::Scenes& four) {
+    bring(four);
+    look(0);
+}
+
+std::unique_ptr<nursery::Nursery> FourViews::begin(std::uint64_t seed) {
+    auto nursery = std::make_unique<nursery::Nursery>();
+    four_ = nursery::landscapes_of(random_candidates(seed), base::Seed{seed});
+    nursery->want(nursery::wants_for(four_, nursery::Stage::FirstLight, nursery::Urgency::Awaited));
+    return nursery;
+}
+
 void FourViews::show_what_grows() {
-    bring(awaited([this] { return growing_->take(); }));
+    const nursery::Graph::AllLit first = awaited(*growing_, four_, false);
+    bring(first.scenes);
     look(0);
     draw();
     first_seen = std::chrono::steady_clock::now();
-    growing_->refine();
-    if (growing_->is_refining()) bring(awaited([this] { return growing_->take_refined(); }));
+    growing_->want(nursery::wants_for(four_, nursery::Stage::FullLight, nursery::Urgency::Shown));
+    if (!first.is_full) bring(awaited(*growing_, four_, true).scenes);
     growing_.reset();
     machine::give_memory_back();  // as quadrat run does, here
     look(0);

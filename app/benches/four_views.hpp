@@ -11,7 +11,8 @@ namespace quadrat::benches {
 
 // Four scenes by chance, each in its quarter.
 class FourViews {
-    std::unique_ptr<nursery::Grower> growing_;  // begins before what is drawn with, as in the exhibit
+    nursery::Landscapes four_;
+    std::unique_ptr<nursery::Nursery> growing_;  // begins before what is drawn with, as in the exhibit
 
   public:
     explicit FourViews(const Options& options, std::uint64_t seed = 11);
@@ -21,6 +22,7 @@ class FourViews {
     render::Drawn draw();
     // Other scenes.
     void grow(std::uint64_t seed);
+    void show(const nursery::Scenes& four);
 
     stage::Easel easel;
     nursery::Scenes scenes;
@@ -28,6 +30,7 @@ class FourViews {
     std::chrono::steady_clock::time_point first_seen;  // in their first light, drawn
 
   private:
+    std::unique_ptr<nursery::Nursery> begin(std::uint64_t seed);
     void show_what_grows();
     void bring(const nursery::Scenes& grown);
     void keep_within(const Options& options);

@@ -8,6 +8,7 @@
 
 #include "benches/benches.hpp"
 #include "benches/four_views.hpp"
+#include "benches/settled.hpp"
 #include "benches/shaded.hpp"
 #include "benches/yardstick.hpp"
 #include "machine/heap.hpp"
@@ -213,6 +214,11 @@ void frame(Results& results, const Options& options) {
                        "trees in the view that has fewest", 1});
     held(results, views);
     passes(results, easel, picture);
+    const render::Frame shown = picture;
+    const nursery::Scenes scenes = views.scenes;
+    settled(results, views);
+    views.scenes = scenes;
+    picture = shown;
     results.push_back({"frame.instructions_per_pixel", instructions_per_pixel(easel, picture), "", 1});
     results.push_back({"memory.peak_mb", machine::peak_memory_mb(), "MB", cores()});
 }

@@ -7,15 +7,19 @@
 #include <vector>
 
 #include "benches/benches.hpp"
-#include "scene/parameters.hpp"
+#include "scene/land_parameters.hpp"
 #include "synthesis/compose/settlers.hpp"
 #include "synthesis/grow.hpp"
 #include "synthesis/land/deformations.hpp"
 #include "synthesis/land/drainage.hpp"
 #include "synthesis/land/erosion.hpp"
 #include "synthesis/land/field_methods.hpp"
+#include "synthesis/land/ground.hpp"
 #include "synthesis/land/overhangs.hpp"
 #include "synthesis/land/rivers.hpp"
+#include "synthesis/land/tile_examples.hpp"
+#include "synthesis/lsystem/map_lsystem.hpp"
+#include "synthesis/noise/lateral_inhibition.hpp"
 
 namespace quadrat::benches {
 namespace {
@@ -84,8 +88,8 @@ void add_water(Results& results) {
 // What people add to the growing of a land: a hamlet, a town.
 void add_settlement(Results& results) {
     scene::LandParameters p;
-    p.land_relief_m = 60;  // there is room for a town
-    p.land_sea_level = 0.05F;
+    p.land_relief_m = 15;  // there is room for a town
+    p.land_sea_level = 0;
     const scene::Land wild = synthesis::grow_land(p, base::Seed{11});
     mesh::Image albedo(1024, 1024, 4);
     const auto settle = [&](const char* row, float age) {
@@ -107,6 +111,8 @@ void add_settlement(Results& results) {
     };
     const Threads two(2);
     settle("land.hamlet_ms", 0.27F);
+    p.settle_density = 1;
+    p.settle_house_size = 0.8F;
     settle("land.town_ms", 1.0F);
 }
 
@@ -133,6 +139,17 @@ void add_other_ways(Results& results) {
              for (float& h : bent.samples) h /= 220;
              bend_to_mask(bent, mask, {}, base::Seed{3});
          }));
+    tell("land.map_of_cells_ms", best_cpu_ms(5, [] {
+             namespace ls = synthesis::lsystem;
+             ls::derive_map(ls::library_map("map-cross"), ls::regular_outline(4), {.steps = 12, .chance = 0.5F},
+                            base::Seed{3});
+         }));
+    tell("land.tiles_ms", best_cpu_ms(5, [] {
+             const synthesis::noise::Tiles of = synthesis::noise::tiles_from(tile_examples().front().text, "ruin");
+             facets_of(synthesis::noise::synthesise(of, {13, 11, 4}, {}, base::Seed{3}), {}, base::Seed{3});
+         }));
+    tell("land.inhibition_ms", best_cpu_ms(5, [] { synthesis::noise::inhibited({}, base::Seed{3}, 64); }));
+    tell("land.mud_ms", best_cpu_ms(5, [] { mud_tile(base::Seed{3}, 256); }));
     tell("land.fin_ms", best_cpu_ms(5, [] { weathered_fin({}, base::Seed{3}).surface(); }));
 }
 
@@ -177,12 +194,12 @@ void land(Results& results) {
         results.push_back({"land.cost_exponent", cost_exponent(), "of cells", 1});
     }
     over_threads(results, "land.scene_ms", [](const genome::Recipe& r) {
-        synthesis::grow_land(scene::realise(r.values).land, r.seeds[genome::Aspect::Land]);
+        synthesis::grow_land(scene::realise_land(r.values), r.seeds[genome::Aspect::Land]);
     });
     const double four_ms = best_ms(5, [] {
         for (std::uint64_t i = 1; i <= genome::kCandidates; ++i) {
             const genome::Recipe r = genome::random_recipe(base::Seed{i});
-            synthesis::grow_land(scene::realise(r.values).land, r.seeds[genome::Aspect::Land]);
+            synthesis::grow_land(scene::realise_land(r.values), r.seeds[genome::Aspect::Land]);
         }
     });
     results.push_back({"land.generation_ms", four_ms, "ms", cores()});

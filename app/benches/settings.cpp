@@ -28,6 +28,7 @@ std::vector<Setting> all_settings(const Options& how) {
     if (how.pixels > 0) all.push_back(pixels);
     if (how.ground != Options{}.ground) all.push_back({"--ground " + how.ground, {"frame", "fidelity"}});
     if (how.then_hz > 0) all.push_back({fmt::format("--then-hz {}", how.then_hz), {"visit"}});
+    if (!how.attended.empty()) all.push_back({"--attended " + how.attended, {"visit"}});
     if (how.is_busy) all.push_back({"--busy", {"visit"}});
     return all;
 }

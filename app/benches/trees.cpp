@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "benches/benches.hpp"
+#include "genome/parameter_ids.hpp"
 #include "scene/parameters.hpp"
 #include "synthesis/compose/planting.hpp"
 #include "synthesis/grow.hpp"

@@ -7,17 +7,21 @@
 #include <map>
 #include <thread>
 
+#include "base/worker.hpp"
 #include "benches/benches.hpp"
 #include "benches/scratch.hpp"
 #include "benches/visit_plot.hpp"
 #include "firmware-io/scripted/scripted_buttons.hpp"
 #include "kiosk/run_loop.hpp"
 #include "machine/heap.hpp"
+#include "staff/caretaker.hpp"
+#include "staff/presence.hpp"
 #include "tempo/memory.hpp"
 
 namespace quadrat::benches {
 namespace {
 
+namespace fs = std::filesystem;
 using std::chrono::seconds;
 
 // Between presses. Not a multiple of a screen's period at 24, 30, 50 or 60 Hz: each press would come in the same phase
@@ -49,7 +53,7 @@ class WatchedScreen final : public display::Display {
         display::Presented presented = screen_.present(how);
         base::Instant now = clock_.now();
         // Another process takes the bus from what is uploaded.
-        if (is_busy_ && show_.is_growing() && now > until_ / 3 && now < 2 * until_ / 3) {
+        if (is_busy_ && show_.programme().is_growing() && now > until_ / 3 && now < 2 * until_ / 3) {
             while (clock_.now() - now < kSlowUpload) continue;
             now = clock_.now();
         }
@@ -60,13 +64,14 @@ class WatchedScreen final : public display::Display {
                         presented.period * how.meant_periods,
                         presented.period,
                         tempo_.plan().level,
-                        show_.is_growing(),
+                        show_.programme().is_growing(),
                         act};
         const exhibit::Screen screen = show_.state().screen;
         // A visitor who is kept waiting presses on: what counts is the press that was the last answer, when it was
         // made, not when a frame came to hear of it.
         const bool was_breeding = screen_before_ == exhibit::Screen::Breed;
-        if (!was_breeding) answered_at_ = show_.last_press_at() / kPause * kPause;
+        if (!was_breeding)
+            answered_at_ = (show_.last_press() ? show_.last_press()->at : base::Instant{0}) / kPause * kPause;
         const bool was_answered = was_breeding || screen_before_ == exhibit::Screen::Ask;
         if (!is_first && act != frames_.back().act && screen == exhibit::Screen::Ask && was_answered)
             answers_[frames_.size()] = answered_at_;
@@ -76,7 +81,7 @@ class WatchedScreen final : public display::Display {
         frames_.push_back(frame);
         tell_shown(presented);
         // As the caretaker of quadrat run does.
-        if (times_to_tidy_.is_due(show_.visits_ended(), now)) tidying_ = std::jthread(machine::tidy_memory);
+        if (times_to_tidy_.is_due(show_.visits_ended(), now)) tidying_.send(machine::tidy_memory);
         if (now >= until_) stop_ = true;
         return presented;
     }
@@ -111,7 +116,7 @@ class WatchedScreen final : public display::Display {
     std::vector<FrameSeen> frames_;
     std::vector<double> resident_mb_;  // now and then
     machine::TimesToTidy times_to_tidy_;
-    std::jthread tidying_;
+    base::Worker tidying_{{.name = "tidying"}};
 };
 
 std::unique_ptr<firmware_io::ButtonSource> visitor_for(base::Instant span) {
@@ -173,6 +178,24 @@ void add_uploads(Results& results, const std::vector<FrameSeen>& frames, const k
     results.push_back({"visit.upload_longest_ms", machine::percentile(took_ms, 1), "ms", cores()});
 }
 
+// Whoever looks after the exhibit, as quadrat run has them.
+struct Attendance {
+    Attendance(const fs::path& folder, site::Configuration& configuration, const display::Display& screen)
+        : presence(folder),
+          ladder("", folder, staff::Seconds{0}),
+          caretaker({configuration, as_read(configuration), folder, folder, ladder, screen}) {}
+
+    static site::Settings as_read(const site::Configuration& configuration) {
+        site::Settings settings;
+        settings.configuration = configuration;
+        return settings;
+    }
+
+    staff::Presence presence;
+    staff::Ladder ladder;
+    staff::Caretaker caretaker;
+};
+
 }  // namespace
 
 void visit(Results& results, const Options& options) {
@@ -200,8 +223,11 @@ void visit(Results& results, const Options& options) {
     WatchedScreen watched(*screen, clock, show, tempo, span, options.is_busy, stop);
     kiosk::RunLoopParts parts{configuration, clock, watched, panel, *buttons, show, tempo};
     parts.stop = &stop;
+    std::optional<Attendance> attendance;
+    if (!options.attended.empty()) attendance.emplace(options.attended, configuration, *screen);
+    if (attendance) parts.attendant = &attendance->caretaker;
     kiosk::RunRecord record;
-    parts.record = &record;
+    parts.watcher = &record;
     {
         std::jthread busy;
         if (options.is_busy) busy = competitor(span);

@@ -142,6 +142,12 @@ void Breeder::slide(std::size_t number, int direction) {
     if (auto* state = std::get_if<SliderState>(&belief_)) *state = slid(*state, number, direction);
 }
 
+const BeliefState* Breeder::layered_belief() const {
+    const auto* belief = std::get_if<BeliefState>(&belief_);
+    const bool is_in_words = belief != nullptr && belief->genome == genome::Genome::Full && !belief->is_by_chance;
+    return is_in_words ? belief : nullptr;
+}
+
 std::string Breeder::state_json() const {
     return std::visit([](const auto& belief) { return breeding::state_json(belief); }, belief_);
 }

@@ -68,6 +68,9 @@ class Breeder {
     std::optional<SliderPosition> slider(std::size_t number) const;
     void slide(std::size_t number, int direction);
 
+    // Of the belief breeder in words, what is believed; null for others, and where nothing is learnt.
+    const BeliefState* layered_belief() const;
+
     // What is believed, for people and programs to read: {"trees":[0.5,…],…}, the probability of a 1, a bit; of the
     // belief breeder {"trees":{"tall":{"mean":0.1,"deviation":0.4},…},…}; of sliders where they stand.
     std::string state_json() const;

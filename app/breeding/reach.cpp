@@ -8,6 +8,7 @@
 #include <map>
 
 #include "breeding/session.hpp"
+#include "genome/parameter_ids.hpp"
 
 namespace quadrat::breeding {
 namespace {

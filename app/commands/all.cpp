@@ -20,9 +20,10 @@ class Help final : public CLI::Formatter {
 void add_all(CLI::App& app, Action& chosen) {
     app.formatter(std::make_shared<Help>());
     for (const auto add :
-         {add_run,     add_breed,    add_render, add_code,   add_postcard, add_sound,    add_languages, add_export,
-          add_lsystem, add_skeleton, add_lots,   add_facade, add_field,    add_simulate, add_words,     add_bench,
-          add_doctor,  add_shot,     add_state,  add_report, add_desk,     add_publish,  add_man,       add_completion})
+         {add_run,       add_breed,    add_render,  add_code,      add_postcard, add_cards,     add_sound,
+          add_languages, add_export,   add_lsystem, add_skeleton,  add_lots,     add_facade,    add_field,
+          add_tiles,     add_simulate, add_words,   add_bench,     add_doctor,   add_shot,      add_state,
+          add_report,    add_desk,     add_publish, add_projector, add_man,      add_completion})
         add(app, chosen);
 }
 

@@ -140,6 +140,11 @@ void add_bench(CLI::App& app, Action& chosen) {
         ->default_str("the same");
     command->add_flag("--busy", options->how.is_busy,
                       "visit: something else takes a core, and time from uploads, for the middle third");
+    command
+        ->add_option("--attended", options->how.attended,
+                     "visit: the state folder of a desk, which looks at the visit as at an exhibit's")
+        ->check(CLI::ExistingDirectory)
+        ->default_str("nobody looks");
     command->add_option("--plot", options->plot, "visit: FILE.svg of the frames and what the governor did")
         ->default_str("none");
     CLI::Option* report = command

@@ -8,7 +8,7 @@
 #include "base/text_file.hpp"
 #include "breeding/stdio_protocol.hpp"
 #include "commands/commands.hpp"
-#include "kiosk/school.hpp"
+#include "learning/school.hpp"
 #include "site/state_folder.hpp"
 
 namespace quadrat::commands {
@@ -31,7 +31,7 @@ breeding::Session session_for(const Options& options) {
     breeding::BreederOptions breeder;
     const bool is_classic = options.genome == "classic";
     breeder.kind = breeding::breeder_named(!options.breeder.empty() ? options.breeder : is_classic ? "pbil" : "belief");
-    if (!options.state.empty()) breeder.map = kiosk::site_words(site::existing_state_folder(options.state)).map;
+    if (!options.state.empty()) breeder.map = learning::site_words(site::existing_state_folder(options.state)).map;
     breeder.genome = is_classic ? genome::Genome::Classic : genome::Genome::Full;
     breeder.pbil.learning_rate = options.learning_rate;
     breeder.pbil.mutation = options.mutation;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -24,21 +25,41 @@ bool holds(const Codes& codes, const std::string& code) { return std::ranges::fi
 
 // Where a landscape's picture is; nothing where it is nowhere.
 std::optional<fs::path> picture_of(const CollectionPlaces& places, const std::string& id) {
-    for (const fs::path& folder : {places.chosen, places.lately}) {
+    for (const fs::path& folder : {places.chosen, places.lately, places.guests}) {
         std::error_code error;
         if (fs::path file = folder / (id + ".png"); fs::is_regular_file(file, error)) return file;
     }
     return std::nullopt;
 }
 
-// Favourites, what was bred lately, and what is hidden; each once.
-Codes all_codes(const CollectionPlaces& places, const site::Configuration& now) {
-    Codes all = now.attract.favourites;
+std::optional<fs::path> postcard_of(const CollectionPlaces& places, const std::string& id) {
+    std::error_code error;
+    fs::path file = places.lately / (id + staff::kPostcard);
+    return fs::is_regular_file(file, error) ? std::optional(std::move(file)) : std::nullopt;
+}
+
+struct Offered {
+    std::string code;
+    std::string from;  // another exhibit; "": it was bred here
+};
+
+// Favourites, what was bred lately, what other exhibits share, and what is hidden; each once.
+std::vector<Offered> all_of(const CollectionPlaces& places, const site::Configuration& now) {
+    std::map<std::string, std::string> from;
+    const auto guests = staff::landscapes_in(places.guests);
+    for (const auto& kept : {guests, staff::landscapes_in(places.chosen)})
+        for (const staff::KeptLandscape& one : kept) from[one.code] = one.from;
+    std::vector<Offered> all;
+    Codes seen;
     const auto add = [&](const std::string& code) {
-        if (!holds(all, code)) all.push_back(code);
+        if (holds(seen, code)) return;
+        seen.push_back(code);
+        all.push_back({code, from[code]});
     };
-    for (const staff::KeptLandscape& one : staff::landscapes_in(places.lately))
-        if (!holds(now.attract.hidden, one.code)) add(one.code);
+    std::ranges::for_each(now.attract.favourites, add);
+    for (const auto& kept : {staff::landscapes_in(places.lately), guests})
+        for (const staff::KeptLandscape& one : kept)
+            if (!holds(now.attract.hidden, one.code)) add(one.code);
     std::ranges::for_each(now.attract.hidden, add);
     return all;
 }
@@ -50,6 +71,11 @@ std::string choice_of(const site::Configuration& now, const std::string& code) {
     return holds(now.attract.hidden, code) ? kHidden : "";
 }
 
+const char* usual_of(const std::string& from, const site::Configuration& now) {
+    if (from.empty()) return "collection.usual";
+    return now.fleet.takes == "all" ? "collection.shared" : "collection.waits";
+}
+
 }  // namespace
 
 desk::Form collection_form(const CollectionPlaces& places, const site::Configuration& now, const desk::Texts& say) {
@@ -58,14 +84,20 @@ desk::Form collection_form(const CollectionPlaces& places, const site::Configura
     form.hint = say("collection.hint");
     desk::Group group{say("collection.bred"), "", {}};
     int number = 0;
-    for (const std::string& code : all_codes(places, now)) {
+    for (const auto& [code, from] : all_of(places, now)) {
+        const std::string count = std::to_string(++number);
         desk::Entry entry{desk::Entry::Kind::Choice, field_of(code),
-                          say("collection.landscape", {std::to_string(++number)}), choice_of(now, code)};
-        entry.options = {{"", say("collection.usual")},
+                          from.empty() ? say("collection.landscape", {count}) : say("collection.guest", {count, from}),
+                          choice_of(now, code)};
+        entry.options = {{"", say(usual_of(from, now))},
                          {kFavourite, say("collection.favourite")},
                          {kHidden, say("collection.hidden")}};
         const std::string id = staff::id_of_landscape(code);
         if (picture_of(places, id)) entry.picture = fmt::format("/curator/landscape/{}.png", id);
+        if (postcard_of(places, id)) {
+            entry.download = fmt::format("/curator/postcard/{}.png", id);
+            entry.download_label = say("collection.postcard");
+        }
         group.entries.push_back(entry);
     }
     if (group.entries.empty()) group.hint = say("collection.none");
@@ -76,7 +108,7 @@ desk::Form collection_form(const CollectionPlaces& places, const site::Configura
 std::vector<site::Edit> collection_edits(const CollectionPlaces& places, const desk::Fields& fields,
                                          const site::Configuration& now, const site::Configuration& site) {
     Codes favourites, hidden;
-    for (const std::string& code : all_codes(places, now)) {
+    for (const auto& [code, from] : all_of(places, now)) {
         const auto said = fields.find(field_of(code));
         // One that has come since the page was shown stays as it is.
         const std::string choice = said == fields.end() ? choice_of(now, code) : said->second;
@@ -96,26 +128,41 @@ void keep_chosen(const CollectionPlaces& places, const site::Configuration& now)
     std::error_code error;
     const auto is_chosen = [&](const std::string& code) { return !choice_of(now, code).empty(); };
     fs::create_directories(places.chosen, error);
-    for (const staff::KeptLandscape& one : staff::landscapes_in(places.lately))
-        if (is_chosen(one.code))
-            for (const char* kind : {".png", ".code"})
-                fs::copy_file(places.lately / (one.id + kind), places.chosen / (one.id + kind),
-                              fs::copy_options::skip_existing, error);
+    for (const fs::path& folder : {places.lately, places.guests})
+        for (const staff::KeptLandscape& one : staff::landscapes_in(folder))
+            if (is_chosen(one.code))
+                for (const char* kind : {".png", ".code"})
+                    fs::copy_file(folder / (one.id + kind), places.chosen / (one.id + kind),
+                                  fs::copy_options::skip_existing, error);
     for (const staff::KeptLandscape& one : staff::landscapes_in(places.chosen))
         if (!is_chosen(one.code))
             for (const char* kind : {".png", ".code"}) fs::remove(places.chosen / (one.id + kind), error);
 }
 
-std::optional<std::string> landscape_picture(const CollectionPlaces& places, const std::string& id) {
-    const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
-    if (id.size() != 16 || !std::ranges::all_of(id, is_digit)) return std::nullopt;
-    const auto file = picture_of(places, id);
+namespace {
+
+std::optional<std::string> contents_of(const std::optional<fs::path>& file) {
     if (!file) return std::nullopt;
     try {
         return base::read_file(*file, kMostPicture);
     } catch (const base::InputError&) {
         return std::nullopt;  // it went away meanwhile
     }
+}
+
+bool is_id(const std::string& id) {
+    const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
+    return id.size() == 16 && std::ranges::all_of(id, is_digit);
+}
+
+}  // namespace
+
+std::optional<std::string> landscape_picture(const CollectionPlaces& places, const std::string& id) {
+    return is_id(id) ? contents_of(picture_of(places, id)) : std::nullopt;
+}
+
+std::optional<std::string> landscape_postcard(const CollectionPlaces& places, const std::string& id) {
+    return is_id(id) ? contents_of(postcard_of(places, id)) : std::nullopt;
 }
 
 }  // namespace quadrat::commands

@@ -14,6 +14,7 @@ namespace quadrat::commands {
 struct CollectionPlaces {
     std::filesystem::path lately;  // what the exhibit keeps of late, staff::kBredLately
     std::filesystem::path chosen;  // what was chosen, staff::kCollection
+    std::filesystem::path guests;  // what other exhibits share, staff::kGuests
 };
 
 desk::Form collection_form(const CollectionPlaces& places, const site::Configuration& now, const desk::Texts& say);
@@ -25,6 +26,8 @@ std::vector<site::Edit> collection_edits(const CollectionPlaces& places, const d
 void keep_chosen(const CollectionPlaces& places, const site::Configuration& now);
 
 // PNG of one that is listed: a name is no path.
+// A postcard of one that was bred lately.
+std::optional<std::string> landscape_postcard(const CollectionPlaces& places, const std::string& id);
 std::optional<std::string> landscape_picture(const CollectionPlaces& places, const std::string& id);
 
 }  // namespace quadrat::commands

@@ -12,13 +12,6 @@
 namespace quadrat::commands {
 namespace {
 
-using desk::Entry;
-using desk::Fields;
-using desk::Form;
-using desk::Group;
-using desk::Texts;
-using Kind = Entry::Kind;
-
 constexpr std::string_view kText = "text.";
 constexpr std::size_t kLongestText = 160;
 

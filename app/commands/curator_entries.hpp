@@ -14,28 +14,34 @@
 // What several of the curator's forms have in common: their fields, and what is written in them.
 namespace quadrat::commands {
 
+using desk::Entry;
+using desk::Fields;
+using desk::Form;
+using desk::Group;
+using desk::Texts;
+using Kind = Entry::Kind;
+
 // Without the spaces around it; "" where nothing is written.
-std::string value_in(const desk::Fields& fields, const std::string& name);
+std::string value_in(const Fields& fields, const std::string& name);
 // Nothing where nothing is written. Throws InputError, by its label, for what is no number.
-std::optional<double> number_in(const desk::Fields& fields, const std::string& name, const std::string& label);
+std::optional<double> number_in(const Fields& fields, const std::string& name, const std::string& label);
 
 std::vector<desk::Option> language_options();
 // The same form in each language; `path` ends in "?" or "&".
 std::vector<desk::Option> languages_beside(const std::string& path);
 // The language of a form's texts; the site's where none is named.
-std::string spoken_in(const desk::Fields& query, const site::Configuration& now);
+std::string spoken_in(const Fields& query, const site::Configuration& now);
 
 // Of an aspect's words, in the page's language where the screen speaks it too, else in English.
-desk::Group words_of(genome::Aspect aspect, const std::map<std::string, std::array<double, 2>>& words,
-                     const desk::Texts& say);
+Group words_of(genome::Aspect aspect, const std::map<std::string, std::array<double, 2>>& words, const Texts& say);
 // One end alone limits that end.
-std::optional<std::array<double, 2>> range_in(const desk::Fields& fields, std::string_view word);
+std::optional<std::array<double, 2>> range_in(const Fields& fields, std::string_view word);
 
-desk::Group locks(const std::vector<std::string>& locked, const desk::Texts& say);
-std::vector<std::string> locked_in(const desk::Fields& fields);
+Group locks(const std::vector<std::string>& locked, const Texts& say);
+std::vector<std::string> locked_in(const Fields& fields);
 
-desk::Group texts_of(const std::string& code, const std::map<std::string, std::string>& own, const desk::Texts& say);
+Group texts_of(const std::string& code, const std::map<std::string, std::string>& own, const Texts& say);
 // By their keys; those that were left empty are not there.
-std::map<std::string, std::string> texts_in(const desk::Fields& form);
+std::map<std::string, std::string> texts_in(const Fields& form);
 
 }  // namespace quadrat::commands

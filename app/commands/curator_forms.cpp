@@ -15,15 +15,9 @@
 namespace quadrat::commands {
 namespace {
 
-using desk::Entry;
-using desk::Fields;
-using desk::Form;
-using desk::Group;
-using desk::Texts;
 using site::Configuration;
 using site::CuratedValue;
 using site::Edit;
-using Kind = Entry::Kind;
 
 constexpr std::array kDays{"monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday"};
 constexpr std::string_view kAllDay = "00:00-24:00";

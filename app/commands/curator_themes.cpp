@@ -12,13 +12,6 @@
 namespace quadrat::commands {
 namespace {
 
-using desk::Entry;
-using desk::Fields;
-using desk::Form;
-using desk::Group;
-using desk::Texts;
-using Kind = Entry::Kind;
-
 using site::Configuration;
 using site::Edit;
 

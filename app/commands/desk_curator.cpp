@@ -55,13 +55,15 @@ desk::Curator curator_of(const DeskPlaces& places) {
     const std::filesystem::path file = site::tended_configuration(places.named_configuration, places.named_state);
     const site::Curation curation(file, places.state);
     desk::Curator curator;
-    const CollectionPlaces collection{places.runtime / staff::kBredLately, places.state / staff::kCollection};
+    const CollectionPlaces collection{places.runtime / staff::kBredLately, places.state / staff::kCollection,
+                                      places.state / staff::kGuests};
     curator.parts = [] {
         auto parts = curator_parts();
         parts.emplace_back(kCollectionPart);
         return parts;
     };
     curator.landscape = [collection](const std::string& id) { return landscape_picture(collection, id); };
+    curator.postcard = [collection](const std::string& id) { return landscape_postcard(collection, id); };
     curator.form = [curation, collection](const std::string& part, const desk::Fields& query,
                                           const desk::Texts& say) -> std::optional<desk::Form> {
         if (part == kCollectionPart) return collection_form(collection, curation.now().configuration, say);
@@ -103,6 +105,7 @@ desk::Curator curator_of(const DeskPlaces& places) {
                     {code, entry.substr(std::min<std::size_t>(entry.find('.') + 1, entry.size())), texts_in(form)});
     };
     curator.preview = [places] { return preview_in(places.runtime); };
+    curator.why_preview_waits = [places] { return why_preview_waits(places.runtime); };
     return curator;
 }
 

@@ -144,6 +144,21 @@ std::string backup_of(const DeskPlaces& places) {
     return base::read_file(file, std::size_t{512} << 20U);
 }
 
+// All of it in one: its names say nothing to anybody.
+desk::Preview::File collection_in(const fs::path& state, const backup::Manifest& manifest) {
+    desk::Preview::File all{"collection", std::nullopt, std::nullopt};
+    for (const std::string& name : backup::site_files_in(state)) {
+        std::error_code error;
+        if (!backup::is_of_a_collection(name)) continue;
+        if (const auto size = fs::file_size(state / name, error); !error) all.here = all.here.value_or(0) + size;
+    }
+    for (const auto& [name, size] : manifest.files)
+        if (name.starts_with(backup::kStateFolder) &&
+            backup::is_of_a_collection(name.substr(backup::kStateFolder.size())))
+            all.there = all.there.value_or(0) + size;
+    return all;
+}
+
 desk::Preview preview_of(const DeskPlaces& places, const fs::path& brought) {
     backup::require_whole(brought);
     const backup::Manifest manifest = backup::manifest_of(brought);
@@ -159,6 +174,8 @@ desk::Preview preview_of(const DeskPlaces& places, const fs::path& brought) {
         if (there != manifest.files.end()) file.there = there->second;
         if (file.here || file.there) preview.files.push_back(std::move(file));
     }
+    if (const auto chosen = collection_in(places.state, manifest); chosen.here || chosen.there)
+        preview.files.push_back(chosen);
     fs::rename(brought, places.state / kKeptFile);
     return preview;
 }

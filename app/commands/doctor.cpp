@@ -53,11 +53,11 @@ int examine(const Options& options) {
 
 void add_doctor(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("doctor",
-                           "Look at settings, GPU, screen, buttons, sound, state, clock and service, and say what is "
-                           "wrong and what mends it.\n"
-                           "Ends with 0 when all is good, 3 when something is doubtful, 4 when something is bad");
+    CLI::App* command = app.add_subcommand(
+        "doctor",
+        "Look at settings, GPU, screen, projector, buttons, sound, state, clock and service, and say what is "
+        "wrong and what mends it.\n"
+        "Ends with 0 when all is good, 3 when something is doubtful, 4 when something is bad");
     command
         ->add_option("--config", options->configuration,
                      "The site's settings, which are checked too; without it, the service's where it is installed")
@@ -69,8 +69,10 @@ void add_doctor(CLI::App& app, Action& chosen) {
     command
         ->add_option(
             "--only", options->only,
-            "Look at this part alone, repeatable: settings, gpu, screen, buttons, sound, state, clock, service")
-        ->check(CLI::IsMember({"settings", "gpu", "screen", "buttons", "sound", "state", "clock", "service"}))
+            "Look at this part alone, repeatable: settings, gpu, screen, projector, buttons, sound, state, clock, "
+            "service")
+        ->check(
+            CLI::IsMember({"settings", "gpu", "screen", "projector", "buttons", "sound", "state", "clock", "service"}))
         ->expected(1)
         ->take_all()
         ->default_str("all");

@@ -7,7 +7,9 @@
 #include <functional>
 
 #include "doctor/diagnosis_crash.hpp"
+#include "fleet/identity.hpp"
 #include "machine/machine.hpp"
+#include "projector/projector.hpp"
 #include "site/settings.hpp"
 #include "site/state_folder.hpp"
 #include "site/wall_clock.hpp"
@@ -43,6 +45,18 @@ std::vector<doctor::Finding> screen_findings(const site::Configuration& configur
     return findings;
 }
 
+std::vector<doctor::Finding> projector_findings(const site::Configuration& configuration, const std::string& state) {
+    return doctor::examine_projector(
+        configuration, site::watched_folder(state), [](const site::Configuration::Screen& screen) {
+            constexpr std::chrono::seconds kPatience{3};
+            const std::string& file = screen.power_password_file;
+            return std::string(
+                name_of(projector::open_projector(projector::parse_address(screen.power),
+                                                  file.empty() ? "" : fleet::password_in(file), kPatience)
+                            ->power()));
+        });
+}
+
 }  // namespace
 
 std::vector<doctor::Finding> examine_parts(const std::string& named_configuration, const std::string& named_state,
@@ -57,6 +71,7 @@ std::vector<doctor::Finding> examine_parts(const std::string& named_configuratio
         {"settings", [&] { return examined.findings; }},
         {"gpu", [] { return doctor::examine_gpu(); }},
         {"screen", [&] { return screen_findings(configuration, user); }},
+        {"projector", [&] { return projector_findings(configuration, named_state); }},
         {"buttons", [&] { return button_findings(configuration, user); }},
         {"sound", [&] { return doctor::examine_sound(configuration, user); }},
         {"state", [&] { return doctor::examine_state(site::tended_state_folder(named_state), user); }},

@@ -11,6 +11,7 @@
 #include "base/markup.hpp"
 #include "base/text_file.hpp"
 #include "commands/commands.hpp"
+#include "commands/map_drawing.hpp"
 #include "mesh/model.hpp"
 #include "synthesis/trees/grammar.hpp"
 #include "synthesis/trees/limb_mesh.hpp"
@@ -28,6 +29,8 @@ struct Options {
     int steps = -1;
     std::uint64_t seed = 1;
     std::size_t most_symbols = 4U << 20U;
+    float chance = 0;
+    int pull = 0;
     bool is_listing = false;
 };
 
@@ -117,14 +120,33 @@ void warn_of_contexts(const Grammar& grammar, const std::string& source) {
                                         : "");
 }
 
+int list() {
+    for (const NamedGrammar& one : grammar_library())
+        fmt::print("{:<12} {}\n", one.name, library_grammar(one.name).name);
+    for (const synthesis::lsystem::NamedMap& one : synthesis::lsystem::map_library())
+        fmt::print("{:<12} {}\n", one.name, synthesis::lsystem::library_map(one.name).name);
+    return 0;
+}
+
+int derive_and_draw_map(const Options& options) {
+    if (!options.output.empty()) base::require_ending(options.output, {".txt", ".svg"}, "a map of cells");
+    const synthesis::lsystem::MapGrammar grammar = map_grammar_from(options.grammar);
+    const synthesis::lsystem::Map map = derived_from_polygon(
+        grammar, {.steps = options.steps, .chance = options.chance, .pull = options.pull}, base::Seed{options.seed});
+    if (base::ending_of(options.output) == ".svg")
+        base::write_file(options.output, svg_of_map(map, grammar.name.empty() ? options.grammar : grammar.name));
+    else
+        base::print_or_write_file(options.output.empty() ? "-" : options.output, text_of_map(map));
+    return 0;
+}
+
 int derive_and_draw(const Options& options) {
-    if (options.is_listing) {
-        for (const NamedGrammar& one : grammar_library())
-            fmt::print("{:<12} {}\n", one.name, library_grammar(one.name).name);
-        return 0;
-    }
+    if (options.is_listing) return list();
     if (options.grammar.empty())
         throw base::InputError("lsystem: name a grammar: a file, or one of quadrat lsystem --list");
+    if (names_a_map(options.grammar)) return derive_and_draw_map(options);
+    if (options.chance > 0 || options.pull > 0)
+        throw base::InputError("--chance and --pull are of maps of cells, grammars that begin with map:");
     const std::string ending = base::ending_of(options.output);
     if (!options.output.empty())
         base::require_ending(options.output, {".txt", ".svg", ".obj", ".glb"}, "a grammar's word");
@@ -179,6 +201,12 @@ void add_lsystem(CLI::App& app, Action& chosen) {
         ->capture_default_str();
     command->add_option("--most-symbols", options->most_symbols, "Where a word that explodes is stopped")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 26U))
+        ->capture_default_str();
+    command->add_option("--chance", options->chance, "Of a map: how far off its middle a wall divides")
+        ->check(CLI::Range(0.0F, 0.8F))
+        ->capture_default_str();
+    command->add_option("--pull", options->pull, "Of a map: rounds in which walls draw themselves short")
+        ->check(CLI::Range(0, 64))
         ->capture_default_str();
     command->add_flag("--list", options->is_listing, "Name the grammars that come along");
     command->callback([options, &chosen] { chosen = [options] { return derive_and_draw(*options); }; });

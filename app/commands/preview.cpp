@@ -17,7 +17,7 @@ void ask_preview(const fs::path& runtime, const staff::PreviewWish& wish) {
         throw base::InputError("there is no such text");
     if (!staff::is_exhibit_present(runtime)) throw base::InputError("no exhibit runs here that could draw it");
     std::error_code ignored;
-    fs::remove(runtime / staff::kPreview, ignored);
+    for (const char* of_the_last : {staff::kPreview, staff::kPreviewWaits}) fs::remove(runtime / of_the_last, ignored);
     base::write_file(runtime / staff::kPreviewAsked, to_json(wish));
 }
 
@@ -30,6 +30,18 @@ std::optional<std::string> preview_in(const fs::path& runtime) {
     } catch (const base::InputError&) {
         return std::nullopt;  // it went away meanwhile
     }
+}
+
+std::string why_preview_waits(const fs::path& runtime) {
+    constexpr std::size_t kMost = 64;
+    if (!staff::is_exhibit_present(runtime)) return "gone";
+    try {
+        std::string why = base::read_file(runtime / staff::kPreviewWaits, kMost);
+        if (why == "visitor" || why == "dark") return why;
+    } catch (const base::InputError&) {
+        // It does not wait.
+    }
+    return "soon";
 }
 
 }  // namespace quadrat::commands

@@ -13,5 +13,7 @@ namespace quadrat::commands {
 void ask_preview(const std::filesystem::path& runtime, const staff::PreviewWish& wish);
 // PNG; nothing: it was not drawn yet.
 std::optional<std::string> preview_in(const std::filesystem::path& runtime);
+// Until then: as desk::Curator says it.
+std::string why_preview_waits(const std::filesystem::path& runtime);
 
 }  // namespace quadrat::commands

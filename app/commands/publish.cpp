@@ -4,6 +4,7 @@
 
 #include "base/log.hpp"
 #include "commands/commands.hpp"
+#include "commands/fleet_exchange.hpp"
 #include "commands/fleet_orders.hpp"
 #include "fleet/publisher.hpp"
 #include "machine/machine.hpp"
@@ -55,6 +56,7 @@ int publish(const Options& options) {
     fleet::PublisherOptions how;
     how.version = std::string(machine::version());
     if (configuration.fleet.takes_orders) how.orders = fleet_orders(options.configuration, state, runtime);
+    how.sharing = sharing_by(configuration.fleet, options.configuration, state, runtime);
     fleet::Publisher publisher(configuration.fleet, state, runtime, std::move(how));
     while (!stop_flag()) publisher.look();
     return 0;

@@ -16,6 +16,7 @@
 #include "base/log.hpp"
 #include "commands/commands.hpp"
 #include "commands/scripted_visitor.hpp"
+#include "commands/wall.hpp"
 #include "firmware-io/input_spec.hpp"
 #include "firmware-io/merged_buttons.hpp"
 #include "kiosk/run_loop.hpp"
@@ -27,6 +28,7 @@
 #include "site/settings.hpp"
 #include "site/state_folder.hpp"
 #include "site/wall_clock.hpp"
+#include "staff/caretaker.hpp"
 #include "staff/presence.hpp"
 #include "tempo/memory.hpp"
 
@@ -47,10 +49,12 @@ struct Options {
     double speed = 1;
     tempo::Budget budget;
     bool is_service = false;
+    bool is_wall = false;
 };
 
 namespace fs = std::filesystem;
 
+constexpr const char* kWallState = "wall";  // in the folder of the exhibit beside it
 constexpr double kSafeAlpha = 0.5;
 constexpr int kSafeLand = 129;
 constexpr std::chrono::seconds kBreather{10};  // between starts that keep failing
@@ -75,6 +79,8 @@ void override_by(const Options& options, site::Configuration& configuration) {
     if (!options.size.empty()) configuration.screen.size = options.size;
     if (!options.inputs.empty()) configuration.inputs = options.inputs;
     if (options.rounds) configuration.visit.rounds = *options.rounds;
+    if (options.rounds) configuration.visit.rounds_early = configuration.visit.rounds_more = 0;  // exactly so many
+    configuration.attract.is_wall = options.is_wall;
     if (!options.ground.empty()) configuration.picture.ground = options.ground;
 }
 
@@ -203,7 +209,8 @@ Opened open_with(site::Settings settings, const Options& options, staff::Mode mo
     adjust(options, mode, settings.configuration);
     Opened opened;
     opened.screen = display::open_display(site::display_options(settings.configuration));
-    opened.is_demonstration = needs_a_visitor(settings.configuration, *opened.screen);
+    opened.is_demonstration = !options.is_wall && needs_a_visitor(settings.configuration, *opened.screen);
+    if (opened.is_demonstration) settings.configuration.visit.rounds_more = 0;
     opened.buttons = buttons_for(settings.configuration, *opened.screen, seed, opened.is_demonstration);
     opened.settings = std::move(settings);
     return opened;
@@ -243,7 +250,7 @@ archive::Archive open_archive(const fs::path& state, const archive::TellKept& te
 }
 
 // What the last run left is read while the screen is set up. A disk that takes longer keeps nobody from a picture.
-archive::Kept kept_by(kiosk::Keeper& keeper, const base::Clock& clock) {
+archive::Kept kept_by(learning::Keeper& keeper, const base::Clock& clock) {
     constexpr std::chrono::milliseconds kPatience{400};
     constexpr std::chrono::hours kUntilItIsKnown{1};
     if (const auto kept = keeper.kept_within(clock.is_simulated() ? kUntilItIsKnown : kPatience)) return *kept;
@@ -292,8 +299,8 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
     const bool is_safe = mode == staff::Mode::Safe;
     site::Settings settings = settings_for(options, state, ladder.rung());
     site::use_zone(settings.configuration.zone);  // before any thread may ask for the time
-    auto keeper =
-        std::make_unique<kiosk::Keeper>([state](const archive::TellKept& tell) { return open_archive(state, tell); });
+    auto keeper = std::make_unique<learning::Keeper>(
+        [state](const archive::TellKept& tell) { return open_archive(state, tell); });
     const base::Seed seed = seed_for(options);
     Opened opened = open_what_works(std::move(settings), options, state, mode, seed);
     const site::Settings begun_with = opened.settings;
@@ -308,8 +315,10 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
     const std::string theme = put_on_theme(configuration, *clock, state);
     const archive::Kept kept = kept_by(*keeper, *clock);
     staff::Panel panel(*buttons.source, staff::health_memory_from(kept.buttons));
-    const nursery::GrowerOptions growing{0, pictures::fineness_of(configuration.picture.land_samples)};
-    kiosk::Show show(configuration, {seed, growing, wall_time, local_time, state}, std::move(keeper));
+    const nursery::NurseryOptions growing{0, pictures::fineness_of(configuration.picture.land_samples)};
+    kiosk::ShowOptions show_options{seed, growing, wall_time, local_time, state};
+    if (options.is_wall) show_options.works = works_beside(state.parent_path(), configuration);
+    kiosk::Show show(configuration, show_options, std::move(keeper));
     std::optional<staff::Caretaker> caretaker;
     std::optional<staff::Keepsakes> keepsakes;
     std::optional<staff::Presence> presence;
@@ -324,8 +333,8 @@ int exhibit_until_the_end(const Options& options, staff::Ladder& ladder, const f
     }
     tempo::Tempo tempo(tempo_for(options, configuration, *clock, kept.detail, screen->renderer()));
     kiosk::RunLoopParts parts{configuration, *clock, *screen, panel, *buttons.source, show, tempo};
-    parts.caretaker = caretaker ? &*caretaker : nullptr;
-    parts.keepsakes = keepsakes ? &*keepsakes : nullptr;
+    if (caretaker) parts.attendant = &*caretaker;
+    if (keepsakes) parts.keepsakes = &*keepsakes;
     parts.mode = ladder.rung().mode;
     const bool is_known = tempo::is_profile_of(kept.gpu, screen->renderer());
     if (is_known) base::log::info("GPU, as it was measured: {}", kept.gpu);
@@ -347,12 +356,14 @@ int run(const Options& options) {
     machine::hold_memory();  // until the first landscapes are on the screen
     if (!options.log_file.empty()) base::log_to_file_too(options.log_file);
     stop_on_signals();
-    const fs::path state = site::state_folder(options.state);
+    const fs::path of_exhibit = site::state_folder(options.state);
+    const fs::path state = options.is_wall ? of_exhibit / kWallState : of_exhibit;
+    std::error_code ignored;
+    if (options.is_wall) fs::create_directories(state, ignored);
     const backup::Starter starter = is_service(options) ? backup::Starter::Service : backup::Starter::Hand;
     const backup::ExhibitsHold hold = backup::hold_state_for_the_exhibit(state, starter, stop_flag());
     if (hold.was_stopped) return 0;
     staff::Ladder ladder(service_folder(), state, machine::uptime());
-    std::error_code ignored;
     if (fs::remove(machine::runtime_folder(state) / staff::kUsualAsked, ignored)) ladder.forgive();
     if (fs::exists(machine::runtime_folder(state) / staff::kSafeMode, ignored)) ladder.keep_safe();
     try {
@@ -386,6 +397,10 @@ void add_run(CLI::App& app, Action& chosen) {
                       "defaults, and say so. Without it, as in $RUNTIME_DIRECTORY's absence, mistakes end with 2");
     command->add_option("--state", options->state, "Folder of what is kept between runs")
         ->default_str("the service's, else ~/.local/state/quadrat");
+    command->add_flag(
+        "--gallery", options->is_wall,
+        "No visit: what the visitors of an exhibit bred hangs here in turn, with its words, and what its\n"
+        "staff chose. --state and --config are that exhibit's; it may run beside");
     command->add_option("--rounds", options->rounds, "Rounds of a visit; the program ends after one visit")
         ->check(CLI::Range(1, 50))
         ->default_str("the settings', without an end");

@@ -16,10 +16,11 @@
 #include "breeding/simulation/study.hpp"
 #include "breeding/simulation/tournament.hpp"
 #include "commands/commands.hpp"
-#include "kiosk/past_visits.hpp"
-#include "kiosk/school.hpp"
+#include "learning/past_visits.hpp"
+#include "learning/school.hpp"
 #include "site/state_folder.hpp"
 #include "stage/eye.hpp"
+#include "switches/pace.hpp"
 
 namespace quadrat::commands {
 namespace {
@@ -36,6 +37,7 @@ struct Options {
     std::uint64_t seed = 1;
     std::string plot;
     std::string from;
+    bool is_switches = false;
 };
 
 // One line that is rewritten on a terminal, and left out elsewhere.
@@ -144,12 +146,12 @@ int simulate_seeing(const Options& options) {
 
 // Real visitors' picks, bred again: how well each way of learning would have foretold them.
 int replay(const Options& options) {
-    const kiosk::PastVisits past = kiosk::past_visits_in(site::existing_state_folder(options.from));
+    const learning::PastVisits past = learning::past_visits_in(site::existing_state_folder(options.from));
     fmt::print("{} visits are bred again; {} by other settings and {} by sliders are left out\n", past.visits.size(),
                past.tuned_differently, past.by_sliders);
     if (past.visits.empty()) return 0;
     std::vector<breeding::Foretelling> foretellings;
-    const breeding::WordMap map = kiosk::site_words(options.from).map;
+    const breeding::WordMap map = learning::site_words(options.from).map;
     for (const auto kind :
          {breeding::BreederKind::Belief, breeding::BreederKind::PbilGaussian, breeding::BreederKind::Random})
         foretellings.push_back(breeding::foretelling(kind, genome::Genome::Full, map, past.visits));
@@ -178,7 +180,46 @@ std::string reach_line() {
         reach.parameters.size() - reach.still(), reach.parameters.size(), 100 * reach.share_reaching(0.5));
 }
 
+// Rounds a minute of who plays with one button, two and four, at several paces.
+int simulate_switches(const Options& options) {
+    const int rounds = options.rounds.value_or(6);
+    const int visitors = options.visitors.value_or(60);
+    fmt::print(
+        "{} simulated visits of {} rounds, who think for {:.1f} s, react in {:.1f} s and see the next four after "
+        "{:.1f} s\n{:<34} {:>8} {:>15} {:>15} {:>8}\n",
+        visitors, rounds, 2.5, 0.5, 1.5, "", "minutes", "rounds a minute", "presses a round", "missed");
+    const auto row = [&](const std::string& name, switches::Buttons buttons, const switches::Options& how) {
+        double minutes = 0, rate = 0, presses = 0, missed = 0;
+        for (int v = 0; v < visitors; ++v) {
+            const base::Seed seed = base::Seed{options.seed}.child(static_cast<std::uint64_t>(v));
+            base::RandomStream liking(seed.child("picks"));
+            std::vector<genome::Pick> picks(static_cast<std::size_t>(rounds));
+            for (genome::Pick& pick : picks)
+                for (auto& answer : pick.each) answer = liking.below(genome::kCandidates);
+            const switches::Pace pace = switches::pace_of(picks, buttons, how, {}, seed);
+            minutes += pace.minutes / visitors;
+            rate += pace.rounds_a_minute / visitors;
+            presses += pace.presses_a_round / visitors;
+            missed += static_cast<double>(pace.missed) / rounds / visitors;
+        }
+        fmt::print("{:<34} {:>8.1f} {:>15.2f} {:>15.1f} {:>8.2f}\n", name, minutes, rate, presses, missed);
+    };
+    switches::Options how;
+    row("four buttons", switches::Buttons::Four, how);
+    row("two buttons", switches::Buttons::Two, how);
+    for (const int pace_ms : {1'000, 1'500, 2'000, 3'000}) {
+        how.pace = std::chrono::milliseconds{pace_ms};
+        row(fmt::format("one button, pace_s = {:.1f}", pace_ms / 1000.0), switches::Buttons::One, how);
+    }
+    for (const int dwell_ms : {1'000, 2'000}) {
+        how.dwell = std::chrono::milliseconds{dwell_ms};
+        row(fmt::format("one button, dwell_s = {:.1f}", dwell_ms / 1000.0), switches::Buttons::One, how);
+    }
+    return 0;
+}
+
 int simulate(const Options& options) {
+    if (options.is_switches) return simulate_switches(options);
     if (options.is_study) return redo_study(options);
     if (!options.from.empty()) return replay(options);
     if (options.world == "sees") return simulate_seeing(options);
@@ -214,6 +255,8 @@ void add_simulate(CLI::App& app, Action& chosen) {
     command->add_flag("--all", options->is_all, "Both genomes, both worlds");
     command->add_flag("--study", options->is_study,
                       "The user test of the paper of 2003 again, by simulated users: breeding against sliders");
+    command->add_flag("--switches", options->is_switches,
+                      "How many rounds a minute are played with one button, two and four, by the pace of the mark");
     command->add_option("--genome", options->genome, "words or classic")
         ->check(CLI::IsMember({"words", "classic"}))
         ->capture_default_str();
@@ -234,10 +277,10 @@ void add_simulate(CLI::App& app, Action& chosen) {
         ->capture_default_str();
     command->add_option("--visitors", options->visitors, "How many play each method")
         ->check(CLI::Range(2, 100000))
-        ->default_str("200; 60 who see or are studied");
+        ->default_str("200; 60 who see, are studied or play with switches");
     command->add_option("--rounds", options->rounds, "How many each plays")
         ->check(CLI::Range(1, 200))
-        ->default_str("15; 8 for those who see");
+        ->default_str("15; 8 for those who see, 6 with switches");
     command->add_option("--seed", options->seed, "Names all chance")->capture_default_str();
     command
         ->add_option("--from", options->from,

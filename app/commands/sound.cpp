@@ -9,6 +9,7 @@
 #include "base/file.hpp"
 #include "commands/commands.hpp"
 #include "pictures/picture.hpp"
+#include "scene/parameters.hpp"
 #include "sound/levels.hpp"
 #include "sound/soundscape.hpp"
 #include "sound/wav.hpp"

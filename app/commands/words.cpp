@@ -21,8 +21,8 @@
 #include "commands/commands.hpp"
 #include "commands/words_axes.hpp"
 #include "genome/speech.hpp"
-#include "kiosk/past_visits.hpp"
-#include "kiosk/school.hpp"
+#include "learning/past_visits.hpp"
+#include "learning/school.hpp"
 #include "nursery/growing.hpp"
 #include "pictures/tree_view.hpp"
 #include "site/state_folder.hpp"
@@ -53,7 +53,7 @@ struct Options {
 // With --state the site's own; otherwise the one that the program brings along.
 breeding::WordMap map_for(const Options& options) {
     return options.state.empty() ? breeding::default_word_map()
-                                 : kiosk::site_words(site::existing_state_folder(options.state)).map;
+                                 : learning::site_words(site::existing_state_folder(options.state)).map;
 }
 
 // What each scene taught: how far around it is heard, and how near its own words come to it again.
@@ -73,7 +73,7 @@ void show_scenes(const breeding::WordMap& map, genome::Aspect aspect) {
 
 // What visitors end up with, where that moved what is believed before a pick.
 void show_taste(const std::filesystem::path& folder, const breeding::WordMap& map) {
-    const breeding::Taste taste = kiosk::site_taste(folder);
+    const breeding::Taste taste = learning::site_taste(folder);
     for (const genome::Aspect aspect : genome::kAspects) {
         const std::vector<std::string>& names = map.atlas(aspect).names;
         for (const auto& [name, count] : taste.chosen[aspect])
@@ -190,7 +190,7 @@ int train(const Options& options) {
     std::error_code ignored;  // only the user's own is made; where that cannot be, the lock says so
     std::filesystem::create_directories(folder, ignored);
     const auto lock = backup::hold_state(folder, "quadrat words train");
-    const kiosk::SiteWords before = kiosk::site_words(folder);
+    const learning::SiteWords before = learning::site_words(folder);
     breeding::Lessons wanted{before.lessons.curator, {}};
     if (!options.files.empty()) wanted.curator.clear();
     for (const std::string& file : options.files) {
@@ -205,12 +205,13 @@ int train(const Options& options) {
     const breeding::Training training = breeding::train(
         wanted, before.lessons, before.map, options.is_anyway ? breeding::Worse::Take : breeding::Worse::Refuse);
     for (const std::string& line : training.said) std::cerr << fmt::format("words: {}\n", line);
-    if (training.lessons != before.lessons) kiosk::keep_site_words(folder, training.lessons);
+    if (training.lessons != before.lessons) learning::keep_site_words(folder, training.lessons);
     for (const genome::Aspect aspect : genome::kAspects)
         fmt::print("{}: a scene told from the others is off by {:.2f} % of a range; before, by {:.2f} %\n",
                    name_of(aspect), 100 * training.map.leave_one_out(aspect), 100 * before.map.leave_one_out(aspect));
     fmt::print("{}\n", training.lessons == before.lessons ? "the map stays" : "the map is another");
-    if (std::filesystem::exists(folder / "quadrat.db")) kiosk::keep_site_taste(folder, kiosk::counted_taste(folder));
+    if (std::filesystem::exists(folder / "quadrat.db"))
+        learning::keep_site_taste(folder, learning::counted_taste(folder));
     return 0;
 }
 
@@ -241,7 +242,7 @@ int export_lessons(const Options& options) {
     base::require_ending(options.output, {".json"}, "what was taught");
     const std::filesystem::path folder = site::existing_state_folder(options.state);
     const archive::WordAnswers answers = archive::word_answers_in(folder);
-    write_and_name(options.output, to_json(breeding::Lessons{kiosk::site_words(folder).lessons.curator,
+    write_and_name(options.output, to_json(breeding::Lessons{learning::site_words(folder).lessons.curator,
                                                              breeding::lessons_from(answers.readable)}));
     return 0;
 }
@@ -273,9 +274,9 @@ int forget(const Options& options) {
     const std::filesystem::path folder = site::existing_state_folder(options.state);
     const auto lock = backup::hold_state(folder, "quadrat words forget");
     const archive::WordAnswers answers = archive::word_answers_in(folder);
-    const breeding::Lessons lessons = kiosk::site_words(folder).lessons;
+    const breeding::Lessons lessons = learning::site_words(folder).lessons;
     const std::size_t count = answers.readable.size() + static_cast<std::size_t>(answers.unreadable);
-    const breeding::Taste taste = kiosk::site_taste(folder);
+    const breeding::Taste taste = learning::site_taste(folder);
     const bool has_taste = taste.chosen != breeding::Taste{}.chosen;
     if (count == 0 && lessons.visitors.empty() && !has_taste) {
         fmt::print("visitors have said nothing yet: there is nothing to forget\n");
@@ -283,12 +284,12 @@ int forget(const Options& options) {
     }
     require_consent(options, count);
     // Visits that nobody counted yet are forgotten too.
-    kiosk::keep_site_taste(folder, {{}, std::max(taste.since, kiosk::last_visit_in(folder))});
+    learning::keep_site_taste(folder, {{}, std::max(taste.since, learning::last_visit_in(folder))});
     if (has_taste) fmt::print("what visitors end up with is forgotten: all named scenes are as likely again\n");
     if (count == 0 && lessons.visitors.empty()) return 0;
     const std::filesystem::path copy = keep_copy(folder, answers, lessons);
     archive::forget_word_answers_in(folder);
-    if (!lessons.visitors.empty()) kiosk::keep_site_words(folder, {lessons.curator, {}});
+    if (!lessons.visitors.empty()) learning::keep_site_words(folder, {lessons.curator, {}});
     // The map of before knows them too.
     std::error_code ignored;
     std::filesystem::remove(folder / "words.previous.json", ignored);

@@ -28,7 +28,9 @@ struct Entry {
     std::vector<Option> options = {};      // of a choice
     double least = 0, most = 0, step = 1;  // of a number and a range
     std::string picture = {};              // address of one that shows what it is about; "": none
-    bool can_be_previewed = false;         // drawn by the exhibit, by its name
+    std::string download = {};             // address of what may be kept of it, and what it is called; "": nothing
+    std::string download_label = {};
+    bool can_be_previewed = false;  // drawn by the exhibit, by its name
 };
 
 struct Group {
@@ -65,7 +67,10 @@ struct Curator {
     std::function<std::optional<std::string>(const std::string& who)> undo;  // what was taken back; nothing: none
     std::function<void(const Fields& form, const std::string& entry)> ask_preview;
     std::function<std::optional<std::string>(const std::string& id)> landscape;  // PNG; /curator/landscape/ID.png
+    std::function<std::optional<std::string>(const std::string& id)> postcard;   // PNG; /curator/postcard/ID.png
     std::function<std::optional<std::string>()> preview;  // PNG of what was asked for last, once the exhibit drew it
+    // Until then: "visitor", somebody plays; "dark", nothing is shown; "soon"; "gone", no exhibit runs any more.
+    std::function<std::string()> why_preview_waits;
 };
 
 }  // namespace quadrat::desk

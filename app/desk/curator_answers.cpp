@@ -11,7 +11,7 @@ namespace quadrat::desk {
 namespace {
 
 constexpr std::string_view kCurator = "/curator";
-constexpr std::string_view kLandscape = "/curator/landscape/", kPng = ".png";
+constexpr std::string_view kLandscape = "/curator/landscape/", kPostcard = "/curator/postcard/", kPng = ".png";
 constexpr std::size_t kPrefix = kCurator.size() + 1;
 
 std::string value_in(const Fields& fields, const std::string& name) {
@@ -55,10 +55,19 @@ Answer curated(const Request& request, View view) {
         view.done = view.say("curator.undone", {part});
     }
     if (request.path == "/curator") return html(curator_page(view));
-    if (request.path.starts_with(kLandscape) && request.path.ends_with(kPng)) {
-        const std::size_t length = request.path.size() - kLandscape.size() - kPng.size();
-        auto picture = view.sources.curator.landscape(request.path.substr(kLandscape.size(), length));
+    const auto id_after = [&](std::string_view folder) -> std::optional<std::string> {
+        if (!request.path.starts_with(folder) || !request.path.ends_with(kPng)) return std::nullopt;
+        return request.path.substr(folder.size(), request.path.size() - folder.size() - kPng.size());
+    };
+    if (const auto id = id_after(kLandscape)) {
+        auto picture = view.sources.curator.landscape(*id);
         return picture ? Answer{200, "image/png", std::move(*picture), {}} : no_page(view);
+    }
+    if (const auto id = id_after(kPostcard)) {
+        auto card = view.sources.curator.postcard(*id);
+        if (!card) return no_page(view);  // else its name is what was asked for: digits alone
+        const std::string kept_as = fmt::format("attachment; filename=\"quadrat-{}.png\"", *id);
+        return {200, "image/png", std::move(*card), {{"Content-Disposition", kept_as}}};
     }
     const auto form = view.sources.curator.form(request.path.substr(kPrefix), request.form, view.say);
     return form ? html(form_page(view, *form, {})) : no_page(view);

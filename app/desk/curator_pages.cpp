@@ -71,6 +71,9 @@ class Drawer {
 
     std::string below(const Entry& entry) const {
         std::string html;
+        if (!entry.download.empty())
+            html +=
+                fmt::format("<a href=\"{}\" download>{}</a>\n", escaped(entry.download), escaped(entry.download_label));
         if (!entry.hint.empty())
             html += fmt::format("<small id=\"{}-hint\">{}</small>\n", escaped(entry.name), escaped(entry.hint));
         if (entry.can_be_previewed)
@@ -148,9 +151,11 @@ std::string parts_of(const View& view) {
 std::string previewed(const View& view, const Posted& posted) {
     if (posted.previewed.empty()) return "";
     return fmt::format(
-        "<figure id=\"preview\">\n<img src=\"/preview.png\" width=\"854\" height=\"480\" alt=\"{}\" data-again>\n"
-        "<figcaption>{}</figcaption>\n</figure>\n",
-        escaped(view.say("preview.alt")), escaped(view.say("preview.explained")));
+        "<figure id=\"preview\">\n<img id=\"previewed\" src=\"/preview.png\" width=\"854\" height=\"480\" alt=\"{}\">\n"
+        "<figcaption><span id=\"preview-state\" role=\"status\" data-drawn=\"{}\">{}</span>\n"
+        "<noscript><a href=\"/preview.png\">{}</a></noscript></figcaption>\n</figure>\n",
+        escaped(view.say("preview.alt")), escaped(view.say("preview.drawn")), escaped(view.say("preview.soon")),
+        escaped(view.say("preview.look")));
 }
 
 }  // namespace

@@ -282,7 +282,9 @@ std::optional<Answer> Desk::file_of(const Request& request) {
     }
     if (request.path == "/preview.png") {
         auto picture = sources_.curator.preview();
-        return picture ? Answer{200, "image/png", std::move(*picture), {}} : refuse(request, 503, "trouble.picture");
+        if (picture) return Answer{200, "image/png", std::move(*picture), {}};
+        const std::string why = fmt::format("preview.{}", sources_.curator.why_preview_waits());
+        return Answer{503, "text/plain; charset=utf-8", language_for(request)(why), {}};
     }
     if (request.path == "/report")
         return Answer{200,

@@ -95,7 +95,7 @@ Server::Server(const ServerOptions& options, Answerer answerer)
         {MHD_OPTION_EXTERNAL_LOGGER, reinterpret_cast<std::intptr_t>(&say_nothing), nullptr},
         {MHD_OPTION_UNESCAPE_CALLBACK, reinterpret_cast<std::intptr_t>(&unescape), nullptr},
         {MHD_OPTION_SOCK_ADDR, 0, const_cast<sockaddr_storage*>(&address)},
-        {MHD_OPTION_CONNECTION_LIMIT, 64, nullptr},
+        {MHD_OPTION_CONNECTION_LIMIT, 256, nullptr},
         {MHD_OPTION_PER_IP_CONNECTION_LIMIT, 16, nullptr},
         {MHD_OPTION_CONNECTION_TIMEOUT, 6, nullptr},
         {MHD_OPTION_CONNECTION_MEMORY_LIMIT, 32 * 1024, nullptr},

@@ -36,6 +36,11 @@ std::vector<Finding> examine_screen(const std::optional<machine::Account>& exhib
 // Whether this machine has the screen that the settings ask for.
 std::vector<Finding> examine_wanted_screen(const site::Configuration& configuration,
                                            const std::filesystem::path& sysfs_drm = "/sys/class/drm");
+// Whether the projector that the settings name is as the exhibit wants it, as who keeps it says in the runtime folder;
+// where nobody keeps it, how it answers. `ask` throws projector::Trouble.
+using AskProjector = std::function<std::string(const site::Configuration::Screen& screen)>;
+std::vector<Finding> examine_projector(const site::Configuration& configuration, const std::filesystem::path& runtime,
+                                       const AskProjector& ask);
 using OpenButtons = std::function<firmware_io::Opened(std::string_view spec)>;
 std::vector<Finding> examine_buttons(const site::Configuration& configuration,
                                      const std::optional<machine::Account>& exhibit = {},

@@ -4,29 +4,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "exhibit/turn.hpp"
+
 namespace quadrat::exhibit {
 namespace {
 
 using genome::Aspect;
 using genome::kAspects;
 
-// One event's work: the state being changed and the wishes so far.
-struct Turn {
-    State state;
-    std::vector<Wish> wishes;
-    Instant now;
-    const Timings& timings;
-};
-
-void show(Turn& turn, Screen screen) {
-    turn.state.screen = screen;
-    turn.state.since = turn.now;
-}
-
-int new_generation(State& state) {
-    state.is_ready = false;
-    return ++state.generation;
-}
+constexpr int kLeastRounds = 2;  // before a Finale that comes early
 
 void prepare_visit(Turn& turn) { turn.wishes.emplace_back(PrepareVisit{new_generation(turn.state)}); }
 
@@ -36,13 +22,10 @@ Screen question_screen(const Timings& timings) {
 }
 
 void ask(Turn& turn, Aspect question) {
-    turn.state.question = question;
+    State& state = turn.state;
+    state.question = question;
+    if (!state.family.empty()) state.family[static_cast<std::size_t>(state.here)].was_seen = true;
     show(turn, question_screen(turn.timings));
-}
-
-void breed(Turn& turn, Screen after) {
-    turn.state.after_breed = after;
-    show(turn, Screen::Breed);
 }
 
 // The first question without an answer. A complete round has none, so the last question: its answer was taken back.
@@ -63,28 +46,35 @@ void forget_visit(State& state) {
     state.question = Aspect::Trees;
     state.after_breed = Screen::Ask;
     state.held.reset();
-}
-
-enum class NextVisit { ToPrepare, Prepared };
-
-void end_visit(Turn& turn, Ending ending, NextVisit next_visit) {
-    turn.wishes.emplace_back(EndVisit{ending, turn.state.rounds});
-    forget_visit(turn.state);
-    show(turn, Screen::Attract);
-    if (next_visit == NextVisit::ToPrepare) prepare_visit(turn);
+    state.family.clear();
+    state.here = 0;
+    state.walked = 0;
+    state.finale_asks = false;
+    state.is_printed = false;
+    state.breeds_on = false;
+    state.last_button.reset();
+    state.crossings = 0;
 }
 
 void begin_visit(Turn& turn) {
+    const bool breeds_on = turn.state.breeds_on;
     forget_visit(turn.state);
+    if (turn.timings.asking == Asking::Picks) turn.state.family.emplace_back();
     turn.wishes.emplace_back(BeginVisit{});
-    if (turn.state.is_ready) {
+    turn.state.breeds_on = breeds_on;
+    if (breeds_on) {
+        turn.wishes.emplace_back(BreedOn{new_generation(turn.state)});
+        breed(turn, Screen::Ask);
+    } else if (turn.state.is_ready) {
         ask(turn, Aspect::Trees);
     } else {
         breed(turn, Screen::Ask);
     }
 }
 
-void arrive(Turn& turn) {
+void arrive(Turn& turn, Choice button) {
+    if (turn.timings.is_wall) return;
+    turn.state.breeds_on = turn.timings.can_breed_on && turn.timings.asking == Asking::Picks && button == Choice::D;
     if (turn.timings.languages < 2) return begin_visit(turn);
     turn.state.first_language = 0;
     show(turn, Screen::Language);
@@ -103,19 +93,16 @@ void press_in_language(Turn& turn, Choice button) {
     begin_visit(turn);
 }
 
-void grow_finale(Turn& turn, const genome::Pick& answers) {
-    turn.wishes.emplace_back(GrowFinale{new_generation(turn.state), answers});
-    turn.state.held.reset();
-    breed(turn, Screen::Finale);
-}
-
 void end_round(Turn& turn) {
     State& state = turn.state;
+    const bool is_last = is_last_round(state, turn.timings);
     const genome::Pick answers = std::exchange(state.answers, {});
     state.past_answers.push_back(answers);
     state.question = Aspect::Trees;
     ++state.rounds;
-    if (state.rounds >= turn.timings.rounds) {
+    state.family.push_back({state.here, answers});
+    state.here = static_cast<int>(state.family.size()) - 1;
+    if (is_last) {
         grow_finale(turn, answers);
         return;
     }
@@ -147,6 +134,7 @@ void take_back(Turn& turn) {
         state.past_answers.pop_back();
         state.answers[kAspects.back()].reset();
         --state.rounds;
+        state.here = state.family[static_cast<std::size_t>(state.here)].parent;
         turn.wishes.emplace_back(UndoRound{new_generation(state), state.answers});
         breed(turn, Screen::Ask);
     }
@@ -162,82 +150,29 @@ void press_in_ask(Turn& turn, Choice button) {
     }
 }
 
-void leave_finale(Turn& turn) {
-    const Timings& timings = turn.timings;
-    if (timings.describe_words > 0 && turn.state.finales % std::max(1, timings.describe_every) == 0) {
-        show(turn, Screen::Describe);
-        return;
-    }
-    end_visit(turn, Ending::Finished, NextVisit::Prepared);
-}
-
-void press_in_finale(Turn& turn) {
-    // An impatient press at what was still growing must not cost the visitor their landscape.
-    if (turn.now - turn.state.since < turn.timings.finale_guard) return;
-    leave_finale(turn);
-}
-
-void press_in_describe(Turn& turn, Choice button) {
-    if (turn.now - turn.state.since < turn.timings.press_guard) return;
-    if (button != Choice::Back) {
-        turn.wishes.emplace_back(KeepWord{turn.state.described, static_cast<std::size_t>(button)});
-        if (++turn.state.described < turn.timings.describe_words) return show(turn, Screen::Describe);
-    }
-    end_visit(turn, Ending::Finished, NextVisit::Prepared);
-}
-
-constexpr int kTurnsARound = 3;  // as many as answers
-
-void turn_slider(Turn& turn, int direction) {
-    State& state = turn.state;
-    ++state.turns;
-    ++state.turns_to_undo;
-    state.rounds = state.turns / kTurnsARound;
-    turn.wishes.emplace_back(TurnSlider{new_generation(state), state.slider, direction});
-    if (state.rounds >= turn.timings.rounds) grow_finale(turn, {});
-}
-
-void take_turn_back(Turn& turn) {
-    State& state = turn.state;
-    if (state.turns_to_undo == 0) return;
-    --state.turns_to_undo;
-    state.rounds = --state.turns / kTurnsARound;
-    turn.wishes.emplace_back(UndoTurn{new_generation(state)});
-}
-
-void press_in_slide(Turn& turn, Choice button) {
-    // Only as the screen comes: whoever turns sliders presses fast.
-    if (turn.now - turn.state.since < turn.timings.press_guard) return;
-    const int sliders = std::max(1, turn.timings.sliders);
-    switch (button) {
-        case Choice::A:
-            turn.state.slider = (turn.state.slider + sliders - 1) % sliders;
-            return;
-        case Choice::B:
-            turn.state.slider = (turn.state.slider + 1) % sliders;
-            return;
-        case Choice::C:
-            return turn_slider(turn, -1);
-        case Choice::D:
-            return turn_slider(turn, 1);
-        case Choice::Back:
-            return take_turn_back(turn);
-    }
-}
-
 bool listens_to_holding(const State& state) {
     return state.screen == Screen::Ask || state.screen == Screen::Slide ||
            (state.screen == Screen::Breed && state.after_breed == Screen::Ask);
 }
 
+// Two buttons at once are of two hands, and mostly of two visitors who are not of one mind.
+void note_hand(Turn& turn, Choice button) {
+    State& state = turn.state;
+    const auto& last = state.last_button;
+    const bool is_judging = state.screen == Screen::Ask || state.screen == Screen::Breed;
+    if (is_judging && last && last->button != button && turn.now - last->since < kTogether) ++state.crossings;
+    state.last_button = Held{button, turn.now};
+}
+
 void press(Turn& turn, Choice button) {
     State& state = turn.state;
     turn.wishes.emplace_back(Acknowledge{button});
+    if (state.screen != Screen::Attract) note_hand(turn, button);
     state.last_press = turn.now;
     if (button != Choice::Back && listens_to_holding(state)) state.held = Held{button, turn.now};
     switch (state.screen) {
         case Screen::Attract:
-            return arrive(turn);
+            return arrive(turn, button);
         case Screen::Ask:
             return press_in_ask(turn, button);
         case Screen::Breed:
@@ -245,13 +180,15 @@ void press(Turn& turn, Choice button) {
         case Screen::StillThere:
             return show(turn, question_screen(turn.timings));
         case Screen::Finale:
-            return press_in_finale(turn);
+            return press_in_finale(turn, button);
         case Screen::Describe:
             return press_in_describe(turn, button);
         case Screen::Slide:
             return press_in_slide(turn, button);
         case Screen::Language:
             return press_in_language(turn, button);
+        case Screen::Family:
+            return press_in_family(turn, button);
     }
 }
 
@@ -269,8 +206,20 @@ void generation_ready(Turn& turn, int generation) {
         return;
     }
     ++state.finales;
-    show(turn, Screen::Finale);
+    show_finale(turn);
     prepare_visit(turn);
+}
+
+// Whether what was learnt is enough: then the Finale comes in place of the next four.
+void believe(Turn& turn, const Believed& belief) {
+    const State& state = turn.state;
+    const Timings& timings = turn.timings;
+    const bool is_between = state.screen == Screen::Breed && state.after_breed == Screen::Ask && !state.is_ready;
+    if (!is_between || state.family.empty() || state.answers != genome::Pick{}) return;
+    const int least = std::max(kLeastRounds, timings.rounds - timings.rounds_early);
+    const bool is_early = timings.rounds_early > 0 && belief.is_narrow && state.rounds >= least;
+    const bool is_time = state.rounds >= timings.rounds && !belief.is_changing;
+    if (is_early || is_time) grow_finale(turn, {});
 }
 
 std::optional<Instant> screen_deadline(const State& state, const Timings& timings) {
@@ -286,7 +235,9 @@ std::optional<Instant> screen_deadline(const State& state, const Timings& timing
         case Screen::StillThere:
             return state.since + timings.countdown;
         case Screen::Finale:
-            return state.since + timings.finale;
+            return (state.finale_asks ? std::max(state.since, state.last_press) : state.since) + timings.finale;
+        case Screen::Family:
+            return std::max(state.since, state.last_press) + timings.patience;
         case Screen::Describe:
             return std::max(state.since, state.last_press) + timings.describe;
     }
@@ -311,6 +262,7 @@ void screen_times_out(Turn& turn) {
         case Screen::StillThere:
             return end_visit(turn, Ending::Left, NextVisit::ToPrepare);
         case Screen::Finale:
+        case Screen::Family:
             return leave_finale(turn);
         case Screen::Describe:
             return end_visit(turn, Ending::Finished, NextVisit::Prepared);
@@ -339,9 +291,38 @@ struct Handle {
     void operator()(const Stirred&) const { turn.state.last_press = turn.now; }
     void operator()(const Grew&) const { turn.state.last_growth = turn.now; }
     void operator()(const GenerationReady& event) const { generation_ready(turn, event.generation); }
+    void operator()(const Believed& event) const { believe(turn, event); }
 };
 
 }  // namespace
+
+void show(Turn& turn, Screen screen) {
+    turn.state.screen = screen;
+    turn.state.since = turn.now;
+}
+
+int new_generation(State& state) {
+    state.is_ready = false;
+    return ++state.generation;
+}
+
+void breed(Turn& turn, Screen after) {
+    turn.state.after_breed = after;
+    show(turn, Screen::Breed);
+}
+
+void grow_finale(Turn& turn, const genome::Pick& answers) {
+    turn.wishes.emplace_back(GrowFinale{new_generation(turn.state), answers});
+    turn.state.held.reset();
+    breed(turn, Screen::Finale);
+}
+
+void end_visit(Turn& turn, Ending ending, NextVisit next_visit) {
+    turn.wishes.emplace_back(EndVisit{ending, turn.state.rounds});
+    forget_visit(turn.state);
+    show(turn, Screen::Attract);
+    if (next_visit == NextVisit::ToPrepare) prepare_visit(turn);
+}
 
 Step opening(Instant now) {
     State state;
@@ -355,6 +336,10 @@ State resumed(std::vector<genome::Pick> past, const genome::Pick& answers, Insta
     State state;
     state.screen = Screen::Breed;
     state.rounds = static_cast<int>(past.size());
+    state.family.push_back({-1, {}, true});
+    for (const genome::Pick& pick : past)
+        state.family.push_back({static_cast<int>(state.family.size()) - 1, pick, true});
+    state.here = state.rounds;
     state.past_answers = std::move(past);
     state.since = now;
     state.last_press = now;
@@ -368,6 +353,7 @@ State resumed(std::vector<genome::Pick> past, const genome::Pick& answers, Insta
 
 State resumed_sliding(int turns, Instant now) {
     State state = resumed({}, {}, now);
+    state.family.clear();
     state.rounds = std::max(0, turns) / kTurnsARound;
     state.turns = std::max(0, turns);
     return state;

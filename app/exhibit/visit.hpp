@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The room `exhibit`: the visit as a pure function of state, event and time. No disk (archive), no clock, no thread.
 #pragma once
+#include <array>
 #include <chrono>
 #include <optional>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -20,6 +22,14 @@ enum class Choice { A, B, C, D, Back };
 // How a visit comes to its landscape: three best-of-four answers a round, or one slider after another turned.
 enum class Asking { Picks, Sliders };
 
+// Whether a group is invited to answer a question each.
+enum class TakingTurns {
+    Never,
+    Found,  // when presses tell that there are several: kCrossingsOfAGroup
+    Always
+};
+TakingTurns turns_named(std::string_view name);  // "never", "found", "always"; anything else is "found"
+
 struct Timings {
     std::chrono::milliseconds patience{25'000};       // without a press, until "Still there?"
     std::chrono::milliseconds countdown{10'000};      // of "Still there?", until Attract
@@ -33,9 +43,24 @@ struct Timings {
     int describe_words = 3;                           // asked in Describe, one at a time; 0: never
     int describe_every = 2;                           // at least 1: after every so many Finales
     Asking asking = Asking::Picks;
-    int sliders = 0;    // how many there are to choose from; at least 1 where they are turned
-    int languages = 0;  // that a visitor may choose from as they come; of fewer than two nobody is asked
+    int sliders = 0;       // how many there are to choose from; at least 1 where they are turned
+    int languages = 0;     // that a visitor may choose from as they come; of fewer than two nobody is asked
+    int rounds_early = 0;  // the Finale comes so many rounds earlier at most, once picks agree; after two at least
+    int rounds_more = 0;   // and so many later at most, as long as they change
+    TakingTurns turns = TakingTurns::Never;
+    bool finale_asks = false;   // the family tree, going on, printing; otherwise any press leaves the Finale. Not where
+                                // sliders are turned
+    bool can_print = false;     // a postcard, when it is asked for
+    bool prints_all = false;    // without being asked
+    bool can_breed_on = false;  // in Attract, button D: from the landscape on show
+    bool is_wall = false;       // nobody plays: it stays Attract
 };
+
+// Another button within kTogether of one is another hand; after so many in a visit there are several visitors.
+inline constexpr std::chrono::milliseconds kTogether{250};
+inline constexpr int kCrossingsOfAGroup = 2;
+// The family tree of a visit grows no larger: then nobody goes on from the Finale.
+inline constexpr std::size_t kMostFamily = 60;
 
 // ---- what happens
 
@@ -54,7 +79,12 @@ struct Grew {};
 struct GenerationReady {
     int generation;
 };
-using Event = std::variant<Pressed, Released, Tick, Stirred, Grew, GenerationReady>;
+// What a GrowNext learnt of this visit's picks.
+struct Believed {
+    bool is_narrow;    // they agree, so that little would come of more
+    bool is_changing;  // the last contradict those before them
+};
+using Event = std::variant<Pressed, Released, Tick, Stirred, Grew, GenerationReady, Believed>;
 
 // ---- where the visit stands
 
@@ -67,12 +97,21 @@ enum class Screen {
     Describe,    // what do you call it? one word at a time, four answers
     Slide,       // one landscape; A and B choose a slider, C and D turn it
     Language,    // which one? before the first question
+    Family,      // the visit's family tree, over the Finale's landscape
 };
 
 struct Held {
     Choice button;
     Instant since;
     friend bool operator==(const Held&, const Held&) = default;
+};
+
+// Four that were offered in a visit, and the answers that led to them from others.
+struct Ancestor {
+    int parent = -1;  // among the family; -1: the first four
+    genome::Pick pick = {};
+    bool was_seen = false;  // otherwise the Finale came in their place
+    friend bool operator==(const Ancestor&, const Ancestor&) = default;
 };
 
 // Passive; made by opening(), resumed() and next() alone.
@@ -95,6 +134,14 @@ struct State {
     Instant last_press{0};                            // any press, or stirring
     Instant last_growth{0};                           // of what Breed waits for
     std::optional<Held> held;                         // A to D, while it may become a long press
+    std::vector<Ancestor> family;                     // of this visit, in the order in which they came; empty: none
+    int here = 0;                                     // which of them is on offer, or led to the Finale
+    int walked = 0;                                   // which of them Family shows
+    bool finale_asks = false;                         // in Finale: the buttons choose
+    bool is_printed = false;                          // the Finale's landscape, or will be
+    bool breeds_on = false;                           // from what hung in Attract
+    std::optional<Held> last_button;                  // pressed in this visit, and when
+    int crossings = 0;                                // of hands, in this visit
     friend bool operator==(const State&, const State&) = default;
 };
 
@@ -122,6 +169,23 @@ struct SpeakLanguage {
     int which;  // of those to choose from
     friend bool operator==(const SpeakLanguage&, const SpeakLanguage&) = default;
 };
+// The visit goes on from four that it had, of State::family: that belief and those four; grow them, then say
+// GenerationReady.
+struct ReturnTo {
+    int generation;
+    int node;
+    friend bool operator==(const ReturnTo&, const ReturnTo&) = default;
+};
+// Of the landscape on show in Attract: believe that this visitor likes it, grow the four that follow, then say
+// GenerationReady.
+struct BreedOn {
+    int generation;
+    friend bool operator==(const BreedOn&, const BreedOn&) = default;
+};
+// The Finale's landscape on paper.
+struct PrintPostcard {
+    friend bool operator==(const PrintPostcard&, const PrintPostcard&) = default;
+};
 // A visitor came: what was prepared is theirs.
 struct BeginVisit {
     friend bool operator==(const BeginVisit&, const BeginVisit&) = default;
@@ -132,7 +196,7 @@ struct KeepAnswers {
     genome::Pick answers;
     friend bool operator==(const KeepAnswers&, const KeepAnswers&) = default;
 };
-// Learn from the answers, keep the new belief and the new four on disk, grow them, then say GenerationReady.
+// Learn from the answers, keep the new belief and the new four on disk, grow them, say Believed, then GenerationReady.
 struct GrowNext {
     int generation;
     genome::Pick answers;
@@ -177,7 +241,7 @@ struct EndVisit {
     friend bool operator==(const EndVisit&, const EndVisit&) = default;
 };
 using Wish = std::variant<Acknowledge, PrepareVisit, BeginVisit, KeepAnswers, GrowNext, UndoRound, GrowFinale,
-                          TurnSlider, UndoTurn, KeepWord, EndVisit, SpeakLanguage>;
+                          TurnSlider, UndoTurn, KeepWord, EndVisit, SpeakLanguage, ReturnTo, BreedOn, PrintPostcard>;
 
 struct Step {
     State state;
@@ -215,9 +279,19 @@ enum class Prompt {
     YourLandscape,
     WhichWords,
     TurnWords,
-    WhichLanguage
+    WhichLanguage,
+    WhichAncestor
 };
 Prompt prompt_of(const State& state);
+
+// Whether the four buttons stand for four things to choose from, instead of any press doing.
+bool asks(const State& state);
+
+// Whether they are to take turns, a question each.
+bool takes_turns(const State& state, const Timings& timings);
+
+// Whether the Finale comes after this round, whatever is answered.
+bool is_last_round(const State& state, const Timings& timings);
 
 // In Language, what a button stands for: one of the languages, or the next of them where there are more than four.
 // Nothing: neither.
@@ -228,7 +302,11 @@ struct LanguageChoice {
 };
 std::optional<LanguageChoice> language_on(Choice button, int first_language, int languages);
 
-// Seconds left, rounded up, where a countdown is shown: in StillThere.
+// Which of A to D stand for something just now; all of them where any press will do.
+std::array<bool, 4> meant_by(const State& state, const Timings& timings);
+
+// Seconds left, rounded up, where a countdown is shown: in StillThere, and of what would else go without a word
+// (Language, Finale where it asks, Family, Describe) as long as `countdown` before it does. A press there is more time.
 std::optional<int> countdown_s(const State& state, Instant now, const Timings& timings);
 
 }  // namespace quadrat::exhibit

@@ -117,6 +117,8 @@ void Link::subscribe(const std::string& topic) {
     mosquitto_subscribe(client_.get(), nullptr, topic.c_str(), kAtMostOnce);
 }
 
+void Link::unsubscribe(const std::string& topic) { mosquitto_unsubscribe(client_.get(), nullptr, topic.c_str()); }
+
 bool Link::look() {
     if (!has_socket_) {
         connect();

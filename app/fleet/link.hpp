@@ -44,6 +44,7 @@ class Link {
     // The number that will be acknowledged, or 0.
     int publish(const std::string& topic, const std::string& payload, bool is_retained);
     void subscribe(const std::string& topic);
+    void unsubscribe(const std::string& topic);
 
   private:
     struct Free {

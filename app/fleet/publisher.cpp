@@ -57,6 +57,7 @@ Publisher::Publisher(const site::Configuration::Fleet& settings, std::filesystem
       name_(own_name(settings.name)),
       id_(client_id(state_)),
       control_({name_, settings.discovery, std::move(options.version), std::move(options.orders)}),
+      exchange_(name_, std::move(options.sharing)),
       link_(settings, {id_, topic("status"), options.quiet},
             {[this] { connected(); }, [this](int message) { acknowledged(message); },
              [this](const std::string& at, const std::string& text, bool is_retained) { heard(at, text, is_retained); },
@@ -69,11 +70,13 @@ void Publisher::connected() {
     link_.subscribe(topic("status"));
     link_.subscribe(topic("publisher"));
     control_.connected(link_);
+    exchange_.connected(link_);
     introduce(Word::Arrived);
 }
 
 void Publisher::heard(const std::string& at, const std::string& text, bool is_retained) {
     if (control_.heard(link_, at, text, is_retained)) return;
+    if (exchange_.heard(link_, at, text)) return;
     if (at == topic("publisher")) return meet(text);
     // The last will of another of our name, or our own of before this machine had another card: the broker keeps it.
     if (text == "offline") link_.publish(topic("status"), "online", true);
@@ -113,7 +116,9 @@ void Publisher::look() {
     if (!link_.look()) return;
     publish_health();
     publish_visits();
-    control_.look(link_, OrderPace::Moment::clock::now());
+    const auto now = OrderPace::Moment::clock::now();
+    control_.look(link_, now);
+    exchange_.look(link_, now);
 }
 
 void Publisher::publish_health() {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "archive/outbox.hpp"
+#include "fleet/exchange.hpp"
 #include "fleet/house_control.hpp"
 #include "fleet/link.hpp"
 #include "site/configuration.hpp"
@@ -19,6 +20,7 @@ struct PublisherOptions {
     std::chrono::milliseconds quiet{500};  // that look() waits at most
     std::string version;                   // of the program
     std::optional<Orders> orders;          // what it takes; none where the settings want none
+    Sharing sharing{};                     // of favourites, with other exhibits
 };
 
 // Tells a broker by MQTT how the exhibit is and what visitors did, in a process of its own: quadrat/NAME/status
@@ -55,6 +57,7 @@ class Publisher {
     std::set<std::int64_t> arrived_;
     std::set<std::string> rivals_;  // others of the same name, that were told of
     HouseControl control_;
+    Exchange exchange_;
     Link link_;  // last: its events use what is above
 };
 

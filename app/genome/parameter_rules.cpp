@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "genome/parameter_ids.hpp"
+
 namespace quadrat::genome {
 namespace {
 

@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "genome/parameter_ids.hpp"
+
 namespace quadrat::genome {
 namespace {
 

@@ -10,19 +10,8 @@
 
 namespace quadrat::genome {
 
-// One enumerator a row, in table order: trees, then land, then sky.
-enum class ParameterId : std::size_t {
-#define PARAMETER(id, ...) id,
-// The order is the table's, not the alphabet's.
-// clang-format off
-#include "genome/parameters_trees.inc"
-#include "genome/parameters_land.inc"
-#include "genome/parameters_sky.inc"
-// clang-format on
-#undef PARAMETER
-    count
-};
-inline constexpr std::size_t kParameterCount = static_cast<std::size_t>(ParameterId::count);
+// One a row. Who names one includes genome/parameter_ids.hpp; all others need not be compiled anew for another row.
+enum class ParameterId : std::size_t;
 
 // Which genomes hold a parameter. Classic ones are in every genome; Full ones keep their default in the classic one.
 enum class Genome { Classic, Full };

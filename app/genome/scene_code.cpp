@@ -241,4 +241,8 @@ const std::vector<CodeLayout>& code_layouts() {
     return layouts;
 }
 
+Candidate candidate_of_code(std::string_view text, std::string_view source) {
+    return candidate_of(recipe_of_code(text, source));
+}
+
 }  // namespace quadrat::genome

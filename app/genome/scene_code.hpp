@@ -29,6 +29,7 @@ bool has_code(std::string_view text);
 // The scene of such a text. Throws InputError naming source, what is wrong and what would be right: no code, a version
 // that this program does not know, a letter too many, too few or another (the checksum).
 Recipe recipe_of_code(std::string_view text, std::string_view source);
+Candidate candidate_of_code(std::string_view text, std::string_view source);  // the same, to grow
 
 // One row of a layout.
 struct CodeField {

@@ -14,6 +14,7 @@
 #include "genome/json_text.hpp"
 #include "genome/language_po.hpp"
 #include "genome/language_texts.hpp"
+#include "genome/parameter_ids.hpp"
 
 namespace quadrat::genome {
 namespace {
@@ -22,6 +23,7 @@ using nlohmann::json;
 
 // Below this nobody would use the word; from kVery on they would add to it.
 constexpr float kNoticed = 0.25F;
+constexpr float kHeard = 0.08F;  // of two that are described alike, what is worth a word
 constexpr float kVery = 0.8F;
 constexpr float kNoticedShare = 0.05F;  // of a parameter's range
 
@@ -153,6 +155,26 @@ std::string Language::describe(const Description& description) const {
     for (const Aspect aspect : kAspects)
         text = filled(std::move(text), fmt::format("{{{}}}", name_of(aspect)), describe(description, aspect));
     return text;
+}
+
+std::string Language::describe_among(std::span<const std::optional<Description>> all, std::size_t which,
+                                     Aspect aspect) const {
+    const Description& own = *all[which];
+    std::string said = describe(own, aspect);
+    std::vector<std::size_t> alike;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (i != which && all[i] && describe(*all[i], aspect) == said) alike.push_back(i);
+    if (alike.empty()) return said;
+    std::optional<WordId> most;
+    float farthest = 0;
+    for (const Word& word : vocabulary(aspect)) {
+        float apart = own[word.id];
+        for (const std::size_t other : alike) apart -= (*all[other])[word.id] / static_cast<float>(alike.size());
+        if (std::abs(apart) < std::max(kHeard, std::abs(farthest))) continue;
+        farthest = apart;
+        most = word.id;
+    }
+    return most ? fmt::format("{}, {}", said, filled(rather_, "{}", std::string(end(*most, farthest > 0)))) : said;
 }
 
 std::string Language::heredity(const Description& from, const Description& to, Aspect aspect) const {

@@ -3,6 +3,8 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,14 +15,15 @@
 namespace quadrat::genome {
 
 // What the screen asks and says, and what is heard alone (hear.again), by key.
-inline constexpr std::array<std::string_view, 26> kPrompts{
+inline constexpr std::array<std::string_view, 33> kPrompts{
     "attract",    "ask.language", "ask.trees",      "ask.land",      "ask.sky",      "breed",     "still-there",
     "finale",     "first",        "describe.trees", "describe.land", "describe.sky", "slide",     "back",
     "invite.one", "invite.two",   "hold.one",       "hold.two",      "scan.one",     "scan.step", "scan.two",
-    "scan.rest",  "hear.again",   "take-home",      "closed",        "settings"};
+    "scan.rest",  "hear.again",   "take-home",      "closed",        "settings",     "turns",     "family",
+    "go-on",      "print",        "printing",       "done",          "breed-on"};
 
 // A number for each parameter of the table, in its order.
-using ParameterShares = std::array<float, kParameterCount>;
+using ParameterShares = std::vector<float>;
 
 // How one language speaks of a Description: an adjective for each end of each word, agreeing with its aspect's noun,
 // and the templates that join them. Data: genome/languages/*.json, inside the binary.
@@ -36,6 +39,10 @@ class Language {
     // strong enough to notice.
     std::string describe(const Description& description) const;
     std::string describe(const Description& description, Aspect aspect) const;
+
+    // The same of one of several that are compared by ear: where another would be described alike, the word in which it
+    // differs most from those comes after it. `which` has a description.
+    std::string describe_among(std::span<const std::optional<Description>> all, std::size_t which, Aspect aspect) const;
 
     // What changed most for an aspect from one to the other, as its two adjectives at most: "tall, sparse"; "" if
     // nothing did that one would notice.

@@ -9,8 +9,6 @@
 namespace quadrat::hearing {
 namespace {
 
-constexpr std::size_t kMostToSay = 12;  // a question, its choices and what came before them
-
 sound::OpenOutput opens(const std::string& device) {
     return [name = device.empty() ? std::string("default") : device](std::string& trouble) {
         return sound::open_alsa(name, trouble);
@@ -48,20 +46,11 @@ Concert::Concert(const site::Configuration::Sound& settings, base::Seed seed)
     : settings_(settings),
       listened_level_(listened_level_of(settings)),
       soundscape_(seed),
-      room_(opens(settings.device), soundscape_, room_levels(settings, listened_level_)) {
+      room_(opens(settings.device), soundscape_, room_levels(settings, listened_level_)),
+      speaker_(settings.speech_folder) {
     if (has_handset(settings))
         handset_ = std::make_unique<sound::Player>(opens(settings.private_device), soundscape_,
                                                    handset_levels(settings, listened_level_));
-    speaker_ = std::thread([this] { speak(); });
-}
-
-Concert::~Concert() {
-    {
-        const std::scoped_lock lock(mutex_);
-        is_over_ = true;
-    }
-    has_work_.notify_all();
-    speaker_.join();
 }
 
 void Concert::tell_all(const sound::Order& order) {
@@ -72,21 +61,15 @@ void Concert::tell_all(const sound::Order& order) {
 void Concert::carry_out(const sound::Sounds& cue) { tell_all(cue); }
 
 void Concert::carry_out(const Says& cue) {
-    {
-        const std::scoped_lock lock(mutex_);
-        to_say_.push_back({++numbered_, cue.utterance});
-        // Who is told faster than anybody can speak hears the newest.
-        if (to_say_.size() > kMostToSay) to_say_.pop_front();
-    }
-    has_work_.notify_all();
+    speaking_.send([this, number = ++numbered_, utterance = cue.utterance] { say(number, utterance); });
 }
 
 void Concert::carry_out(const Hushes& /*cue*/) {
     {
         const std::scoped_lock lock(mutex_);
-        to_say_.clear();
         hushed_before_ = numbered_ + 1;
     }
+    speaking_.drop_waiting();
     tell_all(sound::Hushes{numbered_ + 1});
 }
 
@@ -144,30 +127,17 @@ Health Concert::health() const {
     return health;
 }
 
-void Concert::speak() {
-    sound::Speaker speaker(settings_.speech_folder);
-    for (;;) {
-        ToSay next;
-        {
-            std::unique_lock lock(mutex_);
-            has_work_.wait(lock, [this] { return is_over_ || !to_say_.empty(); });
-            if (is_over_) return;
-            next = std::move(to_say_.front());
-            to_say_.pop_front();
-        }
-        auto samples = std::make_shared<const std::vector<float>>(speaker.say(next.utterance));
-        bool is_hushed = false;
-        {
-            const std::scoped_lock lock(mutex_);
-            is_hushed = next.number < hushed_before_;
-            if (trouble_ != speaker.trouble() && !speaker.trouble().empty())
-                base::log::warn("speech: {}", speaker.trouble());
-            trouble_ = speaker.trouble();
-        }
-        if (is_hushed) continue;
-        sound::Player& listener = handset_ ? *handset_ : room_;
-        listener.say({next.number, std::move(samples)});
+void Concert::say(std::int64_t number, const sound::Utterance& utterance) {
+    auto samples = std::make_shared<const std::vector<float>>(speaker_.say(utterance));
+    {
+        const std::scoped_lock lock(mutex_);
+        if (trouble_ != speaker_.trouble() && !speaker_.trouble().empty())
+            base::log::warn("speech: {}", speaker_.trouble());
+        trouble_ = speaker_.trouble();
+        if (number < hushed_before_) return;
     }
+    sound::Player& listener = handset_ ? *handset_ : room_;
+    listener.say({number, std::move(samples)});
 }
 
 }  // namespace quadrat::hearing

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <condition_variable>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "base/worker.hpp"
 #include "hearing/health.hpp"
 #include "hearing/narrator.hpp"
 #include "site/configuration.hpp"
 #include "sound/player.hpp"
+#include "sound/speaker.hpp"
 
 namespace quadrat::hearing {
 
@@ -21,9 +20,6 @@ namespace quadrat::hearing {
 class Concert {
   public:
     Concert(const site::Configuration::Sound& settings, base::Seed seed);
-    ~Concert();
-    Concert(const Concert&) = delete;
-    Concert& operator=(const Concert&) = delete;
 
     void play(const std::vector<Cue>& cues);
     void surround(const sound::Surroundings& surroundings);
@@ -33,16 +29,12 @@ class Concert {
     Health health() const;
 
   private:
-    struct ToSay {
-        std::int64_t number;
-        sound::Utterance utterance;
-    };
     void carry_out(const sound::Sounds& cue);
     void carry_out(const Says& cue);
     void carry_out(const Hushes& cue);
     void tell_all(const sound::Order& order);
     void set_levels();
-    void speak();  // the speaker's thread
+    void say(std::int64_t number, const sound::Utterance& utterance);  // the speaker's thread
 
     site::Configuration::Sound settings_;
     double listened_level_;  // of whoever listens to speech
@@ -50,13 +42,15 @@ class Concert {
     sound::Player room_;
     std::unique_ptr<sound::Player> handset_;  // or null
     std::int64_t numbered_ = 0;
+    sound::Speaker speaker_;    // of the speaker's thread alone
     mutable std::mutex mutex_;  // of what follows; held for moments
-    std::condition_variable has_work_;
-    std::deque<ToSay> to_say_;
     std::int64_t hushed_before_ = 0;
-    bool is_over_ = false;
     std::string trouble_;
-    std::thread speaker_;  // last: it ends before what it uses
+    // A question, its choices and what came before them: who is told faster than anybody can speak hears the newest.
+    base::Worker speaking_{{.name = "speech",
+                            .bound = 13,
+                            .when_full = base::WorkerOptions::WhenFull::DropOldest,
+                            .at_end = base::WorkerOptions::AtEnd::Drop}};  // last: it ends before what it uses
 };
 
 }  // namespace quadrat::hearing

@@ -110,6 +110,11 @@ void Hearing::follow() {
     if (concert_) concert_->follow(configuration_.sound);
 }
 
+bool Hearing::has_spoken(base::Instant now) {
+    const bool is_speaking_now = is_speaking(now);
+    return std::exchange(was_speaking_, is_speaking_now) || is_speaking_now;
+}
+
 std::optional<base::Instant> Hearing::next_deadline(base::Instant now) const {
     if (!is_on_) return std::nullopt;
     std::optional<base::Instant> next = handset_.next_deadline();

@@ -37,6 +37,8 @@ class Hearing {
     void follow();  // the configuration has changed
 
     bool is_speaking(base::Instant now) const { return speaks() && narrator_.speaks_until() > now; }
+    // Once a frame: whether it is speaking, or was when this was asked last.
+    bool has_spoken(base::Instant now);
     base::Instant speaks_until() const { return narrator_.speaks_until(); }
     std::optional<base::Instant> next_deadline(base::Instant now) const;
     Health health() const;
@@ -52,6 +54,7 @@ class Hearing {
     Narrator narrator_;
     Handset handset_;
     std::unique_ptr<Concert> concert_;  // or null
+    bool was_speaking_ = false;
     exhibit::Screen screen_ = exhibit::Screen::Attract;
     struct Shown {
         int act = -1;

@@ -15,10 +15,6 @@ using sound::Signal;
 
 int place_of(Choice choice) { return static_cast<int>(choice); }
 
-bool asks(Screen screen) {
-    return screen == Screen::Ask || screen == Screen::Describe || screen == Screen::Slide || screen == Screen::Language;
-}
-
 base::Instant time_for(const sound::Utterance& utterance) {
     return std::chrono::duration_cast<base::Instant>(std::chrono::duration<double>(speaking_time_s(utterance)));
 }
@@ -47,6 +43,8 @@ std::string key_of(exhibit::Prompt prompt) {
             return "finale";
         case Prompt::WhichLanguage:
             return "ask.language";
+        case Prompt::WhichAncestor:
+            return "family";
         case Prompt::WhichWords:
         case Prompt::TurnWords:
             break;
@@ -84,7 +82,7 @@ void Narrator::say_choice(Choice choice, const Subject& subject, Cues& cues) {
     const auto which = static_cast<std::size_t>(choice);
     std::string words = subject.labels[which];
     if (subject.visit.screen == Screen::Ask && subject.four[which])
-        words = genome::language(subject.language).describe(*subject.four[which], subject.visit.question);
+        words = genome::language(subject.language).describe_among(subject.four, which, subject.visit.question);
     const bool is_there = subject.visit.screen == Screen::Ask || !words.empty() || choice == subject.marked;
     if (!is_there) return;
     const std::string& own = subject.label_languages[which];
@@ -111,6 +109,7 @@ void Narrator::tell_screen(const Subject& subject, Cues& cues) {
     const bool is_the_next_slider =
         visit.screen == Screen::Slide && screen_ == Screen::Slide && slider_ != visit.slider;
     const Screen before = std::exchange(screen_, visit.screen);
+    had_asked_ = exhibit::asks(visit);
     since_ = visit.since;
     slider_ = visit.slider;
     // Whatever is still being said belongs to what is gone.
@@ -119,7 +118,11 @@ void Narrator::tell_screen(const Subject& subject, Cues& cues) {
         cues.emplace_back(sound::Sounds{Signal::Round});
     if (visit.screen == Screen::Attract) forget_visit();
     if (is_the_next_slider) return say_choices(subject, cues);
-    if (asks(visit.screen)) return ask(subject, cues);
+    if (exhibit::asks(visit) && visit.screen != Screen::Finale) {
+        const bool walks_on = visit.screen == Screen::Family && before == Screen::Family;
+        if (!walks_on) return ask(subject, cues);
+        return say({{subject.language, "", subject.caption}, std::nullopt}, subject.now, cues);
+    }
     if (visit.screen == Screen::StillThere) {
         cues.emplace_back(sound::Sounds{Signal::StillThere});
         say("still-there", subject, cues);
@@ -131,6 +134,7 @@ void Narrator::tell_screen(const Subject& subject, Cues& cues) {
     const bool is_next_four = visit.screen == Screen::Breed && visit.after_breed != Screen::Finale;
     const bool has_caption = visit.screen == Screen::Finale || is_next_four;
     if (has_caption) say({{subject.language, "", subject.caption}, std::nullopt}, subject.now, cues);
+    if (exhibit::asks(visit) && !subject.is_marking) say_choices(subject, cues);
 }
 
 void Narrator::tell_press(const Subject& subject, Cues& cues) {
@@ -139,7 +143,7 @@ void Narrator::tell_press(const Subject& subject, Cues& cues) {
     const bool is_back = *subject.pressed == Choice::Back;
     cues.emplace_back(sound::Sounds{is_back ? Signal::Back : Signal::Press, place_of(*subject.pressed)});
     const bool is_answered = subject.visit.since == subject.pressed_at || subject.visit.since == subject.now;
-    if (is_answered && !is_back && asks(screen_))
+    if (is_answered && !is_back && had_asked_)
         cues.emplace_back(sound::Sounds{Signal::Choice, place_of(*subject.pressed)});
 }
 
@@ -169,11 +173,12 @@ std::vector<Cue> Narrator::look(const Subject& subject) {
 std::vector<Cue> Narrator::repeat(const Subject& subject) {
     Cues cues;
     be_silent(subject.now, cues);
-    if (asks(subject.visit.screen)) ask(subject, cues);
+    if (exhibit::asks(subject.visit) && subject.visit.screen != Screen::Finale) ask(subject, cues);
     if (subject.visit.screen == Screen::StillThere) say("still-there", subject, cues);
     if (subject.visit.screen == Screen::Finale) {
         say("finale", subject, cues);
         say({{subject.language, "", subject.caption}, std::nullopt}, subject.now, cues);
+        if (exhibit::asks(subject.visit) && !subject.is_marking) say_choices(subject, cues);
     }
     if (subject.marked) say_choice(*subject.marked, subject, cues);
     return cues;

@@ -84,6 +84,7 @@ class Narrator {
     base::Instant speaks_until_{0};
     bool has_said_ = false;  // anything, since it was hushed
     exhibit::Screen screen_ = exhibit::Screen::Attract;
+    bool had_asked_ = false;  // that screen
     base::Instant since_{0};
     int rounds_ = 0;
     int slider_ = 0;

@@ -5,6 +5,7 @@
 
 #include "base/log.hpp"
 #include "machine/service.hpp"
+#include "tempo/memory.hpp"
 
 namespace quadrat::kiosk {
 namespace {
@@ -27,6 +28,14 @@ void Announcer::presented(const display::Presented& presented, Show& show) {
     if (presented.outcome != Outcome::Fault) tell_service(show);
 }
 
+void Announcer::decided(const tempo::Tempo& tempo, const std::string& gpu, Show& show, base::Instant now) {
+    base::log::info("{}", tempo.plan().reason);
+    // The plug may be pulled at any moment; once a minute is often enough for the disk.
+    if (remembered_at_ && now - *remembered_at_ < std::chrono::minutes{1}) return;
+    remembered_at_ = now;
+    show.remember("detail", to_text(tempo.governor(), gpu));
+}
+
 // Ready is who has drawn landscapes once: the first such frame compiles what it is drawn with, which takes longer than
 // the watchdog waits for a frame where the machine is slow. Until then there is time as long as they grow, and the
 // watchdog is left alone: fed once, it bites before READY too.
@@ -34,7 +43,7 @@ void Announcer::tell_service(Show& show) {
     if (is_ready_) return machine::feed_watchdog();
     is_ready_ = had_landscapes_;
     if (is_ready_) return machine::announce_ready();
-    const float progress = show.growing_progress();
+    const float progress = show.programme().progress();
     if (std::exchange(progress_, progress) != progress) machine::ask_for_time(kTimeToGrow);
 }
 

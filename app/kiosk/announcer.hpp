@@ -3,6 +3,7 @@
 #include "display/display.hpp"
 #include "kiosk/show.hpp"
 #include "machine/start_report.hpp"
+#include "tempo/tempo.hpp"
 
 namespace quadrat::kiosk {
 
@@ -14,6 +15,8 @@ class Announcer {
     void drawn() { start_.drawn(had_landscapes_); }
     // After a frame was handed over.
     void presented(const display::Presented& presented, Show& show);
+    // The governor's, with its reason, which is remembered for the next start.
+    void decided(const tempo::Tempo& tempo, const std::string& gpu, Show& show, base::Instant now);
 
   private:
     void tell_service(Show& show);
@@ -23,6 +26,7 @@ class Announcer {
     bool had_landscapes_ = false;  // the last frame
     bool is_ready_ = false;
     float progress_ = -1;
+    std::optional<base::Instant> remembered_at_;  // the last decision that was
 };
 
 }  // namespace quadrat::kiosk

@@ -11,6 +11,10 @@ class Captures {
     explicit Captures(const RunLoopParts& parts) : parts_(parts) {}
     // Before the frame is drawn: draws over the canvas where a picture is due.
     void keep(stage::Theatre& theatre, const display::Canvas& canvas, base::Instant now);
+    // Words that staff wish to see, likewise: a frame's time, when nobody is there to be kept waiting by it.
+    void draw_preview(stage::Theatre& theatre, const display::Canvas& canvas, base::Instant now);
+    // After it was drawn. What is asked for from afar comes without a wait; a fault is kept as it was just now.
+    void answer(stage::Theatre& theatre);
 
   private:
     void keep_bred(stage::Theatre& theatre, const display::Canvas& canvas);
@@ -22,6 +26,7 @@ class Captures {
     int round_ = 1;         // that is or was seen last
     int generations_ = 0;
     int finales_ = 0;
+    std::string glimpsed_;  // the file of the picture that is on its way
 };
 
 }  // namespace quadrat::kiosk

@@ -16,8 +16,9 @@ void GpuMeasuring::step(stage::Theatre& theatre, const display::Canvas& canvas, 
     const bool is_over = benchmark_ && benchmark_->is_over();
     if (!parts_.calibrates || is_over || !parts_.tempo.is_governed() || !theatre.has_gpu()) return;
     const nursery::Act& act = parts_.show.on_stage();
-    const bool is_calm = parts_.show.state().screen == exhibit::Screen::Attract && !parts_.show.is_growing() &&
-                         act.scenes.size() == genome::kCandidates && now - act.arrived > kUntilCalm;
+    const bool is_calm = parts_.show.state().screen == exhibit::Screen::Attract &&
+                         !parts_.show.programme().is_growing() && act.scenes.size() == genome::kCandidates &&
+                         now - act.arrived > kUntilCalm;
     if (!is_calm || !canvas.is_seen) return;
     if (!benchmark_) benchmark_.emplace(theatre.most_samples());
     frames_disturbed_ = kFramesDisturbed;

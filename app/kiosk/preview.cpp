@@ -42,14 +42,14 @@ mesh::Image preview_of(const staff::PreviewWish& wish, const Show& show, stage::
     state.screen = place == kPlaces.end() ? Screen::Describe : place->screen;
     if (place != kPlaces.end()) state.question = place->question;
     state.since = state.last_press = now;
-    const nursery::Act* act = &show.act_of(state.screen);
+    const nursery::Act* act = &show.programme().act_of(state.screen);
     if (act->scenes.empty()) act = &show.on_stage();  // nobody has bred anything yet
     stage::Moment moment{state, show.timings(), *act, std::nullopt, std::nullopt};
     if (place == kPlaces.end() || state.screen == Screen::Language)
         moment.asked = stage::Asked{wish.prompt, {}, std::nullopt};
     moment.language = wish.language;
     moment.now = now;
-    const stage::Board closed{site::text(wished, "closed"), {}, stage::Board::Cover::Tint};
+    const stage::Board closed{site::text(wished, "closed"), {}, stage::Board::Cover::Tint, false, "closed"};
     stage::Theatre::Over over;
     if (wish.prompt == "closed") over.board = &closed;
     if (wish.prompt == "settings") over.sign = site::text(wished, "settings");

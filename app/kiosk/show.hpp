@@ -1,49 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "archive/archive.hpp"
 #include "base/clock.hpp"
-#include "breeding/session.hpp"
 #include "exhibit/visit.hpp"
 #include "hearing/narrator.hpp"
-#include "kiosk/keeper.hpp"
-#include "kiosk/school.hpp"
+#include "kiosk/bred.hpp"
+#include "kiosk/pace.hpp"
+#include "kiosk/programme.hpp"
 #include "kiosk/show_settings.hpp"
-#include "nursery/act.hpp"
-#include "nursery/gallery.hpp"
-#include "nursery/growing.hpp"
+#include "learning/diary.hpp"
+#include "learning/lineage.hpp"
+#include "learning/night_school.hpp"
 #include "site/configuration.hpp"
 #include "stage/asked.hpp"
 #include "stage/spoken.hpp"
+#include "stage/stage.hpp"
 
 namespace quadrat::kiosk {
 
 struct ShowOptions {
     base::Seed seed;  // names all chance of this run
-    nursery::GrowerOptions growing;
+    nursery::NurseryOptions growing;
     std::function<archive::WallTime()> wall_time;   // for the archive's rows
     std::function<archive::WallTime()> local_time;  // on the site's own clock: when it is night
     std::filesystem::path state;                    // the folder of the word map, beside the archive's file
-};
-
-// Landscapes on their way to the screen.
-struct Waiting {
-    int generation = 0;
-    Keeper::Ticket kept = 0;
-    std::vector<genome::Recipe> recipes;
-    bool is_finale = false;
-    std::unique_ptr<nursery::Act> act;  // once it has grown
-};
-
-// A landscape that was bred, while it is asked about.
-struct Bred {
-    genome::Recipe recipe;
-    std::optional<genome::Description> words;
-    std::vector<genome::WordId> asked;  // one after another
+    nursery::Wall::Read works = {};                 // nobody plays, and these are shown; or null
 };
 
 // Carries out what the exhibit wishes: breeds, keeps, grows; at its start and every night, has the word map trained on
@@ -51,7 +37,7 @@ struct Bred {
 // come from. One thread; no call waits, but finish_growing().
 class Show {
   public:
-    Show(const site::Configuration& configuration, ShowOptions options, std::unique_ptr<Keeper> keeper);
+    Show(const site::Configuration& configuration, ShowOptions options, std::unique_ptr<learning::Keeper> keeper);
     Show(const site::Configuration& configuration, ShowOptions options, archive::Archive archive);
 
     // Takes up the visit that a pulled plug interrupted, or opens with Attract. Where the disk has not told yet whether
@@ -60,53 +46,42 @@ class Show {
 
     void happen(const exhibit::Event& event, base::Instant now);
 
-    // Landscapes that are grown but not yet on the GPU. Once they are, and are kept too, say uploaded().
-    const nursery::Act* waiting_for_upload();
+    // Which landscapes are shown and which are on their way. Once what waits for it is on the GPU, and is kept too, say
+    // uploaded() here.
+    Programme& programme() { return programme_; }
+    const Programme& programme() const { return programme_; }
     bool is_kept_within(std::chrono::nanoseconds patience);  // or the disk had time enough
     void uploaded(base::Instant now);
-
-    // The act that was uploaded last, in its own light instead of a first, coarse one, where it has not grown so
-    // already; or what comes back to the gallery. Once it is on the GPU too, say refined().
-    const nursery::Act* waiting_to_refine();
-    void refined();
-    bool is_refined() { return !refined_ && !grower_.is_refining(); }  // nothing is shown in a first light
-
-    // What has grown of the landscapes that may come: may be brought to the GPU already.
-    nursery::Prospect ahead() { return grower_.ahead(); }
 
     // Blocks until nothing grows and everything is kept: for simulated clocks.
     void finish_growing();
 
     const exhibit::State& state() const { return state_; }
-    const exhibit::Timings& timings() const { return timings_; }
-    const nursery::Act& act_of(exhibit::Screen screen) const;  // that would be shown on it
-    const nursery::Act& on_stage() const;                      // may be empty, before the very first four have grown
-    std::span<const genome::Recipe> recipes_on_stage() const;
-    std::vector<const nursery::Act*> in_use() const;  // whose landscapes must stay on the GPU
-    bool is_growing() { return grower_.stock().is_busy; }
-    float growing_progress() { return waiting_ ? grower_.progress() : 0.0F; }
-    std::optional<exhibit::Choice> last_press() const { return last_press_; }
-    base::Instant last_press_at() const { return last_press_at_; }
-    int visits_ended() const { return visits_ended_; }
+    const exhibit::Timings& timings() const { return pace_.now(); }
+    const nursery::Act& on_stage() const;  // may be empty, before the very first four have grown
+    std::span<const genome::Recipe> recipes_on_stage() const { return programme_.recipes_of(state_.screen); }
+    const std::optional<stage::Flash>& last_press() const { return last_press_; }
+    int visits_ended() const { return diary_.visits_ended(); }
     // In words, "" where the genome has none: after a round what the next four lean toward, at the end what was bred.
-    const std::string& caption() const { return caption_; }
+    std::string caption() const;
     // Where the landscape that was bred can be had, as the site says; "" where it says nothing.
-    const std::string& take_home() const { return take_home_; }
+    std::string take_home() const;
+    bool take_postcard_wish() { return std::exchange(bred_.wants_postcard, false); }
     // The language that the screen speaks.
     const std::string& shown_language(base::Instant now) const { return spoken_.shown(state_.screen, now); }
     bool can_go_back() const;
-    // In Describe and Slide.
+    // As stage::asked_of, and in Slide.
     std::optional<stage::Asked> asked() const;
     // What is to be heard of it, but for how it is pressed.
     hearing::Subject heard(base::Instant now) const;
 
     // From now on everything waits so many times as long as the site says.
-    void wait_longer(double times);
+    void wait_longer(double times) { pace_.wait_longer(times); }
     // What the site has changed while we run: timings, rounds and language.
     void follow(const site::Configuration& configuration);
     // Keeps a short text for the next run, in place of the one under the same name.
-    void remember(const std::string& name, std::string text);
-    std::string state_trouble() const;  // why what visitors do is not being kept, or ""
+    void remember(const std::string& name, std::string text) { diary_.remember(name, std::move(text)); }
+    std::string state_trouble() { return diary_.trouble(); }  // why what visitors do is not being kept, or ""
 
   private:
     void step(exhibit::Step step, base::Instant now);
@@ -122,63 +97,28 @@ class Show {
     void carry_out(const exhibit::KeepWord& wish, base::Instant now);
     void carry_out(const exhibit::EndVisit& wish, base::Instant now);
     void carry_out(const exhibit::SpeakLanguage& wish, base::Instant now);
+    void carry_out(const exhibit::ReturnTo& wish, base::Instant now);
+    void carry_out(const exhibit::BreedOn& wish, base::Instant now);
+    void carry_out(const exhibit::PrintPostcard& wish, base::Instant now);
 
-    std::string heredity(const genome::Candidate& before, const genome::Candidate& now,
-                         const genome::Pick& answers) const;
     bool take_up(base::Instant now);
-    bool resume(const archive::Generation& kept, base::Instant now);
-    std::string why_not_resumed(const archive::Generation& kept, const breeding::WordMap& map,
-                                const breeding::Taste& taste);
-    std::vector<genome::WordId> words_to_ask() const;
-    void study();
-    void study_at_night();
-    void regrow_gallery();
-    void stop_regrowing();
-    bool is_sliding() const { return timings_.asking == exhibit::Asking::Sliders; }
-    breeding::Session fresh_session();
-    void undo();
-    void grow_offer(int generation, Keeper::Ticket kept);
+    void resume(const archive::Generation& kept, base::Instant now);
+    bool is_sliding() const { return timings().asking == exhibit::Asking::Sliders; }
+    void grow_offer(int generation, learning::Keeper::Ticket kept);
     void keep_answers(const genome::Pick& answers);
-    Keeper::Ticket keep_generation(const genome::Pick& answers);
-    archive::Generation generation_of(const genome::Pick& answers) const;
 
-    exhibit::Timings usual_timings_;
-    exhibit::Timings timings_;  // with the patience of now
-    double patience_ = 1;
-    breeding::BreederOptions breeder_options_;
-    int control_every_;
-    std::vector<genome::Aspect> locked_;
-    ShowOptions options_;
     exhibit::State state_;
-    bool has_asked_keeper_ = false;  // what the last run left
-    std::optional<breeding::Session> session_;
-    std::vector<archive::Deed> deeds_;  // of the session, from its first four to those of now
-    std::uint64_t sessions_ = 0;
-    std::shared_ptr<std::int64_t> visit_;  // its number in the archive, written and read by the keeper's thread
-    std::optional<Waiting> waiting_;
-    float progress_ = 0;  // of what is waited for, as the visit was last told
-    std::optional<nursery::Act> refined_;
-    nursery::Act offered_;  // the four of this round, or of the visit to come
-    nursery::Act finale_;
-    nursery::Gallery gallery_;
-    bool is_regrowing_ = false;  // what is missing in it; nothing else grows then
-    genome::Recipe regrowing_;   // which that is
-    int acts_ = 0;
-    int visits_ended_ = 0;
-    std::optional<exhibit::Choice> last_press_;
-    base::Instant last_press_at_{0};
-    Bred bred_;
-    std::shared_ptr<School> school_;
-    std::int64_t studied_night_ = 0;
-    Keeper::Ticket study_ = 0;
-    std::unique_ptr<Keeper> keeper_;
-    nursery::Grower grower_;
-    bool is_in_fleet_;  // visits are kept for whoever publishes them
+    Pace pace_;
+    learning::NightSchool school_;
+    learning::Founder founder_;
+    learning::Lineages lineages_;
+    learning::Diary diary_;
+    Programme programme_;
     stage::Spoken spoken_;
+    std::optional<stage::Flash> last_press_;
     std::string caption_;
+    Bred bred_;
     std::string take_home_url_;  // the site's
-    bool is_collected_ = false;  // what visitors breed, by its code
-    std::string take_home_;
 };
 
 }  // namespace quadrat::kiosk

@@ -9,6 +9,8 @@
 namespace quadrat::kiosk {
 namespace {
 
+constexpr int kRoundsThatSuit = 4;  // of fewer nobody wants to miss one
+
 std::chrono::milliseconds milliseconds_of(double seconds) {
     return std::chrono::milliseconds(std::llround(seconds * 1000.0));
 }
@@ -27,6 +29,16 @@ exhibit::Timings timings_of(const site::Configuration& configuration) {
     // The classic genome has no words to speak in.
     timings.describe_words = is_classic ? 0 : configuration.visit.describe_words;
     timings.describe_every = configuration.visit.describe_every;
+    if (timings.rounds >= kRoundsThatSuit) {
+        timings.rounds_early = configuration.visit.rounds_early;
+        timings.rounds_more = configuration.visit.rounds_more;
+    }
+    timings.turns = exhibit::turns_named(configuration.visit.turns);
+    timings.is_wall = configuration.attract.is_wall;
+    timings.finale_asks = configuration.visit.shows_family;
+    timings.can_print = !configuration.postcard.printer.empty();
+    timings.prints_all = configuration.postcard.when == "always";
+    timings.can_breed_on = configuration.attract.breeds_on;
     timings.languages = static_cast<int>(configuration.visit.languages.size());
     if (configuration.breeding.breeder == "sliders") {
         timings.asking = exhibit::Asking::Sliders;
@@ -47,8 +59,9 @@ nursery::Chosen chosen_by(const site::Configuration& configuration) {
     // As this program writes it: an older one wrote the same landscape in another code.
     for (const std::string& code : configuration.attract.hidden)
         chosen.hidden.push_back(genome::code_of(genome::recipe_of_code(code, "attract.hidden")));
-    for (const std::string& code : configuration.attract.favourites)
-        chosen.favourites.push_back(genome::recipe_of_code(code, "attract.favourites"));
+    for (const auto* codes : {&configuration.attract.favourites, &configuration.attract.guests})
+        for (const std::string& code : *codes)
+            chosen.favourites.push_back(genome::recipe_of_code(code, "attract.favourites"));
     return chosen;
 }
 
@@ -63,15 +76,6 @@ breeding::BreederOptions breeder_options_of(const site::Configuration& configura
     options.pbil.mutation = configuration.breeding.mutation;
     options.pbil.mutation_form = configuration.breeding.mutation_form == "random" ? breeding::MutationForm::Random
                                                                                   : breeding::MutationForm::TowardHalf;
-    return options;
-}
-
-breeding::BreederOptions options_of_visit(breeding::BreederOptions options, int control_every, base::Seed session) {
-    const bool can_be_compared =
-        options.kind == breeding::BreederKind::Belief && options.genome == genome::Genome::Full;
-    if (control_every > 0 && can_be_compared &&
-        base::RandomStream(session.child("control")).below(static_cast<std::uint32_t>(control_every)) == 0)
-        options.kind = breeding::BreederKind::Chance;
     return options;
 }
 

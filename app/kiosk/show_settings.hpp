@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "base/seed.hpp"
 #include "breeding/breeder.hpp"
 #include "exhibit/visit.hpp"
 #include "nursery/gallery.hpp"
@@ -13,9 +12,5 @@ exhibit::Timings timings_of(const site::Configuration& configuration);
 std::vector<genome::Aspect> locked_in(const site::Configuration& configuration);
 breeding::BreederOptions breeder_options_of(const site::Configuration& configuration);
 nursery::Chosen chosen_by(const site::Configuration& configuration);
-
-// One of so many visits is bred by chance alone, 0: none. Which ones hangs on their seeds: a visit that is taken up
-// after a power cut goes on as it was.
-breeding::BreederOptions options_of_visit(breeding::BreederOptions options, int control_every, base::Seed session);
 
 }  // namespace quadrat::kiosk

@@ -51,11 +51,8 @@ char key_of(display::Key key) {
 }
 
 firmware_io::Lamps lamps_for(const Show& show) {
-    const exhibit::Screen screen = show.state().screen;
-    const bool asks = screen == exhibit::Screen::Ask || screen == exhibit::Screen::Describe ||
-                      screen == exhibit::Screen::Slide || screen == exhibit::Screen::Language;
-    const bool invites =
-        show.state().screen == exhibit::Screen::Attract || show.state().screen == exhibit::Screen::StillThere;
+    const bool asks = exhibit::asks(show.state());
+    const bool invites = show.state().screen == Screen::Attract || show.state().screen == Screen::StillThere;
     firmware_io::Lamps lamps;
     lamps.fill(asks ? LampPattern::Steady : invites ? LampPattern::Breathing : LampPattern::Off);
     lamps[firmware_io::index_of(Button::Back)] = show.can_go_back() ? LampPattern::Steady : LampPattern::Off;
@@ -64,11 +61,9 @@ firmware_io::Lamps lamps_for(const Show& show) {
 }
 
 stage::Moment moment_of(Show& show, std::optional<stage::Scanned> scanned, base::Instant now) {
-    std::optional<stage::Flash> flash;
-    if (show.last_press()) flash = stage::Flash{*show.last_press(), show.last_press_at()};
-    stage::Moment moment{show.state(), show.timings(), show.on_stage(), flash, show.asked()};
+    stage::Moment moment{show.state(), show.timings(), show.on_stage(), show.last_press(), show.asked()};
     moment.scanned = std::move(scanned);
-    moment.growing_progress = show.growing_progress();
+    moment.growing_progress = show.programme().progress();
     moment.caption = show.caption();
     moment.take_home = show.take_home();
     moment.language = show.shown_language(now);

@@ -38,7 +38,9 @@ class Switchboard {
 
   private:
     void take(const switches::Step& step, base::Instant now);
-    switches::Beside beside() const { return {show_.state(), show_.can_go_back(), speaks_until_}; }
+    switches::Beside beside() const {
+        return {show_.state(), show_.can_go_back(), speaks_until_, exhibit::meant_by(show_.state(), show_.timings())};
+    }
     std::string hint(const switches::Options& options) const;
 
     const site::Configuration& configuration_;

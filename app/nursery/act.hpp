@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "base/clock.hpp"
 #include "genome/recipe.hpp"
-#include "nursery/ahead.hpp"
+#include "scene/scene.hpp"
 
 namespace quadrat::nursery {
+
+using Scenes = std::vector<std::shared_ptr<const scene::Scene>>;
 
 // Landscapes that belong together on the screen: four candidates, or one finale; and what they are grown from.
 struct Act {

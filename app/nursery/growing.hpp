@@ -2,62 +2,46 @@
 // The room `nursery`: landscapes that grow in the background, until they can be shown. Nothing here speaks to a GPU or
 // knows why a landscape is wanted.
 #pragma once
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "genome/offer.hpp"
 #include "genome/recipe.hpp"
-#include "nursery/ahead.hpp"
-#include "scene/scene.hpp"
+#include "nursery/graph.hpp"
 
 namespace quadrat::nursery {
 
 // One scene, now, on the calling thread's arena.
 std::shared_ptr<const scene::Scene> grow(const genome::Recipe& recipe, const scene::Fineness& fineness = {});
 
-struct GrowerOptions {
-    int threads = 0;  // that grow; 0: all cores. They run in the background of the frame loop (low_priority.hpp).
+struct NurseryOptions {
+    int threads = 0;  // that grow; 0: all cores. They run in the background of the frame loop (base/worker.hpp).
     scene::Fineness fineness;
 };
 
-// What has grown of scenes to come.
-struct Prospect {
-    std::vector<scene::Ground> grounds;  // that stand, until their scenes are taken in their own light
-    Scenes lit;                          // whole, in first light; of some of them at most four will be taken
-};
-
-// Grows in the background. Aspects are kept by what they were grown from, so one that is inherited, or was begun as
-// soon as its answer was known, is not grown twice. All calls from one thread; none of them waits, but wait().
-class Grower {
+// Grows what is wanted in the background, the most urgent first. What is inherited, or was begun as soon as its answer
+// was known, is not grown twice (graph.hpp). All calls from one thread; none of them waits, but wait().
+class Nursery {
   public:
-    explicit Grower(const GrowerOptions& options = {});
-    ~Grower();  // gives up what has not begun
-    Grower(const Grower&) = delete;
-    Grower& operator=(const Grower&) = delete;
+    explicit Nursery(const NurseryOptions& options = {});
+    ~Nursery();  // gives up what has not begun
+    Nursery(const Nursery&) = delete;
+    Nursery& operator=(const Nursery&) = delete;
 
-    // Works for an order that has not been given: what is known of it grows, is laid out once trees and land are known,
-    // and once they stand, each of the possible orders gets its skies and first light; whichever of them is given is
-    // ready at once. It is worked out beside the caller too, unless an order or another head start comes first.
-    void begin(std::function<HeadStart()> work_out);
+    // In place of all that was wanted before, which is forgotten. Where somebody waits for any of it, what is foreseen
+    // and not among it will not come.
+    void want(std::vector<Want> wants);
+    // What may be awaited next, in place of what was foreseen before. It is worked out in the background too, unless
+    // something is awaited first.
+    void foresee(std::function<std::vector<Want>()> work_out);
 
-    Prospect ahead();
+    // Of what is wanted: all of them, in the best light that there is; nothing while one is missing.
+    std::optional<Graph::AllLit> find(const Landscapes& landscapes) const;
+    Prospect ahead() const;  // of what is foreseen, or awaited and not there yet
+    float progress() const;  // of what is awaited, 0 to 1
 
-    // Whole scenes. Replaces an order that has not been taken. They are ready in a first, coarse light; until then
-    // somebody waits.
-    void order(Order wanted);
-
-    bool is_ready();               // the order can be taken
-    std::optional<Scenes> take();  // once an order; nothing while it is not ready
-    float progress();              // of the order, 0 to 1
-    // From now on they grow in their own light too: a visitor who waits to see the first has the cores until then.
-    void refine();
-    // The same scenes in that light, once, unless take() gave them so already.
-    std::optional<Scenes> take_refined();
-    bool is_refining();  // or has refined what nobody took
-    void wait();         // refines; until the order is ready in its own light
+    void wait();  // until all that is wanted is there, in its full light
 
     // Aspects held for what may be asked next, never more than the four scenes' twice, and aspects still to grow.
     struct Stock {
@@ -65,7 +49,7 @@ class Grower {
         std::size_t to_grow;
         bool is_busy;  // with any of it
     };
-    Stock stock();
+    Stock stock() const;
 
   private:
     struct Parts;

@@ -14,7 +14,6 @@ namespace {
 constexpr int kSheetEntryPx = 480;
 constexpr int kSheetColumns = 3;
 constexpr std::size_t kSheetEntries = 60;
-constexpr std::size_t kWritingAtOnce = 3;
 
 void write_or_log(const std::filesystem::path& path, const mesh::Image& pixels, const std::string& json) {
     try {
@@ -34,27 +33,18 @@ Album::Album(std::filesystem::path folder) : folder_(std::move(folder)) {
             fmt::format("{}: cannot make this folder for pictures: {}", folder_.string(), error.message()));
 }
 
-Album::~Album() {
-    for (auto& one : writing_)
-        if (one.valid()) one.wait();
-}
-
 void Album::add(const std::string& name, mesh::Image pixels, const Picture& picture, const std::string& caption) {
     // Only the newest are kept for the sheet: a run can go on for months.
     if (entries_.size() >= kSheetEntries) entries_.erase(entries_.begin());
     entries_.push_back({scaled_to(pixels, kSheetEntryPx), caption});
     ++count_;
-    if (writing_.size() >= kWritingAtOnce) {
-        writing_.front().wait();
-        writing_.erase(writing_.begin());
-    }
-    writing_.push_back(std::async(std::launch::async, [path = folder_ / (name + ".png"), pixels = std::move(pixels),
-                                                       json = to_json(picture)] { write_or_log(path, pixels, json); }));
+    writing_.send([path = folder_ / (name + ".png"), pixels = std::move(pixels), json = to_json(picture)] {
+        write_or_log(path, pixels, json);
+    });
 }
 
 void Album::finish() {
-    for (auto& one : writing_) one.wait();
-    writing_.clear();
+    writing_.finish();
     if (entries_.empty()) return;
     write_image(folder_ / "contact-sheet.png", contact_sheet(entries_, kSheetColumns, kSheetEntryPx));
 }

@@ -65,6 +65,39 @@ std::vector<mesh::Image> lines_within(const std::vector<std::string>& phrases, i
 
 }  // namespace
 
+mesh::Image filling_postcard(const mesh::Image& picture) {
+    if (picture.width == kOnPostcard_px.x && picture.height == kOnPostcard_px.y) return picture;
+    const float step = std::min(static_cast<float>(picture.width) / static_cast<float>(kOnPostcard_px.x),
+                                static_cast<float>(picture.height) / static_cast<float>(kOnPostcard_px.y));
+    const float left = (static_cast<float>(picture.width) - step * static_cast<float>(kOnPostcard_px.x)) / 2;
+    const float top = (static_cast<float>(picture.height) - step * static_cast<float>(kOnPostcard_px.y)) / 2;
+    const auto at = [](float begin, float by, int i, int most, float& share) {
+        const float where =
+            std::clamp(begin + (static_cast<float>(i) + 0.5F) * by - 0.5F, 0.0F, static_cast<float>(most));
+        const int whole = std::min(static_cast<int>(where), most);
+        share = where - static_cast<float>(whole);
+        return whole;
+    };
+    mesh::Image filled(kOnPostcard_px.x, kOnPostcard_px.y, 4);
+    for (int y = 0; y < filled.height; ++y)
+        for (int x = 0; x < filled.width; ++x) {
+            float right_share = 0, lower_share = 0;
+            const int from_x = at(left, step, x, picture.width - 1, right_share);
+            const int from_y = at(top, step, y, picture.height - 1, lower_share);
+            const int next_x = std::min(from_x + 1, picture.width - 1),
+                      next_y = std::min(from_y + 1, picture.height - 1);
+            for (int c = 0; c < 3; ++c) {
+                const auto of = [&](int px, int py) { return static_cast<float>(picture.pixel(px, py)[c]); };
+                const float upper = of(from_x, from_y) * (1 - right_share) + of(next_x, from_y) * right_share;
+                const float lower = of(from_x, next_y) * (1 - right_share) + of(next_x, next_y) * right_share;
+                filled.pixel(x, y)[c] =
+                    static_cast<std::uint8_t>(upper * (1 - lower_share) + lower * lower_share + 0.5F);
+            }
+            filled.pixel(x, y)[3] = 255;
+        }
+    return filled;
+}
+
 mesh::Image draw_postcard(const Postcard& card) {
     assert(card.landscape.width == kOnPostcard_px.x && card.landscape.height == kOnPostcard_px.y);
     mesh::Image paper(kPostcard_px.x, kPostcard_px.y, 4);

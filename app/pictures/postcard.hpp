@@ -19,6 +19,9 @@ struct Postcard {
     bool reads_right_to_left = false;
 };
 
+// The picture as it lies on a card: as much of its middle as fills kOnPostcard_px. It must have pixels, RGBA.
+mesh::Image filling_postcard(const mesh::Image& picture);
+
 // White, opaque RGBA. Without the code where it is too long for one that a telephone reads from paper.
 mesh::Image draw_postcard(const Postcard& card);
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "scene/parameters.hpp"
+#include "scene/tree_parameters.hpp"
 #include "synthesis/trees/flora.hpp"
 #include "synthesis/trees/limb_mesh.hpp"
 #include "synthesis/trees/species.hpp"
@@ -50,7 +50,7 @@ mesh::Model::Part leaves_part(const scene::Species& species, const std::string& 
 }
 
 mesh::Model tree_model(const genome::Recipe& recipe, Limbs limbs) {
-    const Form form = form_of(scene::realise(recipe.values).trees, Rank::First);
+    const Form form = form_of(scene::realise_trees(recipe.values), Rank::First);
     const base::Seed seed = seed_of_species(recipe.seeds[genome::Aspect::Trees], 0);
     const scene::Species species = make_species(form, seed);
     mesh::Model model;

@@ -229,7 +229,8 @@ void HeldDistances::draw_in_turn(const Frame& frame, ViewPainter& painter, std::
     Stock& stock = *stocks_[turn->slot];
     const auto share = [&](std::size_t strip) { return static_cast<float>(strip) / static_cast<float>(turn->strips); };
     const glm::mat4 clip_from_world = clip_from_world_of(view_);
-    Selection s(strip_of(clip_from_world, {2 * share(turn->strip) - 1, 2 * share(turn->strip + 1) - 1}));
+    Selection s(strip_of(clip_from_world, {2 * share(turn->strip) - 1, 2 * share(turn->strip + 1) - 1}),
+                allowance_of(frame.detail, frame.views.size()));
     s.block = block_of(view_, clip_from_world, sight_.seconds);
     s.reach = {passes::Reach::Part::Far, on_map(sight_.eye_m), sight_.split_m};
     s.strip = {2 * share(turn->strip) - 1, 2 * share(turn->strip + 1) - 1};

@@ -13,10 +13,6 @@
 namespace quadrat::render {
 namespace {
 
-// Triangles of a whole frame at alpha 1.
-constexpr float kLandBudget = 24'000;
-constexpr float kSurroundBudget = 24'000;  // the ridge that closes a landscape is seen before much of what is nearer
-
 // The longer of its sides along the axes, in cells: with one of its own in every power of two, however it lies.
 std::uint32_t side_of(const std::uint32_t* triangle, std::uint32_t columns) {
     const auto [west, east] = std::minmax({triangle[0] % columns, triangle[1] % columns, triangle[2] % columns});
@@ -52,24 +48,15 @@ void HeldGround::update(const View& view, const glm::mat4& clip_from_world, cons
     chosen_.clear();
     const passes::Frustum frustum = passes::Hold::wider(strip_of(clip_from_world, wish.strip));
     const CountryOnGpu& country = *view.scene->country;
-    // The ground's outline against the sky is missed before leaves are, and it is cheap. Its triangles grow all the
-    // same: a software rasteriser shades squares of 16 pixels, whole ones along every edge.
-    const bool is_coarse = wish.alpha < 1;
-    const float alpha = is_coarse ? std::sqrt(wish.alpha) : wish.alpha;
-    const float budget_share = is_coarse ? std::pow(wish.alpha, 0.75F) : wish.alpha;
-    const float error_share = is_coarse ? std::pow(wish.alpha, -0.8F) : 1 / std::sqrt(wish.alpha);
-    grain_m_ = passes::kGrainSeen_m * wish.pixels_per_radian * std::min(alpha, 1.0F);
-    const auto within = [&](float error_px, float budget) {
-        return passes::Blocks::Wish{view.camera.eye_m,
-                                    wish.pixels_per_radian,
-                                    error_px * error_share,
-                                    static_cast<std::size_t>(budget * budget_share / wish.views),
-                                    grain_m_,
-                                    {},
-                                    wish.reach};
+    const Allowance& allowance = wish.allowance;
+    grain_m_ = passes::kGrainSeen_m * wish.pixels_per_radian * allowance.grain;
+    const auto within = [&](float error_px, float triangles) {
+        return passes::Blocks::Wish{
+            view.camera.eye_m, wish.pixels_per_radian, error_px, static_cast<std::size_t>(triangles), grain_m_, {},
+            wish.reach};
     };
-    passes::Blocks::Wish land = within(2.4F, kLandBudget);
-    passes::Blocks::Wish surround = within(1.3F, kSurroundBudget);
+    passes::Blocks::Wish land = within(allowance.land_error_px, allowance.land_triangles);
+    passes::Blocks::Wish surround = within(allowance.surround_error_px, allowance.surround_triangles);
     look_around(*view.scene, view.camera, passes::Hold::wider(clip_from_world),
                 adapted(country.land.land, frustum, land));
     land.hidden = hidden_land_;
@@ -77,13 +64,13 @@ void HeldGround::update(const View& view, const glm::mat4& clip_from_world, cons
     land_ = choose(country.land.land, frustum, land);
     surround_ = choose(country.land.surround, frustum, surround);
     const std::size_t first = chosen_.size();
-    const float stone_px = 1.2F / std::sqrt(wish.alpha);
-    country.stone.pieces.select(frustum, {view.camera.eye_m, wish.pixels_per_radian, stone_px, &horizon_, wish.reach},
-                                chosen_);
+    country.stone.pieces.select(
+        frustum, {view.camera.eye_m, wish.pixels_per_radian, allowance.stone_error_px, &horizon_, wish.reach}, chosen_);
     stone_ = {first, chosen_.size() - first, 0, 0};
     const std::size_t first_house = chosen_.size();
     country.houses.levels.select(
-        frustum, {view.camera.eye_m, wish.pixels_per_radian, std::sqrt(wish.alpha), wish.growth, &horizon_, wish.reach},
+        frustum,
+        {view.camera.eye_m, wish.pixels_per_radian, allowance.house_fineness, wish.growth, &horizon_, wish.reach},
         chosen_);
     houses_ = {first_house, chosen_.size() - first_house, 0, 0};
     indices_.fill<std::uint32_t>(chosen_);

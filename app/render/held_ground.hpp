@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "render/allowance.hpp"
 #include "render/gl/buffer.hpp"
 #include "render/gpu_scene.hpp"
 #include "render/passes/grid.hpp"
@@ -17,10 +18,9 @@ namespace quadrat::render {
 class HeldGround {
   public:
     struct Wish {
-        float alpha = 1;
+        Allowance allowance = {};
         float pixels_per_radian = 500;
         float aspect_ratio = 1;  // of the view
-        float views = 1;         // of the frame, among which its triangles are shared out
         passes::Reach reach = {};
         glm::vec2 strip{-1, 1};  // of the view, clip x
         float growth = 1;        // of its settlement: the share of the houses that stand

@@ -117,11 +117,13 @@ void draw_subject(Pictogram which, const Sketch& at) {
             cloud(at);
             return;
         case Pictogram::Press:
-            at.area({{8.5, 3}, {17, 3}, {17, 9}, {8.5, 9}});
-            at.area({{9, 9}, {11.5, 9}, {11.5, 16}, {9, 16}});
-            at.line({{4, 20.5}, {17, 20.5}});
-            at.line({{6, 17.5}, {6, 17.6}});
-            at.line({{15, 17.5}, {15, 17.6}});
+            at.ring(11.5, 7.5, 5);
+            at.erase(true);
+            at.area({{9.9, 7}, {13.1, 7}, {13.1, 15}, {9.9, 15}});
+            at.erase(false);
+            at.line({{11.5, 7.5}, {11.5, 15}});
+            at.disc(11.5, 7.5, 1.5);
+            at.area({{11, 13.5}, {16.5, 14.5}, {18, 16}, {16.5, 21}, {12, 21}, {7.5, 16.5}, {8.5, 15.5}, {11, 17}});
             return;
         case Pictogram::Sprout:
             at.line({{12, 21.5}, {12, 10}});
@@ -184,6 +186,63 @@ void draw_notice(Pictogram which, const Sketch& at) {
     }
 }
 
+// Who plays, and what came of what.
+void draw_company(Pictogram which, const Sketch& at) {
+    switch (which) {
+        case Pictogram::Family:
+            at.area({{9, 3.5}, {15, 3.5}, {15, 8}, {9, 8}});
+            at.area({{3, 16}, {9, 16}, {9, 20.5}, {3, 20.5}});
+            at.area({{15, 16}, {21, 16}, {21, 20.5}, {15, 20.5}});
+            at.line({{12, 9}, {12, 12}});
+            at.line({{6, 15}, {6, 12}, {18, 12}, {18, 15}});
+            return;
+        case Pictogram::Person:
+            at.disc(12, 7, 4.5);
+            at.disc(8.5, 16.5, 4);
+            at.disc(15.5, 16.5, 4);
+            at.area({{8.5, 14}, {15.5, 14}, {18.5, 17}, {18.5, 21}, {5.5, 21}, {5.5, 17}});
+            return;
+        default:
+            return;
+    }
+}
+
+// What is done with fewer buttons, and at the end.
+void draw_deed(Pictogram which, const Sketch& at) {
+    switch (which) {
+        case Pictogram::Back:
+            at.area({{4, 12}, {11, 5.5}, {11, 18.5}});
+            at.area({{11, 11}, {20, 11}, {20, 13}, {11, 13}});
+            return;
+        case Pictogram::Mark:
+            for (const double x : {3.0, 21.0})
+                for (const double y : {4.0, 20.0}) {
+                    const double in_x = x < 12 ? 5 : -5, in_y = y < 12 ? 5 : -5;
+                    at.line({{x + in_x, y}, {x, y}, {x, y + in_y}});
+                }
+            at.area({{9, 10}, {15, 10}, {15, 14}, {9, 14}});
+            return;
+        case Pictogram::Sound:
+            at.area({{3, 9.5}, {7, 9.5}, {11.5, 5.5}, {11.5, 18.5}, {7, 14.5}, {3, 14.5}});
+            at.line({{15.5, 9}, {16.6, 12}, {15.5, 15}});
+            at.line({{18.8, 6.5}, {20.8, 12}, {18.8, 17.5}});
+            return;
+        case Pictogram::Print:
+            at.area({{3.5, 10}, {20.5, 10}, {20.5, 16}, {3.5, 16}});
+            at.line({{7, 9}, {7, 3.5}, {17, 3.5}, {17, 9}});
+            at.erase(true);
+            at.area({{8, 14.5}, {16, 14.5}, {16, 20}, {8, 20}});
+            at.erase(false);
+            at.line({{7, 14}, {7, 20.5}, {17, 20.5}, {17, 14}, {7, 14}});
+            return;
+        case Pictogram::Done:
+            at.area({{4, 12.5}, {6, 10.5}, {9.8, 14.6}, {18.5, 5}, {20.5, 7}, {9.8, 18.8}});
+            return;
+        default:
+            return;
+    }
+}
+
 }  // namespace
 
 mesh::Image pictogram(Pictogram which, int size_px) {
@@ -196,6 +255,8 @@ mesh::Image pictogram(Pictogram which, int size_px) {
     cairo_scale(pen.get(), inner / kSquare, inner / kSquare);
     draw_subject(which, Sketch(pen.get()));
     draw_notice(which, Sketch(pen.get()));
+    draw_company(which, Sketch(pen.get()));
+    draw_deed(which, Sketch(pen.get()));
     mesh::Image image = image_of(surface.get());
     put_halo_under(image, halo_px);
     return image;

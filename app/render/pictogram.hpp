@@ -16,10 +16,17 @@ enum class Pictogram {
     Speech,    // what do you call it?
     Language,  // a globe
     Slider,
-    House,  // take it home
-    Moon,   // closed
+    House,   // take it home
+    Moon,    // closed
+    Family,  // a tree of pictures
+    Person,
+    Back,   // an arrow
+    Mark,   // what goes from choice to choice
+    Sound,  // a loudspeaker
+    Print,  // a printer
+    Done,   // a tick
 };
-inline constexpr int kPictograms = 12;
+inline constexpr int kPictograms = 19;
 
 // White, filled, on clear ground, RGBA premultiplied, with the halo that letters have.
 mesh::Image pictogram(Pictogram which, int size_px);

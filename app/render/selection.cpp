@@ -12,13 +12,12 @@
 namespace quadrat::render {
 namespace {
 
-// Visible triangles of a whole frame at alpha 1 that a Raspberry Pi 4 draws in time.
-constexpr float kTriangleBudget = 240'000;
 // Of what is held from frame to frame, how much counts among them. A frame draws a quarter of it; more of the rest
 // would be gained, but a landscape is to look much alike however much of it can be held.
 constexpr float kHeldShare = 0.6F;
-constexpr float kFewestPlantTriangles = 140'000;  // at alpha 1, whatever ground and cover take: crowns are whole
-constexpr float kLeastScale = 0.25F;              // of the sides of what is drawn smaller than it is shown
+constexpr float kLeastScale = 0.25F;  // of the sides of what is drawn smaller than it is shown
+// What moonlight leaves of a plant's colour: eyes see no hues by it, and green least.
+constexpr glm::vec3 kMoonlit{0.62F, 0.60F, 0.72F};
 
 glm::mat4 turned(const glm::mat4& clip_from_world, const Hanging& hanging) {
     glm::mat4 turn{1};
@@ -38,14 +37,12 @@ float standing_at(float growth) {
 
 float scale_of(const Frame& frame) { return std::clamp(frame.detail.scale, kLeastScale, 1.0F); }
 
-float alpha_of(const Frame& frame) { return std::max(frame.detail.alpha, 0.01F); }
-
 bool draws_plants(const Frame& frame) { return frame.measured.leaves || frame.measured.wood; }
 
 Selection outline(const Frame& frame, std::size_t slot) {
     const View& view = frame.views[slot];
     const glm::mat4 clip_from_world = clip_from_world_of(view);
-    Selection s(clip_from_world);
+    Selection s(clip_from_world, allowance_of(frame.detail, frame.views.size()));
     s.block = block_of(view, turned(clip_from_world, frame.hanging), frame.seconds);
     s.reach = {frame.measured.part, {view.camera.eye_m.x, view.camera.eye_m.z}, frame.measured.split_m};
     return s;
@@ -53,16 +50,16 @@ Selection outline(const Frame& frame, std::size_t slot) {
 
 void look(const Frame& frame, const View& view, HeldGround& held, Selection& s) {
     const GpuScene& scene = *view.scene;
-    const float alpha = alpha_of(frame);
     const float scale = pixels_per_radian(view);
     if (frame.measured.ground)
         held.update(view, clip_from_world_of(view),
-                    {alpha, scale, aspect_ratio(view), static_cast<float>(frame.views.size()), s.reach, s.strip,
-                     standing_at(view.growth)});
+                    {s.allowance, scale, aspect_ratio(view), s.reach, s.strip, standing_at(view.growth)});
     else
         held.drop();
     if (frame.measured.ground) {
-        s.cover_wish = {&s.block, &scene.sky->shadow_map, scale, alpha, view.growth, s.reach};
+        s.cover_wish = {
+            &s.block, &scene.sky->shadow_map, scale, s.allowance.cover_whole, s.allowance.cover_reach, view.growth,
+            s.reach};
         s.cover = passes::look_at_cover(scene.cover, s.frustum, s.cover_wish);
     }
     if (!draws_plants(frame)) return;
@@ -71,14 +68,15 @@ void look(const Frame& frame, const View& view, HeldGround& held, Selection& s) 
     s.gathering.clouds = &scene.sky->shadow_map;
     s.gathering.pixels_per_radian = scale;
     s.gathering.scale = scale_of(frame);
+    s.gathering.tint = glm::mix(glm::vec3{1}, kMoonlit, scene.air.sky.darkness);
     s.gathering.growth = view.growth;
-    s.gathering.fineness = std::sqrt(alpha);  // the budget takes the rest where there is much to see
+    s.gathering.fineness = s.allowance.plant_fineness;
     s.gathering.horizon = &held.horizon();
     s.gathering.reach = s.reach;
     s.plants = passes::look(*scene.plants, scene.flora->kinds, s.frustum, s.gathering);
     s.other_triangles = held.triangles() + s.cover.triangles +
                         (frame.measured.sky && s.reach.part != passes::Reach::Part::Far
-                             ? passes::FallingPass::triangles(scene.air.sky.precipitation, alpha)
+                             ? passes::FallingPass::triangles(scene.air.sky.precipitation, s.allowance.drops)
                              : 0);
 }
 
@@ -92,11 +90,9 @@ int affordable_step(const Frame& frame, const std::vector<Selection>& selections
         views.push_back({frame.views[i].scene->flora->kinds, &s.gathering, &s.plants});
         others += s.other_triangles;
     }
-    // Where little is drawn, leaves need more than their part of it to be leaves.
-    const float alpha = alpha_of(frame);
-    const float share = alpha < 1 ? std::pow(alpha, 0.8F) : alpha;
-    const auto budget = static_cast<std::size_t>(kTriangleBudget * share);
-    const auto fewest = static_cast<std::size_t>(kFewestPlantTriangles * share);
+    const Allowance allowance = allowance_of(frame.detail, frame.views.size());
+    const auto budget = static_cast<std::size_t>(allowance.triangles);
+    const auto fewest = static_cast<std::size_t>(allowance.fewest_plant_triangles);
     return passes::affordable_step(views, std::max(budget, others + fewest) - others, before);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/allowance.hpp"
 #include "render/held_ground.hpp"
 #include "render/passes/cover.hpp"
 #include "render/passes/crowd.hpp"
@@ -17,15 +18,16 @@
 // What is drawn of each view, before any of it is.
 namespace quadrat::render {
 
-float alpha_of(const Frame& frame);
 float scale_of(const Frame& frame);
 bool draws_plants(const Frame& frame);
 
 // One view's share of the frame.
 struct Selection {
-    explicit Selection(const glm::mat4& clip_from_world) : frustum(clip_from_world) {}
+    Selection(const glm::mat4& clip_from_world, const Allowance& allowed)
+        : frustum(clip_from_world), allowance(allowed) {}
 
     passes::Frustum frustum;
+    Allowance allowance;
     passes::Reach reach;
     glm::vec2 strip{-1, 1};  // of the view, clip x
     passes::ViewBlock block;

@@ -16,6 +16,7 @@ namespace {
 
 using passes::encode;
 
+constexpr float kSnowsBelow_m = 220;  // of the ground that is seen, under the line above which snow lies
 constexpr float kLog2E = 1.442695F;
 
 // A dimmed view keeps a third of its light: still readable, plainly not chosen.
@@ -76,6 +77,10 @@ LightAndAir light_and_air_of(const scene::Scene& scene) {
         layer.density = mesh::Image{};
         layer.lit = mesh::Image{};
     }
+    // Snow that falls where none lies would be seen to vanish.
+    if (a.sky.precipitation.kind == scene::Precipitation::Kind::Snow &&
+        land.snow_line_m - scene.floor_m > kSnowsBelow_m)
+        a.sky.precipitation.amount = 0;
     // Water scatters back what light falls on it from above.
     const glm::vec3 on_water = a.sky.ambient.on({0, 1, 0}) + a.sky.sunlight * std::max(a.sky.sun_direction.y, 0.0F);
     a.shallow_water = land.shallow_colour * on_water;

@@ -57,14 +57,14 @@ void ViewPainter::draw(const Frame& frame, const View& view, const Selection& se
     if (what.ground) draw_ground(view, selection, stock, drawn);
     if (what.water) draw_water(frame, view, selection, drawn);
     if (marks) marks->begin_distance();
-    if (what.sky && !gl::Wires::are_on()) draw_sky(frame, view, selection, held, place, drawn);
+    if (what.sky && !gl::Wires::are_on()) draw_sky(view, selection, held, place, drawn);
     marks.reset();
     if (what.sky && !gl::Wires::are_on())
         of(drawn, Kind::Falling) += smoke_.draw(view.scene->country->smoke, view.scene->air.sky.clouds[0].wind_m_s,
                                                 view.growth, selection.reach);
     if (what.sky && !gl::Wires::are_on() && selection.reach.part != passes::Reach::Part::Far)
-        of(drawn, Kind::Falling) +=
-            falling_.draw(view.scene->air.sky.precipitation, selection.block, pixels_per_radian(view), alpha_of(frame));
+        of(drawn, Kind::Falling) += falling_.draw(view.scene->air.sky.precipitation, selection.block,
+                                                  pixels_per_radian(view), selection.allowance.drops);
 }
 
 void ViewPainter::draw_plants(const View& view, const Selection& selection, const Stock& stock, Drawn& drawn) const {
@@ -97,7 +97,7 @@ void ViewPainter::draw_water(const Frame& frame, const View& view, const Selecti
     const glm::vec3 eye_m = view.camera.eye_m;
     gl::Work& work = of(drawn, Kind::Water);
     // As many pixels as the lines of a finer or smaller picture ask for.
-    const float nearness = std::sqrt(std::min(frame.detail.alpha, 1.0F)) * scale_of(frame) * pixels_per_radian(view) /
+    const float nearness = selection.allowance.water_nearness * scale_of(frame) * pixels_per_radian(view) /
                            passes::WaterLevels::kPixelsPerRadian;
     work += water_.draw_fresh(country.fresh_water, *scene.ground.lit, scene.mirror,
                               country.fresh_water.levels.seen(selection.frustum, eye_m, nearness, selection.reach));
@@ -107,8 +107,8 @@ void ViewPainter::draw_water(const Frame& frame, const View& view, const Selecti
 }
 
 // Of what is far the lights alone, where they are seen past it.
-void ViewPainter::draw_sky(const Frame& frame, const View& view, const Selection& selection, const Held& held,
-                           const Rect& place, Drawn& drawn) const {
+void ViewPainter::draw_sky(const View& view, const Selection& selection, const Held& held, const Rect& place,
+                           Drawn& drawn) const {
     const GpuScene& scene = *view.scene;
     gl::Work& work = of(drawn, Kind::Sky);
     if (selection.held_distance) {
@@ -119,7 +119,7 @@ void ViewPainter::draw_sky(const Frame& frame, const View& view, const Selection
         work += sky_.draw_held(held.sky->picture(), *selection.held_sky_from_view, held.sky->kept(selection.block));
     else if (selection.reach.part != passes::Reach::Part::Far)
         work += sky_.draw_dome(*scene.sky, selection.frustum, view.camera.eye_m);
-    work += sky_.draw_lights(*scene.sky, place.height, alpha_of(frame));
+    work += sky_.draw_lights(*scene.sky, place.height, selection.allowance.stars);
 }
 
 }  // namespace quadrat::render

@@ -52,7 +52,7 @@ class ViewPainter {
     void draw_plants(const View& view, const Selection& selection, const Stock& stock, Drawn& drawn) const;
     void draw_ground(const View& view, const Selection& selection, const Stock& stock, Drawn& drawn) const;
     void draw_water(const Frame& frame, const View& view, const Selection& selection, Drawn& drawn) const;
-    void draw_sky(const Frame& frame, const View& view, const Selection& selection, const Held& held, const Rect& place,
+    void draw_sky(const View& view, const Selection& selection, const Held& held, const Rect& place,
                   Drawn& drawn) const;
 
     passes::GroundPass ground_;

@@ -118,7 +118,9 @@ struct Stand {
     float size_spread = 0.25F;
     float self_thinning = 0.5F;
     float herb_patch_m = 11;
-    float fires = 0;  // how often it has burnt: 0 never, then patches of several ages, to 1
+    float fires = 0;           // how often it has burnt: 0 never, then patches of several ages, to 1
+    float even_clearings = 0;  // how far clearings keep one another off, 0 to 1
+    float giants = 0;          // how far single trees outgrow all others, 0 to 1
     friend bool operator==(const Stand&, const Stand&) = default;
 };
 

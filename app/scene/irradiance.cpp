@@ -3,6 +3,8 @@
 #include "scene/irradiance.hpp"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 namespace quadrat::scene {
 namespace {
@@ -51,8 +53,14 @@ std::array<glm::vec4, 3> Irradiance::linear() const {
     const glm::vec3 south = 0.5F * (on({0, 0, 1}) - on({0, 0, -1}));
     const glm::vec3 middle = 0.25F * (up + down) + 0.5F * level;
     std::array<glm::vec4, 3> rows{};
-    for (int c = 0; c < 3; ++c)
-        rows[static_cast<std::size_t>(c)] = {east[c], 0.5F * (up[c] - down[c]), south[c], middle[c]};
+    for (int c = 0; c < 3; ++c) {
+        // A low sun's glow would take all its red from a wall that looks away: no wall has less than a share of the
+        // mean.
+        constexpr float kMost = 0.66F;
+        const float aside = glm::length(glm::vec2{east[c], south[c]});
+        const float kept = aside > kMost * middle[c] ? kMost * middle[c] / aside : 1.0F;
+        rows[static_cast<std::size_t>(c)] = {kept * east[c], 0.5F * (up[c] - down[c]), kept * south[c], middle[c]};
+    }
     return rows;
 }
 

@@ -4,14 +4,16 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <vector>
 
+#include "mesh/image.hpp"
 #include "mesh/mesh.hpp"
 
 namespace quadrat::scene {
 
 // What a surface is covered with: its pattern, see shaders/houses.frag, which counts them the same way.
-enum class Cladding : std::uint8_t { Plain, Plaster, Boards, Planks, Rubble, Tiles, Slates, Thatch };
+enum class Cladding : std::uint8_t { Plain, Plaster, Boards, Planks, Rubble, Tiles, Slates, Thatch, Leaves };
 
 // A building's faces, flat: quads and triangles of corners of their own. Its front looks along +z, y is up, the ground
 // lies at y = 0; what is below it reaches into the ground.
@@ -28,6 +30,7 @@ struct Building {
     glm::vec2 half_m{4, 4};      // of its walls, east and south of its middle
     float height_m = 6;          // to the ridge
     std::vector<glm::vec3> chimneys_m;
+    float wear = 0;  // 0 as new to 1: how strong the stains are on its walls, the crusts on its roof
 };
 
 // Smoke from one of a house's chimneys.
@@ -61,6 +64,8 @@ struct GardenPlant {
     friend bool operator==(const GardenPlant&, const GardenPlant&) = default;
 };
 
+inline constexpr float kStainsTile_m = 4;
+
 // What people have built on a land.
 struct Settlement {
     std::vector<Building> buildings;
@@ -68,6 +73,9 @@ struct Settlement {
     std::vector<Masses> bounds;  // fences, walls, hedges along plots and fields, a piece a plot, where they stand
     std::vector<GardenPlant> gardens;
     float lit_share = 0.5F;  // of the windows, on a dark night
+    // How far weather has stained walls and roofs, one channel, tileable: kStainsTile_m wide. The same for all
+    // settlements, shared by them; none: no stains.
+    std::shared_ptr<const mesh::Image> stains;
 
     bool is_empty() const { return houses.empty(); }
     Settlement without_masses() const;  // of its buildings; nor bounds: where everything stands

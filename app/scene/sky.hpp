@@ -129,6 +129,7 @@ struct Sky {
     float bounce = 1;           // of light from the ground, to the usual
     float occlusion = 1;        // of hollows, to the usual
     bool is_night = false;
+    float darkness = 0;  // of a night: 0 at nightfall to 1 where nothing of the sun's light is left
     friend bool operator==(const Sky&, const Sky&) = default;
 };
 

@@ -31,10 +31,16 @@ void read_screen(Reader& reader, Configuration::Screen& screen) {
     reader.read_checked("screen", "mode", screen.mode, check_mode);
     reader.read_one_of("screen", "rotation_deg", screen.rotation_deg, {0, 90, 180, 270});
     reader.read("screen", "mirrored", screen.is_mirrored);
+    reader.read_checked("screen", "power", screen.power, check_power);
+    reader.read_checked("screen", "power_password_file", screen.power_password_file, check_file);
 }
 
 void read_visit(Reader& reader, Configuration::Visit& visit) {
     reader.read("visit", "rounds", visit.rounds, 1, 50);
+    reader.read("visit", "rounds_early", visit.rounds_early, 0, 10);
+    reader.read("visit", "rounds_more", visit.rounds_more, 0, 10);
+    reader.read("visit", "turns", visit.turns, {"found", "always", "never"});
+    reader.read("visit", "family", visit.shows_family);
     reader.read("visit", "patience_s", visit.patience_s, 2, 600);
     reader.read("visit", "countdown_s", visit.countdown_s, 1, 120);
     reader.read("visit", "finale_s", visit.finale_s, 2, 600);
@@ -150,6 +156,15 @@ void read_attract(Reader& reader, Configuration::Attract& attract) {
     };
     read("favourites", attract.favourites, Configuration::Attract::kMostFavourites);
     read("hidden", attract.hidden, Configuration::Attract::kMostHidden);
+    reader.read("attract", "breed_on", attract.breeds_on);
+}
+
+void read_postcard(Reader& reader, Configuration::Postcard& postcard, const LettersWithoutFont& without_font) {
+    reader.read_checked("postcard", "printer", postcard.printer, check_printer);
+    reader.read("postcard", "when", postcard.when, {"asked", "always"});
+    reader.read_checked("postcard", "place", postcard.place, [&](const std::string& place) {
+        if (!place.empty()) check_words(place, without_font);
+    });
 }
 
 void read_fleet(Reader& reader, Configuration::Fleet& fleet) {
@@ -160,6 +175,8 @@ void read_fleet(Reader& reader, Configuration::Fleet& fleet) {
     reader.read_checked("fleet", "ca_file", fleet.ca_file, check_file);
     reader.read("fleet", "orders", fleet.takes_orders);
     reader.read_checked("fleet", "discovery", fleet.discovery, check_topic_prefix);
+    reader.read("fleet", "shares", fleet.shares, {"nothing", "favourites", "bred"});
+    reader.read("fleet", "takes", fleet.takes, {"nothing", "chosen", "all"});
 }
 
 void read_desk(Reader& reader, Configuration::Desk& desk) {
@@ -214,6 +231,7 @@ void read_all(Reader& reader, Configuration& configuration, const LettersWithout
     read_picture(reader, configuration.picture);
     read_look(reader, configuration.look);
     reader.read_checked("take_home", "url", configuration.take_home.url, check_take_home);
+    read_postcard(reader, configuration.postcard, without_font);
     read_attract(reader, configuration.attract);
     read_fleet(reader, configuration.fleet);
     read_desk(reader, configuration.desk);

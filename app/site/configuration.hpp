@@ -29,14 +29,21 @@ struct Configuration {
         std::string mode;              // kms: "1920x1080@60"; empty: the screen's own size
         int rotation_deg = 0;          // 0, 90, 180, 270 clockwise
         bool is_mirrored = false;      // rear projection
+        // What shows the picture is switched by: "cec", "pjlink://192.168.0.30" (projector/projector.hpp); "": nobody.
+        std::string power;
+        std::string power_password_file;  // PJLink's, its first line
     } screen;
 
     std::vector<std::string> inputs;  // button specs: "gpio:A=GPIO17,…", "hid:", "keyboard", "script:FILE"
 
     struct Visit {
-        int rounds = 6;           // 1 to 50
-        double patience_s = 25;   // without a press, until "Still there?"
-        double countdown_s = 10;  // of "Still there?"
+        int rounds = 6;               // 1 to 50
+        int rounds_early = 2;         // so many fewer when picks agree, 0 to 10; where there are four at least
+        int rounds_more = 2;          // so many more while they change, 0 to 10; likewise
+        std::string turns = "found";  // a group is invited to take turns: found, always, never
+        bool shows_family = true;     // the finale offers the family tree, and to go on
+        double patience_s = 25;       // without a press, until "Still there?"
+        double countdown_s = 10;      // of "Still there?"
         double finale_s = 20;
         double long_press_s = 2;      // of any choice button: to the finale
         int describe_words = 3;       // asked after a finale, one at a time; 0: none are
@@ -115,11 +122,22 @@ struct Configuration {
         friend bool operator==(const TakeHome&, const TakeHome&) = default;
     } take_home;
 
+    // Finales on paper; none without a printer.
+    struct Postcard {
+        std::string printer;         // as CUPS names it, lpstat -p
+        std::string when = "asked";  // asked, always
+        std::string place;           // below the picture, beside the date; "": the date alone
+        friend bool operator==(const Postcard&, const Postcard&) = default;
+    } postcard;
+
     // What of the landscapes that visitors bred is shown while nobody plays; by their codes (genome/scene_code.hpp).
     struct Attract {
         static constexpr std::size_t kMostFavourites = 12, kMostHidden = 100;
         std::vector<std::string> favourites;  // shown in turn, besides the newest
         std::vector<std::string> hidden;      // never shown again
+        bool breeds_on = true;                // button D breeds on from what is shown
+        bool is_wall = false;                 // nobody plays; no setting: quadrat run --gallery
+        std::vector<std::string> guests;      // of other exhibits; said by no file of settings, but by who takes them
         friend bool operator==(const Attract&, const Attract&) = default;
     } attract;
 
@@ -132,6 +150,10 @@ struct Configuration {
         std::string ca_file;        // who vouches for the broker; the system's, without one
         bool takes_orders = false;  // from whoever the broker lets write to quadrat/NAME/set/…
         std::string discovery;      // the prefix below which Home Assistant looks; "": it is told nothing
+        // With the other exhibits at the broker: nothing; favourites, that staff chose; bred, also what was bred last.
+        std::string shares = "nothing";
+        // Of what they share: nothing; chosen, what staff choose of it; all, but what staff hide.
+        std::string takes = "nothing";
         friend bool operator==(const Fleet&, const Fleet&) = default;
     } fleet;
 
@@ -152,6 +174,12 @@ struct Configuration {
 
     std::map<std::string, Theme> themes;  // by name; see with_theme()
 };
+
+// Whether somebody chooses among what visitors bred, shares it, or may look for it after the finale's code.
+inline bool collects_bred(const Configuration& configuration) {
+    return !configuration.desk.listen.empty() || configuration.fleet.shares == "bred" ||
+           !configuration.take_home.url.empty();
+}
 
 // Which letters of a text cannot be shown, "" for none: render::letters_without_font.
 using LettersWithoutFont = std::function<std::string(const std::string& utf8)>;

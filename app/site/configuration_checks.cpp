@@ -15,6 +15,7 @@
 #include "firmware-io/scripted/scripted_buttons.hpp"
 #include "genome/scene_code.hpp"
 #include "genome/speech.hpp"
+#include "projector/projector.hpp"
 #include "site/broker_address.hpp"
 
 namespace quadrat::site {
@@ -37,16 +38,6 @@ void require_file(const std::string& path) {
     const fs::file_status status = fs::status(path, error);
     if (status.type() == fs::file_type::not_found) refuse(fmt::format("\"{}\": there is no such file; name one", path));
     if (status.type() == fs::file_type::directory) refuse(fmt::format("\"{}\" is a folder; name a file in it", path));
-}
-
-void check_words(const std::string& words, const LettersWithoutFont& without_font) {
-    const auto letters =
-        std::ranges::count_if(words, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; });
-    if (letters > kLongestText)
-        refuse(fmt::format("has {} letters; the screen has room for {}", letters, kLongestText));
-    if (std::ranges::any_of(words, is_control)) refuse("has control characters; write letters alone");
-    if (const std::string missing = without_font(words); !missing.empty())
-        refuse(fmt::format("no installed font has the letters {}; {}", missing, kFonts));
 }
 
 // Quotation marks are forgotten where a key has a dot: to TOML that is a table in a table.
@@ -125,6 +116,10 @@ void InputCheck::operator()(const std::string& spec) {
         }
 }
 
+void check_power(const std::string& address) {
+    if (!address.empty()) projector::parse_address(address);
+}
+
 void check_broker(const std::string& address) {
     if (!address.empty()) parse_broker(address);
 }
@@ -179,6 +174,24 @@ void check_sound_device(const std::string& name) {
     constexpr std::size_t kLongest = 200;
     const bool is_plain = std::ranges::all_of(name, [](char c) { return c > ' ' && c < 127; });
     if (!is_plain || name.size() > kLongest) refuse("is no name of a sound card; take one that aplay -L lists");
+}
+
+void check_words(const std::string& words, const LettersWithoutFont& without_font) {
+    const auto letters =
+        std::ranges::count_if(words, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; });
+    if (letters > kLongestText)
+        refuse(fmt::format("has {} letters; the screen has room for {}", letters, kLongestText));
+    if (std::ranges::any_of(words, is_control)) refuse("has control characters; write letters alone");
+    if (const std::string missing = without_font(words); !missing.empty())
+        refuse(fmt::format("no installed font has the letters {}; {}", missing, kFonts));
+}
+
+void check_printer(const std::string& name) {
+    constexpr std::size_t kLongest = 127;  // CUPS's
+    const bool is_plain = std::ranges::all_of(
+        name, [](char c) { return c > ' ' && c < 127 && c != '/' && c != '#' && c != '\'' && c != '"'; });
+    if (!is_plain || name.size() > kLongest || name.starts_with('-'))
+        refuse("is no name of a printer; take one that lpstat -e lists");
 }
 
 void check_code(const std::string& code) {

@@ -15,6 +15,7 @@ namespace quadrat::site {
 void check_size(const std::string& text);
 void check_mode(const std::string& text);
 void check_connector(const std::string& text);
+void check_power(const std::string& address);
 void check_broker(const std::string& address);
 void check_listen_address(const std::string& text);
 void check_take_home(const std::string& url);
@@ -22,6 +23,8 @@ void check_fleet_name(const std::string& name);
 void check_fleet_user(const std::string& name);
 void check_folder(const std::string& path);
 void check_sound_device(const std::string& name);  // by its form: a card may come later
+void check_words(const std::string& words, const LettersWithoutFont& without_font);  // that the screen can show
+void check_printer(const std::string& name);
 void check_code(const std::string& code);
 void check_topic_prefix(const std::string& prefix);
 void check_file(const std::string& path);  // it is there; who may read it is not asked

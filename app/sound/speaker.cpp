@@ -138,7 +138,10 @@ std::string readable(std::string_view text) {
         for (const std::string_view sign : kForEyes)
             if (text.starts_with(sign)) dropped = sign.size();
         if (dropped > 0) {
-            read += ' ';
+            // A pause, where one thing ends and the next begins.
+            const bool is_pause = text.starts_with("·") && read.find_first_not_of(' ') != std::string::npos;
+            while (is_pause && read.ends_with(' ')) read.pop_back();
+            read += is_pause ? ';' : ' ';
             text.remove_prefix(dropped);
             continue;
         }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/parameters.hpp"
 #include "sound/tones.hpp"
 
 namespace quadrat::sound {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "scene/parameters.hpp"
+#include "scene/parameters_fwd.hpp"
 
 namespace quadrat::sound {
 

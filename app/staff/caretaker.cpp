@@ -13,6 +13,7 @@
 #include "pictures/picture.hpp"
 #include "pictures/png_picture.hpp"
 #include "staff/landscapes.hpp"
+#include "staff/postcards.hpp"
 
 namespace quadrat::staff {
 namespace {
@@ -89,7 +90,8 @@ Orders Caretaker::look(Panel& panel, const VisitNow& visit, base::Instant now) {
     if (service_.is_open(now))
         board_ = service_.board(vitals_, now);
     else if (curtain_ == site::Curtain::Card)
-        board_ = stage::Board{site::text(parts_.configuration, "closed"), {}, stage::Board::Cover::Tint};
+        board_ =
+            stage::Board{site::text(parts_.configuration, "closed"), {}, stage::Board::Cover::Tint, false, "closed"};
     else if (figures_ != Figures::None)
         board_ = figures_board(vitals_, figures_ == Figures::WithWires);
     else
@@ -107,6 +109,7 @@ void Caretaker::look_outside(base::Instant now) {
         const std::scoped_lock lock(mutex_);
         // A look that nobody has taken up yet may have seen what this one does not see any more.
         if (fresh_ && !seen.settings) seen.settings = std::move(fresh_->settings);
+        if (fresh_ && !seen.guests) seen.guests = std::move(fresh_->guests);
         if (fresh_ && !seen.preview) seen.preview = std::move(fresh_->preview);
         if (fresh_ && fresh_->is_restart_asked) seen.is_restart_asked = true;
         if (fresh_ && fresh_->is_lamp_test_asked) seen.is_lamp_test_asked = true;
@@ -121,9 +124,13 @@ bool Caretaker::take_over(Seen seen) {
         base::log::info("staff: {}", seen.stands_by ? "stand-by" : "no longer on stand-by");
         reported_at_.reset();
     }
+    if (seen.projector != seen_.projector) reported_at_.reset();
     seen_ = std::move(seen);
     has_looked_ = true;
-    if (seen_.preview) preview_wish_ = std::exchange(seen_.preview, std::nullopt);
+    if (seen_.preview) {
+        preview_wish_ = std::exchange(seen_.preview, std::nullopt);
+        preview_waits_.reset();
+    }
     if (seen_.is_picture_asked) answer_picture_wish();
     if (seen_.is_glance_asked) answer_glance_wish();
     if (seen_.is_restart_asked) carry_out(StaffWish::Restart);
@@ -132,8 +139,14 @@ bool Caretaker::take_over(Seen seen) {
         tests_lamps_until_ = looked_at_.value_or(base::Instant{0}) + kLampTest;
     }
     auto changed = std::exchange(seen_.settings, std::nullopt);
+    const bool has_guests = seen_.guests.has_value();
+    if (has_guests) guests_ = *std::exchange(seen_.guests, std::nullopt);
     if (changed) return take_over(std::move(*changed));
-    return follow_theme();
+    if (!has_guests) return follow_theme();
+    if (plain_.fleet.takes == "all")
+        base::log::info("attract: shows {} landscapes that other exhibits share", guests_.size());
+    put_on_theme();
+    return true;
 }
 
 // True: the day, or the clock that tells it, leads to another theme.
@@ -150,7 +163,9 @@ std::string Caretaker::put_on_theme() {
         base::log::info("theme: {}", theme_.empty() ? "none" : theme_);
         reported_at_.reset();
     }
-    return apply(site::with_theme(plain_, theme_), parts_.configuration);
+    site::Configuration shown = site::with_theme(plain_, theme_);
+    if (plain_.fleet.takes == "all") shown.attract.guests = guests_;
+    return apply(shown, parts_.configuration);
 }
 
 bool Caretaker::take_over(Seen::Changed changed) {
@@ -289,7 +304,18 @@ void Caretaker::watch_faults(base::Instant now) {
 }
 
 std::optional<PreviewWish> Caretaker::take_preview_wish(bool has_visitor) {
-    if (has_visitor || curtain_ == site::Curtain::Dark) return std::nullopt;
+    const bool is_dark = curtain_ == site::Curtain::Dark;
+    const std::string why = !preview_wish_ ? "" : is_dark ? "dark" : has_visitor ? "visitor" : "";
+    if (why != std::exchange(preview_waits_, why))
+        errands_.send([file = parts_.runtime / kPreviewWaits, why] {
+            std::error_code ignored;
+            try {
+                why.empty() ? void(std::filesystem::remove(file, ignored)) : base::write_file(file, why);
+            } catch (const base::InputError& error) {
+                base::log::debug("preview: {}", error.what());
+            }
+        });
+    if (!why.empty()) return std::nullopt;
     return std::exchange(preview_wish_, std::nullopt);
 }
 
@@ -300,7 +326,7 @@ std::string Caretaker::take_picture_wish() {
     return wish;
 }
 
-void Caretaker::keep_picture(mesh::Image picture, const std::filesystem::path& file) {
+void Caretaker::keep_picture(mesh::Image&& picture, const std::filesystem::path& file) {
     errands_.send([this, at = looked_at_.value_or(base::Instant{0}), runtime = parts_.runtime, file,
                    picture = std::move(picture)] {
         try {
@@ -319,10 +345,15 @@ void Caretaker::keep_picture(mesh::Image picture, const std::filesystem::path& f
     });
 }
 
-void Caretaker::keep_bred(mesh::Image picture, std::string code) {
-    errands_.send([folder = parts_.runtime / kBredLately, picture = std::move(picture), code = std::move(code)] {
+void Caretaker::keep_bred(mesh::Image&& picture, const std::string& code, const std::string& title) {
+    const site::Configuration& site = parts_.configuration;
+    pictures::Postcard card = blank_card(site, title, site.take_home.url + code, site.visit.language);
+    errands_.send([folder = parts_.runtime / kBredLately, picture = std::move(picture), code,
+                   card = std::move(card)]() mutable {
         try {
             keep_landscape(folder, picture, code, kMostBredLately);
+            card.landscape = pictures::filling_postcard(picture);
+            pictures::write_png_quickly(folder / (id_of_landscape(code) + kPostcard), pictures::draw_postcard(card));
         } catch (const base::InputError& error) {
             base::log::info("picture: {}", error.what());
         }
@@ -368,7 +399,9 @@ Vitals Caretaker::vitals(const Panel& panel, const VisitNow& visit, base::Instan
     vitals.tests_lamps = (tests_lamps_until_ && now < *tests_lamps_until_) || service_.is_testing_lamps();
     vitals.visits = visit.visits_ended;
     vitals.state_trouble = visit.state_trouble;
-    vitals.sound = visit.sound;
+    if (visit.sound) vitals.sound = visit.sound();
+    vitals.postcard_trouble = postcards_.trouble();
+    vitals.projector = seen_.projector;
     vitals.free_mb = seen_.free_mb;
     vitals.faults = base::recent_warnings().lines;
     vitals.settings = settings_.news();

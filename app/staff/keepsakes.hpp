@@ -17,13 +17,14 @@ class Keepsakes {
     static constexpr std::size_t kKept = 3;
     static constexpr base::Instant kEvery = std::chrono::hours{3};
 
+    Keepsakes() = default;  // keeps none
     // Reads what is there; what cannot be read is left out.
     explicit Keepsakes(const std::filesystem::path& state);
 
     // The one to show at a moment, each for half a minute; null without any.
     const mesh::Image* at(base::Instant now) const;
 
-    bool wants_another(base::Instant now) const { return !kept_at_ || now - *kept_at_ >= kEvery; }
+    bool wants_another(base::Instant now) const { return !folder_.empty() && (!kept_at_ || now - *kept_at_ >= kEvery); }
     // Where the next one goes, in place of the oldest. The picture is for the file alone.
     std::filesystem::path keep(base::Instant now);
 

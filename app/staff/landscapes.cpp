@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr int kWidth = 480;
 constexpr std::size_t kLongestCode = 4096;
+constexpr std::string_view kFrom = "\nfrom ";
 
 }  // namespace
 
@@ -30,7 +31,12 @@ std::vector<KeptLandscape> landscapes_in(const fs::path& folder) {
         if (file->path().extension() != ".code") continue;
         try {
             const std::string text = base::read_file(file->path(), kLongestCode);
-            KeptLandscape one{file->path().stem().string(), text.substr(0, text.find('\n')), {}};
+            const std::size_t line = std::min(text.find('\n'), text.size());
+            KeptLandscape one{file->path().stem().string(), text.substr(0, line), "", {}};
+            if (text.substr(line).starts_with(kFrom)) {
+                one.from = text.substr(line + kFrom.size());
+                one.from = one.from.substr(0, one.from.find('\n'));
+            }
             one.at = fs::last_write_time(file->path(), error);
             if (one.id == id_of_landscape(one.code)) all.push_back(std::move(one));
         } catch (const base::InputError&) {
@@ -39,6 +45,27 @@ std::vector<KeptLandscape> landscapes_in(const fs::path& folder) {
     }
     std::ranges::sort(all, [](const auto& a, const auto& b) { return a.at != b.at ? a.at > b.at : a.id < b.id; });
     return all;
+}
+
+void keep_guest(const fs::path& folder, const std::string& code, const std::string& from) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    base::write_file(folder / (id_of_landscape(code) + ".code"), fmt::format("{}{}{}\n", code, kFrom, from));
+}
+
+void keep_picture_of_guest(const fs::path& folder, const std::string& code, const std::string& bytes) {
+    const fs::path file = folder / (id_of_landscape(code) + ".png");
+    const fs::path foreign = folder / (id_of_landscape(code) + ".foreign");
+    base::write_file(foreign, bytes);
+    std::error_code error;
+    try {
+        const mesh::Image picture = pictures::read_png_quickly(foreign);
+        pictures::write_png_quickly(file, picture.width > kWidth ? pictures::scaled_to(picture, kWidth) : picture);
+    } catch (const base::InputError&) {
+        fs::remove(foreign, error);
+        throw base::InputError("its picture cannot be read");
+    }
+    fs::remove(foreign, error);
 }
 
 void keep_landscape(const fs::path& folder, const mesh::Image& picture, const std::string& code, std::size_t most) {
@@ -50,7 +77,7 @@ void keep_landscape(const fs::path& folder, const mesh::Image& picture, const st
     base::write_file(folder / (id + ".code"), code + "\n");
     const auto all = landscapes_in(folder);
     for (std::size_t i = most; i < all.size(); ++i)
-        for (const char* extension : {".code", ".png"}) fs::remove(folder / (all[i].id + extension), error);
+        for (const char* extension : {".code", ".png", kPostcard}) fs::remove(folder / (all[i].id + extension), error);
 }
 
 }  // namespace quadrat::staff

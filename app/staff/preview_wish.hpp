@@ -20,6 +20,9 @@ struct PreviewWish {
 inline constexpr const char* kPreviewAsked = "preview.asked";
 inline constexpr const char* kPreview = "preview.png";
 
+// Why it is not drawn yet, as long as it is not: "visitor", "dark".
+inline constexpr const char* kPreviewWaits = "preview.waits";
+
 std::string to_json(const PreviewWish& wish);
 
 // Takes the file away. Nothing: there is none, or what is there is no wish.

@@ -167,6 +167,7 @@ stage::Board ServiceScreen::board(const Vitals& vitals, Instant now) const {
     lines.push_back(machine_line(vitals));
     lines.push_back(disk_line(vitals));
     if (vitals.sound.is_wanted) lines.push_back(sound_line(vitals));
+    if (!vitals.postcard_trouble.empty()) lines.push_back("NO POSTCARD: " + vitals.postcard_trouble);
     lines.push_back(fmt::format("{} visits · {} presses · {} failures in ten minutes", vitals.visits, vitals.presses,
                                 vitals.failures));
     lines.push_back(live_line(vitals));

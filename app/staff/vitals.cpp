@@ -84,6 +84,30 @@ nlohmann::json sound_of(const hearing::Health& sound) {
             {"dropped", sound.dropped}};
 }
 
+nlohmann::json projector_of(const projector::Told& told) {
+    return {{"power", told.power ? name_of(*told.power) : ""}, {"trouble", told.trouble}, {"remedy", told.remedy}};
+}
+
+nlohmann::json buttons_of(const Vitals& vitals) {
+    nlohmann::json json = {{"present", vitals.buttons.presence == Presence::Present},
+                           {"reason", vitals.buttons.reason},
+                           {"presses", vitals.presses}};
+    json["tests_lamps"] = vitals.tests_lamps;
+    auto& each = json["each"] = nlohmann::json::array();
+    for (const auto button : firmware_io::kButtons)
+        each.push_back({{"button", name_of(button)},
+                        {"closed", vitals.is_closed[index_of(button)]},
+                        {"presses", vitals.presses_of[index_of(button)]}});
+    auto& findings = json["findings"] = nlohmann::json::array();
+    for (const auto& finding : vitals.findings)
+        findings.push_back({{"button", name_of(finding.button)}, {"is", name_of(finding.ailment)}});
+    for (const Ailment ailment : firmware_io::kAilments)
+        for (const auto button : firmware_io::kButtons)
+            json["counts"][std::string(name_of(ailment))][std::string(name_of(button))] =
+                vitals.ailments[static_cast<std::size_t>(ailment)][index_of(button)];
+    return json;
+}
+
 }  // namespace
 
 void FrameCount::frame(const tempo::FrameRecord& record) {
@@ -106,11 +130,12 @@ ScreenState screen_state(const Vitals& vitals) {
 
 Verdict verdict_of(const Vitals& vitals) {
     if (vitals.buttons.presence == Presence::Absent || !vitals.screen_trouble.empty()) return Verdict::Bad;
-    const bool is_doubtful = vitals.mode == Mode::Safe || !vitals.state_trouble.empty() ||
-                             !vitals.settings.mistakes.empty() || vitals.machine.is_throttled.value_or(false) ||
-                             vitals.free_mb.value_or(1000) < 20 || !vitals.sound.trouble.empty() ||
-                             (vitals.has_hours && !vitals.wall.is_trusted) ||
-                             std::any_of(vitals.findings.begin(), vitals.findings.end(), is_serious);
+    const bool is_doubtful =
+        vitals.mode == Mode::Safe || !vitals.state_trouble.empty() || !vitals.settings.mistakes.empty() ||
+        vitals.machine.is_throttled.value_or(false) || vitals.free_mb.value_or(1000) < 20 ||
+        !vitals.sound.trouble.empty() || !vitals.postcard_trouble.empty() ||
+        (vitals.projector && !vitals.projector->trouble.empty()) || (vitals.has_hours && !vitals.wall.is_trusted) ||
+        std::any_of(vitals.findings.begin(), vitals.findings.end(), is_serious);
     return is_doubtful ? Verdict::Doubtful : Verdict::Good;
 }
 
@@ -141,25 +166,12 @@ std::string to_json(const Vitals& vitals) {
     json["level"] = vitals.level;
     json["alpha"] = vitals.alpha;
     json["gpu_objects"] = vitals.gpu_objects;
-    json["buttons"] = {{"present", vitals.buttons.presence == Presence::Present},
-                       {"reason", vitals.buttons.reason},
-                       {"presses", vitals.presses}};
-    json["buttons"]["tests_lamps"] = vitals.tests_lamps;
-    auto& each = json["buttons"]["each"] = nlohmann::json::array();
-    for (const auto button : firmware_io::kButtons)
-        each.push_back({{"button", name_of(button)},
-                        {"closed", vitals.is_closed[index_of(button)]},
-                        {"presses", vitals.presses_of[index_of(button)]}});
-    auto& findings = json["buttons"]["findings"] = nlohmann::json::array();
-    for (const auto& finding : vitals.findings)
-        findings.push_back({{"button", name_of(finding.button)}, {"is", name_of(finding.ailment)}});
-    for (const Ailment ailment : firmware_io::kAilments)
-        for (const auto button : firmware_io::kButtons)
-            json["buttons"]["counts"][std::string(name_of(ailment))][std::string(name_of(button))] =
-                vitals.ailments[static_cast<std::size_t>(ailment)][index_of(button)];
+    json["buttons"] = buttons_of(vitals);
     json["visits"] = vitals.visits;
     json["state_trouble"] = vitals.state_trouble;
     json["sound"] = sound_of(vitals.sound);
+    json["postcards"] = {{"trouble", vitals.postcard_trouble}};
+    if (vitals.projector) json["projector"] = projector_of(*vitals.projector);
     if (vitals.free_mb) json["free_mb"] = *vitals.free_mb;
     if (vitals.machine.temperature_c) json["temperature_c"] = *vitals.machine.temperature_c;
     if (vitals.machine.is_throttled) json["throttled"] = *vitals.machine.is_throttled;
@@ -196,6 +208,9 @@ std::string to_prometheus(const Vitals& vitals) {
     text += one_metric("button_ailments_total", "counter", "How often each ailment of each button began", ailments);
     text += metric("visits_total", "counter", "Visits that ended", vitals.visits);
     text += metric("state_up", "gauge", "1 while visits are kept", vitals.state_trouble.empty() ? 1 : 0);
+    if (vitals.projector)
+        text += metric("projector_up", "gauge", "1 while the projector is as it should be",
+                       vitals.projector->trouble.empty() ? 1 : 0);
     if (vitals.sound.is_wanted) {
         text += metric("sound_up", "gauge", "1 while sound is played", vitals.sound.is_playing ? 1 : 0);
         text += metric("sound_underruns_total", "counter", "Gaps in the sound", vitals.sound.underruns);

@@ -10,6 +10,7 @@
 #include "firmware-io/button_health.hpp"
 #include "hearing/health.hpp"
 #include "machine/machine.hpp"
+#include "projector/keeper.hpp"
 #include "site/hours.hpp"
 #include "staff/ladder.hpp"
 #include "staff/settings_in_use.hpp"
@@ -66,9 +67,11 @@ struct Vitals {
     int visits = 0;
     std::string state_trouble;  // "" while everything is kept
     hearing::Health sound;
+    std::string postcard_trouble;  // "" while the last one was printed
     std::optional<double> free_mb;
-    std::vector<std::string> faults;          // the last warnings, oldest first
-    std::vector<std::string> earlier_faults;  // those of the runs before this one, with their dates
+    std::vector<std::string> faults;           // the last warnings, oldest first
+    std::vector<std::string> earlier_faults;   // those of the runs before this one, with their dates
+    std::optional<projector::Told> projector;  // where somebody keeps one
     SettingsNews settings;
     std::string theme;  // of the site's, that is shown; "" for none
 };

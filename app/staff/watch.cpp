@@ -3,10 +3,12 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <ctime>
 #include <utility>
 
 #include "site/settings.hpp"
+#include "staff/landscapes.hpp"
 
 namespace quadrat::staff {
 
@@ -43,6 +45,18 @@ std::optional<Seen::Changed> Watch::changed_settings() {
     return Seen::Changed{std::move(checked), std::move(holds).value_or("")};
 }
 
+// A folder is another when something was moved into it or out of it.
+std::optional<std::vector<std::string>> Watch::changed_guests() {
+    const fs::path folder = state_ / kGuests;
+    const Stamp stamp = stamp_of(folder);
+    if (stamp == std::exchange(guests_seen_, stamp)) return std::nullopt;
+    std::vector<std::string> codes;
+    for (KeptLandscape& one : landscapes_in(folder)) codes.push_back(std::move(one.code));
+    std::ranges::sort(codes);
+    if (codes == std::exchange(guests_, codes)) return std::nullopt;
+    return codes;
+}
+
 Seen Watch::look() {
     Seen seen;
     seen.machine = machine::read_machine();
@@ -57,8 +71,10 @@ Seen Watch::look() {
     seen.is_restart_asked = fs::remove(runtime_ / kRestartAsked, ignored);
     seen.is_health_asked = fs::exists(runtime_ / kHealthAsked, ignored);
     seen.is_lamp_test_asked = fs::remove(runtime_ / kLampTestAsked, ignored);
+    seen.projector = projector::told_in(runtime_, fs::file_time_type::clock::now());
     seen.preview = take_preview_wish(runtime_);
     seen.settings = changed_settings();
+    seen.guests = changed_guests();
     return seen;
 }
 
@@ -72,6 +88,9 @@ std::string apply(const site::Configuration& changed, site::Configuration& runni
                        changed.screen.connector == now.screen.connector && changed.screen.mode == now.screen.mode &&
                        changed.screen.rotation_deg == now.screen.rotation_deg &&
                        changed.screen.is_mirrored == now.screen.is_mirrored);
+    note("screen.power (systemctl restart quadrat-projector)",
+         changed.screen.power == now.screen.power &&
+             changed.screen.power_password_file == now.screen.power_password_file);
     note("buttons.inputs", changed.inputs == now.inputs);
     note("breeding", changed.breeding.genome == now.breeding.genome &&
                          changed.breeding.breeder == now.breeding.breeder &&
@@ -94,6 +113,7 @@ std::string apply(const site::Configuration& changed, site::Configuration& runni
     running.sound.private_level = changed.sound.private_level;
     running.look = changed.look;
     running.take_home = changed.take_home;
+    running.postcard = changed.postcard;
     running.picture.alpha = changed.picture.alpha;
     running.picture.samples = changed.picture.samples;
     running.hours = changed.hours;

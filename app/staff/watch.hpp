@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "machine/machine.hpp"
+#include "projector/keeper.hpp"
 #include "site/configuration.hpp"
 #include "site/wall_clock.hpp"
 #include "staff/preview_wish.hpp"
@@ -30,9 +31,11 @@ struct Seen {
     bool is_restart_asked = false;
     bool is_health_asked = false;
     bool is_lamp_test_asked = false;
+    std::optional<projector::Told> projector;  // where somebody keeps one
     std::optional<PreviewWish> preview;
     std::optional<Changed> settings;
-    std::vector<std::string> earlier_faults;  // of the runs before this one, oldest first
+    std::optional<std::vector<std::string>> guests;  // of other exhibits, by their codes, where they have changed
+    std::vector<std::string> earlier_faults;         // of the runs before this one, oldest first
 };
 
 class Watch {
@@ -54,6 +57,7 @@ class Watch {
     };
     static Stamp stamp_of(const std::filesystem::path& file);
     std::optional<Seen::Changed> changed_settings();
+    std::optional<std::vector<std::string>> changed_guests();
 
     std::filesystem::path configuration_file_, runtime_, state_;
     site::LastTimeSeen last_time_;
@@ -62,6 +66,8 @@ class Watch {
     std::string worked_;                  // what it held last that could be used
     using Stamps = std::array<Stamp, 2>;  // of the site's file and the curator's
     std::optional<Stamps> seen_, read_;
+    Stamp guests_seen_;
+    std::vector<std::string> guests_;
 };
 
 // Who asks for a picture makes this file in the runtime folder, and finds it gone when the picture lies beside it.

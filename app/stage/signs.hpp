@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 
@@ -37,6 +38,9 @@ class SignWriter {
     Written text(const std::string& utf8, float size_px, bool is_bold = false, int max_width_px = 0);
     Written badge(std::size_t quarter_index, int size_px);
     Written pictogram(render::Pictogram which, int size_px);
+    // One beside the other; the first is where lines begin.
+    enum class Begins { Left, Right };
+    Written pictograms(std::span<const render::Pictogram> row, int size_px, Begins begins);
     // A QR code of the text, of so many pixels a side at most; nothing drawn (0 wide) where it has not room.
     Written code(const std::string& text, int most_px);
 
@@ -45,6 +49,20 @@ class SignWriter {
 
     // The same, wrapped at most_px.x, as much smaller as it takes to be no higher than most_px.y.
     Written text_within(const std::string& utf8, float size_px, bool is_bold, glm::ivec2 most_px);
+
+    // What says the same without words, and the words within what it leaves of the room: after it, or before where
+    // lines begin on the right. Either may be empty; pictograms alone are larger.
+    Written said_within(std::span<const render::Pictogram> row, const std::string& utf8, float size_px, bool is_bold,
+                        glm::ivec2 most_px, Begins begins);
+
+    // Of all that was written within a room so far, what was made smallest for it: its share of the size it should
+    // have.
+    struct Tightest {
+        float share = 1;
+        std::string utf8;
+    };
+    const Tightest& tightest() const { return tightest_; }
+    void forget_tightest() { tightest_ = {}; }
 
     // On one line, as much smaller as it takes to be no wider than that.
     Written line_within(const std::string& utf8, float size_px, bool is_bold, int most_px);
@@ -56,9 +74,11 @@ class SignWriter {
   private:
     using Key = std::tuple<std::string, int, bool, int>;
     Written keep(const Key& key, const mesh::Image& image);
+    float fitted_px(const std::string& utf8, float size_px, bool is_bold, glm::ivec2 most_px);
     render::Renderer& renderer_;
     std::map<Key, Written> written_;
     std::map<std::tuple<std::string, int, bool, int, int>, float> fitted_;  // how large texts are within their room
+    Tightest tightest_;
     const mesh::Image* pictured_ = nullptr;
     std::shared_ptr<const render::Texture> picture_;
 };

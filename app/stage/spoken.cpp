@@ -14,6 +14,9 @@ void Spoken::follow(const site::Configuration& configuration) {
     const bool is_chosen = now_ != own_;
     own_ = configuration.visit.language;
     offered_ = configuration.visit.languages;
+    texts_.texts = configuration.texts;
+    texts_.texts_in = configuration.texts_in;
+    texts_.visit.language = own_;
     if (!is_chosen || std::ranges::find(offered_, now_) == offered_.end()) now_ = own_;
 }
 

@@ -25,6 +25,8 @@ class Spoken {
     void end_visit() { now_ = own_; }
 
     const std::string& code() const { return now_; }
+    // A prompt, by its key, in the site's own words where it has some.
+    std::string said(const std::string& key) const { return site::text(texts_, key, now_); }
     const genome::Language& language() const { return genome::language(now_); }
     // What the screen speaks: while nobody is there, or is asked which, one of those that are offered after the other.
     const std::string& shown(exhibit::Screen screen, base::Instant now) const;
@@ -33,6 +35,7 @@ class Spoken {
     std::array<std::string, 4> codes(int first_language) const;  // of those; "" for none
 
   private:
+    site::Configuration texts_;  // the site's, and nothing else of it
     std::string own_;
     std::string now_;
     std::vector<std::string> offered_;

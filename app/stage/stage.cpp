@@ -7,8 +7,10 @@
 #include <cmath>
 
 #include "genome/speech.hpp"
+#include "nursery/gallery.hpp"
 #include "stage/easel.hpp"
 #include "stage/marks.hpp"
+#include "stage/pictograms.hpp"
 
 namespace quadrat::stage {
 namespace {
@@ -17,8 +19,8 @@ using exhibit::Screen;
 
 constexpr float kGrowInSeconds = 2.0F;
 constexpr float kFlashSeconds = 0.4F;
-constexpr float kAttractSceneSeconds = 24.0F;  // then the next of the four
-constexpr float kCalmFadeSeconds = 1.5F;       // of what comes and goes where nothing may move
+constexpr float kAttractSceneSeconds = std::chrono::duration<float>(nursery::Gallery::kShownFor).count();
+constexpr float kCalmFadeSeconds = 1.5F;  // of what comes and goes where nothing may move
 
 float seconds_of(base::Instant t) { return std::chrono::duration<float>(t).count(); }
 
@@ -32,6 +34,7 @@ float dimming(const StageView& view, const Look& look) {
     if (view.state.screen == exhibit::Screen::Breed)
         return 0.45F * smooth(since / (look.is_calm ? kCalmFadeSeconds : 0.5F));
     if (view.state.screen == exhibit::Screen::StillThere) return 0.35F;
+    if (view.state.screen == exhibit::Screen::Family) return 0.62F;
     return 0;
 }
 
@@ -57,7 +60,7 @@ std::size_t attract_index(const StageView& view) {
 
 bool shows_four(const StageView& view) {
     return view.cast.scenes.size() == genome::kCandidates && view.state.screen != exhibit::Screen::Attract &&
-           view.state.screen != exhibit::Screen::Finale;
+           view.state.screen != exhibit::Screen::Finale && view.state.screen != exhibit::Screen::Family;
 }
 
 float flash_left(const StageView& view) {
@@ -65,65 +68,47 @@ float flash_left(const StageView& view) {
     return 1 - smooth(seconds_of(view.now - view.flash->at) / kFlashSeconds);
 }
 
+bool is_written_from_the_right(const std::string& language) { return genome::language(language).reads_right_to_left(); }
+
 bool reads_right_to_left(const StageView& view, const site::Configuration& configuration) {
-    return genome::language(view.language.empty() ? std::string_view(configuration.visit.language) : view.language)
-        .reads_right_to_left();
+    return is_written_from_the_right(view.language.empty() ? configuration.visit.language : std::string(view.language));
+}
+
+std::string_view key_of(const StageView& view) {
+    if (view.cast.scenes.empty() && view.backdrop == nullptr) return "first";
+    switch (exhibit::prompt_of(view.state)) {
+        case exhibit::Prompt::PressAnyButton:
+            return view.timings.is_wall ? "finale" : "attract";
+        case exhibit::Prompt::BestTrees:
+            return "ask.trees";
+        case exhibit::Prompt::BestLand:
+            return "ask.land";
+        case exhibit::Prompt::BestSky:
+            return "ask.sky";
+        case exhibit::Prompt::Growing:
+            return "breed";
+        case exhibit::Prompt::StillThere:
+            return "still-there";
+        case exhibit::Prompt::WhichWords:
+        case exhibit::Prompt::TurnWords:
+            return view.asked != nullptr ? std::string_view(view.asked->prompt) : "finale";
+        case exhibit::Prompt::WhichLanguage:
+            return "ask.language";
+        case exhibit::Prompt::WhichAncestor:
+            return "family";
+        case exhibit::Prompt::YourLandscape:
+            break;
+    }
+    return "finale";
 }
 
 std::string words(const StageView& view, const site::Configuration& configuration) {
-    const auto said = [&](const std::string& key) { return site::text(configuration, key, view.language); };
-    if (view.cast.scenes.empty() && view.backdrop == nullptr) return said("first");
-    switch (exhibit::prompt_of(view.state)) {
-        case exhibit::Prompt::PressAnyButton:
-            return said("attract");
-        case exhibit::Prompt::BestTrees:
-            return said("ask.trees");
-        case exhibit::Prompt::BestLand:
-            return said("ask.land");
-        case exhibit::Prompt::BestSky:
-            return said("ask.sky");
-        case exhibit::Prompt::Growing:
-            return said("breed");
-        case exhibit::Prompt::StillThere:
-            return fmt::format("{}  {}", said("still-there"),
-                               exhibit::countdown_s(view.state, view.now, view.timings).value_or(0));
-        case exhibit::Prompt::WhichWords:
-        case exhibit::Prompt::TurnWords:
-            return said(view.asked != nullptr ? view.asked->prompt : "finale");
-        case exhibit::Prompt::WhichLanguage:
-            return said("ask.language");
-        case exhibit::Prompt::YourLandscape:
-            break;
-    }
-    return said("finale");
-}
-
-render::Pictogram pictogram_of(const StageView& view) {
-    using render::Pictogram;
-    if (view.cast.scenes.empty() && view.backdrop == nullptr) return Pictogram::Sprout;
-    switch (exhibit::prompt_of(view.state)) {
-        case exhibit::Prompt::PressAnyButton:
-            return Pictogram::Press;
-        case exhibit::Prompt::BestTrees:
-            return Pictogram::Tree;
-        case exhibit::Prompt::BestLand:
-            return Pictogram::Land;
-        case exhibit::Prompt::BestSky:
-            return Pictogram::Sky;
-        case exhibit::Prompt::Growing:
-            return Pictogram::Sprout;
-        case exhibit::Prompt::StillThere:
-            return Pictogram::Clock;
-        case exhibit::Prompt::WhichWords:
-            return Pictogram::Speech;
-        case exhibit::Prompt::TurnWords:
-            return Pictogram::Slider;
-        case exhibit::Prompt::WhichLanguage:
-            return Pictogram::Language;
-        case exhibit::Prompt::YourLandscape:
-            break;
-    }
-    return Pictogram::Frame;
+    const std::string_view key = key_of(view);
+    const bool is_hung = exhibit::prompt_of(view.state) == exhibit::Prompt::PressAnyButton && key == "finale";
+    if (is_hung) return std::string(view.caption);  // on a wall
+    const std::string said = site::text(configuration, std::string(key), view.language);
+    const auto left = exhibit::countdown_s(view.state, view.now, view.timings);
+    return left && key != "first" ? fmt::format("{}  {}", said, *left) : said;
 }
 
 render::Frame Stage::frame(const StageView& view, const display::Canvas& canvas) {
@@ -255,7 +240,12 @@ void Stage::add_board(render::Frame& frame, const Board& board) {
     frame.signs.push_back(back);
     const int most_width = frame.size.x - 2 * margin;
     const float title_em = static_cast<float>(frame.size.y) / (board.lines.empty() ? 9.0F : 16.0F);
-    const auto title = writer_.text(board.title, title_em, true, most_width);
+    // Closed, there is one thing to say, to who does not read too.
+    const auto row =
+        configuration_.look.pictograms == "none" ? std::span<const render::Pictogram>{} : pictograms_for(board.prompt);
+    const bool is_alone = configuration_.look.pictograms == "alone" && !row.empty();
+    const auto title = writer_.said_within(row, is_alone ? "" : board.title, title_em, true,
+                                           {most_width, frame.size.y / 2}, SignWriter::Begins::Left);
     render::Sign sign;
     sign.texture = title.texture;
     sign.place = {margin, frame.size.y - margin - title.height, title.width, title.height};

@@ -13,6 +13,24 @@ constexpr glm::vec4 kKnob{1, 1, 1, 1};
 
 }  // namespace
 
+int Stage::labels_top(int height) const {
+    const int badge = badge_px(look_of(configuration_.look).size, height);
+    const int inset = height / 24;
+    const int pad = std::max(4, height / 90);
+    return inset + 2 * (badge + 2 * pad) + std::max(inset / 2, mark_reach_px(height) + pad / 4) + mark_reach_px(height);
+}
+
+int Stage::lower_row(int height) const {
+    return badge_px(look_of(configuration_.look).size, height) + 2 * std::max(4, height / 90);
+}
+
+int Stage::beside_arrows(int height) {
+    const Look look = look_of(configuration_.look);
+    const int arrow = writer_.text("↕", em_px(Letters::Label, look.size, height), true).width;
+    const int widest = std::max(arrow, writer_.text("←", em_px(Letters::Label, look.size, height), true).width);
+    return height / 24 + badge_px(look.size, height) + widest + 3 * std::max(4, height / 90) + mark_reach_px(height);
+}
+
 void Stage::add_labels(render::Frame& frame, const StageView& view) {
     const glm::ivec2 size = frame.size;
     const Look look = look_of(configuration_.look);
@@ -25,8 +43,8 @@ void Stage::add_labels(render::Frame& frame, const StageView& view) {
     int height = badge;
     int widest = 0;
     for (std::size_t i = 0; i < kQuarters; ++i) {
-        labels[i] =
-            writer_.text_within(view.asked->labels[i], em, true, {size.x / 2 - 2 * inset - badge - 3 * pad, badge});
+        labels[i] = written(view, view.asked->keys[i], view.asked->labels[i],
+                            {em, true, {size.x / 2 - 2 * inset - badge - 3 * pad, badge}});
         height = std::max(height, labels[i].height);
         widest = std::max(widest, badge + labels[i].width + 3 * pad);
     }

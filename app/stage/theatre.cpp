@@ -2,6 +2,7 @@
 #include "stage/theatre.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "machine/heap.hpp"
 #include "stage/easel.hpp"
@@ -11,139 +12,29 @@ namespace quadrat::stage {
 
 void Theatre::enter(const display::Canvas& canvas) {
     if (canvas.context == context_) return;
-    uploading_.clear();
-    ahead_.clear();
-    uploaded_ahead_.clear();
-    uploaded_.clear();
+    on_gpu_.reset();
     glimpse_.reset();
+    miniature_.reset();
+    portrait_.reset();
+    miniature_due_.reset();
     stage_.reset();
     renderer_.reset();
     is_rehearsed_ = false;
     context_ = canvas.context;
     if (context_ == 0) return;
     renderer_ = std::make_unique<render::Renderer>(render::ground_named(configuration_.picture.ground));
+    on_gpu_ = std::make_unique<OnGpu>(*renderer_);
     stage_ = std::make_unique<Stage>(*renderer_, configuration_);
-    glimpse_ = std::make_unique<render::Glimpse>();
-}
-
-template <typename Upload>
-Theatre::Uploading<Upload>::Uploading(std::unique_ptr<Upload> upload_, machine::BackgroundThreads& threads)
-    : upload(std::move(upload_)), prepared(std::async(std::launch::async, [preparing = upload.get(), &threads] {
-          const machine::BackgroundThreads::Stay stay(threads);
-          preparing->prepare();
-      })) {}
-
-template <typename Upload>
-bool Theatre::Uploading<Upload>::is_prepared() const {
-    return !prepared.valid() || prepared.wait_for(std::chrono::seconds{0}) == std::future_status::ready;
-}
-
-template <typename Upload>
-bool Theatre::Uploading<Upload>::advance(const Haste& haste) {
-    if (is_done) return true;
-    if (!haste.may_wait && !is_prepared()) return false;
-    if (prepared.valid()) prepared.get();
-    return is_done = upload->advance(haste.bytes, haste.has_time);
-}
-
-void Theatre::begin_uploads(const nursery::Scenes& scenes, bool may_wait) {
-    // What is no longer wanted goes when its thread is done: no frame waits for it.
-    std::erase_if(uploading_, [&](const SceneUploading& u) {
-        if (std::ranges::find(scenes, u.scene) != scenes.end()) return false;
-        if (may_wait && u.uploading.prepared.valid()) u.uploading.prepared.wait();
-        return u.uploading.is_prepared();
-    });
-    for (const auto& scene : scenes) {
-        if (uploading_.size() >= kMostAhead) return;
-        if (uploaded_.contains(scene.get()) || uploaded_ahead_.contains(scene.get()) ||
-            std::ranges::find(uploading_, scene, &SceneUploading::scene) != uploading_.end())
-            continue;
-        uploading_.push_back({scene, Uploading<render::SceneUpload>{renderer_->begin_upload(scene), preparing_}});
-    }
-}
-
-// What was begun ahead of it is finished first, so that it comes once.
-bool Theatre::stands(const scene::Scene& scene, const Haste& haste) {
-    return std::ranges::all_of(ahead_, [&](GroundUploading& ahead) {
-        return ahead.ground != scene::Ground{scene.flora, scene.land} || ahead.uploading.advance(haste);
-    });
-}
-
-bool Theatre::prepare(const nursery::Act& act, const Haste& haste) {
-    if (!has_gpu()) return true;
-    for (const auto& scene : act.scenes)
-        if (auto ahead = uploaded_ahead_.extract(scene.get())) uploaded_.insert(std::move(ahead));
-    for (const auto& scene : act.scenes)
-        if (!uploaded_.contains(scene.get()) && !stands(*scene, haste)) return false;
-    int finished = 0;
-    for (const auto& scene : act.scenes) {
-        if (uploaded_.contains(scene.get())) continue;
-        begin_uploads(act.scenes, haste.may_wait);
-        if (!bring(scene, uploaded_, haste)) return false;
-        if (++finished == haste.scenes) break;
-    }
-    return std::ranges::all_of(act.scenes, [this](const auto& scene) { return uploaded_.contains(scene.get()); });
-}
-
-// Of those whose upload has begun: true when it is there.
-bool Theatre::bring(const std::shared_ptr<const scene::Scene>& scene, OnGpu& to, const Haste& haste) {
-    const auto found = std::ranges::find(uploading_, scene, &SceneUploading::scene);
-    if (found == uploading_.end()) return false;  // others still hold the threads
-    if (!found->uploading.advance(haste)) return false;
-    to[scene.get()] = {scene, found->uploading.upload->take()};
-    uploading_.erase(found);
-    return true;
-}
-
-void Theatre::prepare_ahead(const nursery::Prospect& prospect, const Haste& haste) {
-    if (!has_gpu()) return;
-    std::erase_if(uploaded_ahead_, [&](const auto& entry) {
-        return std::ranges::find(prospect.lit, entry.second.scene) == prospect.lit.end();
-    });
-    if (!prepare_grounds(prospect.grounds, haste)) return;
-    for (;;) {
-        begin_uploads(prospect.lit, haste.may_wait);
-        // What was begun first: what is lit meanwhile may come before it in the prospect.
-        const auto begun = std::ranges::find_if(uploading_, [&](const SceneUploading& u) {
-            return std::ranges::find(prospect.lit, u.scene) != prospect.lit.end();
-        });
-        if (begun == uploading_.end()) return;
-        const std::shared_ptr<const scene::Scene> scene = begun->scene;
-        if (!bring(scene, uploaded_ahead_, haste) || !haste.has_time || !haste.has_time()) return;
-    }
-}
-
-// True when all are there.
-bool Theatre::prepare_grounds(const std::vector<scene::Ground>& grounds, const Haste& haste) {
-    std::erase_if(ahead_, [&](const GroundUploading& a) {
-        return a.uploading.is_prepared() && std::ranges::find(grounds, a.ground) == grounds.end();
-    });
-    for (GroundUploading& ahead : ahead_)
-        if (!ahead.uploading.advance(haste)) return false;  // one after the other: what two share comes once
-    for (const scene::Ground& ground : grounds)
-        if (std::ranges::find(ahead_, ground, &GroundUploading::ground) == ahead_.end()) {
-            ahead_.push_back({ground, Uploading<render::Upload>{renderer_->begin_upload(ground), preparing_}});
-            return false;
-        }
-    return true;
-}
-
-void Theatre::keep_only(const std::vector<const nursery::Act*>& acts) {
-    std::erase_if(uploaded_, [&](const auto& entry) {
-        return std::ranges::none_of(acts, [&](const nursery::Act* act) {
-            return act != nullptr &&
-                   std::ranges::any_of(act->scenes, [&](const auto& scene) { return scene.get() == entry.first; });
-        });
-    });
+    for (auto* glimpse : {&glimpse_, &miniature_, &portrait_}) *glimpse = std::make_unique<render::Glimpse>();
 }
 
 Cast Theatre::cast_of(const nursery::Act& act) const {
     Cast cast;
     cast.arrived = act.arrived;
     for (const auto& scene : act.scenes) {
-        const auto found = uploaded_.find(scene.get());
-        if (found == uploaded_.end()) return {{}, act.arrived};  // not whole yet: the stage stays dark
-        cast.scenes.push_back({scene, found->second.gpu});
+        auto gpu = on_gpu_->find(*scene);
+        if (!gpu) return {{}, act.arrived};  // not whole yet: the stage stays dark
+        cast.scenes.push_back({scene, std::move(gpu)});
     }
     return cast;
 }
@@ -158,12 +49,52 @@ StageView Theatre::view_of(const Moment& moment, const Cast& cast, const Over& o
     view.sign = over.sign;
     view.take_home = moment.take_home;
     view.language = moment.language;
+    view.miniatures = &miniatures_;
     return view;
+}
+
+// As large as there is room for: the picture lies in the canvas's corner until it is drawn over.
+bool Theatre::begin_plain(render::Glimpse& glimpse, const Cast& cast, glm::ivec2 size, const display::Canvas& canvas) {
+    if (!has_gpu() || cast.scenes.empty() || size.x < 1 || size.y < 1) return false;
+    const float room = std::min(static_cast<float>(canvas.size.width) / static_cast<float>(size.x),
+                                static_cast<float>(canvas.size.height) / static_cast<float>(size.y));
+    pictures::Picture picture;
+    picture.alpha = detail().alpha;
+    picture.samples = 1;
+    display::Canvas corner = canvas;
+    corner.size = {static_cast<int>(std::min(1.0F, room) * static_cast<float>(size.x)),
+                   static_cast<int>(std::min(1.0F, room) * static_cast<float>(size.y))};
+    const render::Frame frame = frame_of(picture, cast, corner);
+    renderer_->draw(frame);
+    return glimpse.begin(frame, corner.size.width);
+}
+
+bool Theatre::begin_portrait(const nursery::Act& act, glm::ivec2 size, const display::Canvas& canvas) {
+    return has_gpu() && begin_plain(*portrait_, cast_of(act), size, canvas);
+}
+
+std::optional<mesh::Image> Theatre::take_portrait() { return has_gpu() ? portrait_->take() : std::nullopt; }
+
+void Theatre::keep_miniature(const Moment& moment, const Cast& cast, const display::Canvas& canvas) {
+    const auto take = [this] {
+        auto picture = miniature_->take();
+        if (picture) miniatures_.keep(*std::exchange(miniature_due_, std::nullopt), std::move(*picture));
+    };
+    if (miniature_due_) take();
+    const auto due = miniatures_.due(moment.state, moment.now - moment.act.arrived);
+    if (!due || miniature_due_ || !moment.timings.finale_asks) return;
+    const render::Hanging hanging{static_cast<int>(canvas.rotation), false};
+    const glm::vec2 upright(render::turned_size({canvas.size.width, canvas.size.height}, hanging));
+    const float scale = static_cast<float>(Miniatures::kWidth) / std::max(upright.x, upright.y);
+    if (!begin_plain(*miniature_, cast, glm::ivec2(scale * upright), canvas)) return;
+    miniature_due_ = due;
+    while (frames_ == Frames::AtAnyTime && miniature_due_) take();
 }
 
 render::Drawn Theatre::draw(const Moment& moment, const display::Canvas& canvas, const Over& over) {
     if (!has_gpu()) return {};
     const Cast cast = cast_of(moment.act);
+    keep_miniature(moment, cast, canvas);
     render::Frame frame = stage_->frame(view_of(moment, cast, over), canvas);
     frame.is_one_of_many = true;
     if (detail_) frame.detail = *detail_;

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <chrono>
-#include <functional>
-#include <future>
-#include <map>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "display/display.hpp"
-#include "machine/low_priority.hpp"
 #include "nursery/act.hpp"
 #include "nursery/growing.hpp"
 #include "pictures/album.hpp"
 #include "render/glimpse.hpp"
 #include "render/renderer.hpp"
 #include "stage/gpu_benchmark.hpp"
+#include "stage/miniatures.hpp"
+#include "stage/on_gpu.hpp"
 #include "stage/stage.hpp"
 
 namespace quadrat::stage {
@@ -28,9 +25,9 @@ struct Moment {
     std::optional<Flash> flash;  // of the last press
     std::optional<Asked> asked;  // in Describe and Slide
     std::optional<Scanned> scanned = {};
-    float growing_progress = 0;     // of what Breed waits for, 0 to 1
-    std::string_view caption = {};  // may be empty
-    std::string_view take_home = {};
+    float growing_progress = 0;  // of what Breed waits for, 0 to 1
+    std::string caption = {};    // may be empty
+    std::string take_home = {};
     std::string_view language = {};  // that is spoken now; "": the site's
     base::Instant now{0};
 };
@@ -38,31 +35,18 @@ struct Moment {
 // The show on a GPU: owns everything that dies with a GL context, and makes it again when the context changes.
 class Theatre {
   public:
-    explicit Theatre(const site::Configuration& configuration) : configuration_(configuration) {}
+    enum class Frames { InTime, AtAnyTime };  // none waits for a small picture; or none can come late
+    explicit Theatre(const site::Configuration& configuration, Frames frames = Frames::InTime)
+        : configuration_(configuration), frames_(frames) {}
 
     // Call first in a frame. A canvas without a context has no GPU: the rest then does nothing.
     void enter(const display::Canvas& canvas);
     bool has_gpu() const { return renderer_ != nullptr; }
 
-    // How much is brought to the GPU in a frame.
-    struct Haste {
-        std::size_t bytes;               // about
-        std::function<bool()> has_time;  // asked before each piece; none: always
-        int scenes = 1;                  // are finished, at most
-        bool may_wait = false;           // for what is still worked out beside the frames
-
-        static Haste everything() { return {static_cast<std::size_t>(-1), {}, 1000, true}; }
-    };
-    // Whether somebody waits for what is brought: what is worked out for it beside the frames else runs when nothing
-    // else would.
-    void set_awaited(bool is_awaited) { preparing_.set_awaited(is_awaited); }
-    // Uploads some of what is missing of this act; true when all of it is there, or there is no GPU.
-    bool prepare(const nursery::Act& act, const Haste& haste);
-    // The same for what may be needed of an act to come; held as long as it is asked for.
-    void prepare_ahead(const nursery::Prospect& prospect, const Haste& haste);
-    std::size_t scenes_ahead() const { return uploaded_ahead_.size(); }  // that are there
-    // Frees what no act needs.
-    void keep_only(const std::vector<const nursery::Act*>& acts);
+    // What of the landscapes lies on the GPU; where there is one.
+    OnGpu& on_gpu() { return *on_gpu_; }
+    // Whether all of an act can be drawn; where there is no GPU, it is as if it could.
+    bool has(const nursery::Act& act) const { return !has_gpu() || on_gpu_->has(act.scenes); }
 
     // What lies over the show, and what is shown in place of landscapes that are not there; both may be null.
     struct Over {
@@ -96,6 +80,12 @@ class Theatre {
     // The act as a picture, grown, without words: drawn over the canvas, before the frame itself is.
     mesh::Image photograph(const nursery::Act& act, const pictures::Picture& picture, const display::Canvas& canvas);
 
+    // One landscape for paper, without words, without waiting for it: asked for here, drawn over the canvas before the
+    // frame itself is, it comes some frames later. As large as that, or as the canvas has room for. False: nothing was
+    // begun.
+    bool begin_portrait(const nursery::Act& act, glm::ivec2 size, const display::Canvas& canvas);
+    std::optional<mesh::Image> take_portrait();  // once a frame
+
     // A moment as it would be with other settings, drawn over the canvas before the frame itself is.
     mesh::Image sketch(const Moment& moment, const display::Canvas& canvas, const Over& over,
                        const site::Configuration& configuration);
@@ -103,51 +93,22 @@ class Theatre {
   private:
     StageView view_of(const Moment& moment, const Cast& cast, const Over& over) const;
     Cast cast_of(const nursery::Act& act) const;
+    bool begin_plain(render::Glimpse& glimpse, const Cast& cast, glm::ivec2 size, const display::Canvas& canvas);
+    void keep_miniature(const Moment& moment, const Cast& cast, const display::Canvas& canvas);
 
     const site::Configuration& configuration_;
+    Frames frames_;
     std::uint32_t context_ = 0;
     std::unique_ptr<render::Renderer> renderer_;
+    std::unique_ptr<OnGpu> on_gpu_;
     std::unique_ptr<Stage> stage_;
-    std::unique_ptr<render::Glimpse> glimpse_;
+    // Of the screen, of what a visit has seen, of what goes on paper.
+    std::unique_ptr<render::Glimpse> glimpse_, miniature_, portrait_;
+    Miniatures miniatures_;
+    std::optional<Miniatures::Due> miniature_due_;  // on its way
     bool is_rehearsed_ = false;
     std::optional<render::Detail> detail_;
     render::Frame drawn_;  // last, without its views and signs
-    // A scene is held as long as what was made of it: its address stays its own.
-    struct Uploaded {
-        std::shared_ptr<const scene::Scene> scene;
-        std::shared_ptr<const render::GpuScene> gpu;
-    };
-    using OnGpu = std::map<const scene::Scene*, Uploaded>;
-    OnGpu uploaded_;
-    OnGpu uploaded_ahead_;
-    // What needs no GPU is worked out beside the frames; at most so many at once, for their memory.
-    static constexpr std::size_t kMostAhead = 4;
-    template <typename Upload>
-    struct Uploading {
-        std::unique_ptr<Upload> upload;
-        std::future<void> prepared;  // last: it waits for its thread
-        bool is_done = false;
-
-        Uploading(std::unique_ptr<Upload> upload_, machine::BackgroundThreads& threads);
-        bool is_prepared() const;
-        // True when all of it is there.
-        bool advance(const Haste& haste);
-    };
-    struct SceneUploading {
-        std::shared_ptr<const scene::Scene> scene;
-        Uploading<render::SceneUpload> uploading;
-    };
-    struct GroundUploading {
-        scene::Ground ground;
-        Uploading<render::Upload> uploading;
-    };
-    void begin_uploads(const nursery::Scenes& scenes, bool may_wait);
-    bool bring(const std::shared_ptr<const scene::Scene>& scene, OnGpu& to, const Haste& haste);
-    bool prepare_grounds(const std::vector<scene::Ground>& grounds, const Haste& haste);
-    bool stands(const scene::Scene& scene, const Haste& haste);
-    machine::BackgroundThreads preparing_;  // before those whose threads are in it
-    std::vector<SceneUploading> uploading_;
-    std::vector<GroundUploading> ahead_;
 };
 
 // What the exhibit shows of an act: the picture that an album keeps.

@@ -20,10 +20,6 @@ struct Turn {
     const Options& options;
 };
 
-bool asks_for_a_choice(Screen screen) {
-    return screen == Screen::Ask || screen == Screen::Describe || screen == Screen::Slide || screen == Screen::Language;
-}
-
 std::size_t index_of(Choice choice) { return static_cast<std::size_t>(choice); }
 
 bool is_any_down(const State& state) {
@@ -55,8 +51,19 @@ std::optional<Instant> hold_deadline(const State& state, const Options& options)
     return state.hold->since + options.hold;
 }
 
-Instant marked_for(const State& state, const Options& options) {
-    const bool is_first = state.marked == Choice::A && state.times_round == 0;
+// Of A to D and Back, whether it can be chosen now.
+bool is_meant(const Beside& beside, std::size_t index) {
+    return index < beside.meant.size() ? beside.meant[index] : beside.can_go_back;
+}
+
+std::optional<Choice> first_meant(const Beside& beside) {
+    for (std::size_t i = 0; i <= index_of(Choice::Back); ++i)
+        if (is_meant(beside, i)) return static_cast<Choice>(i);
+    return std::nullopt;
+}
+
+Instant marked_for(const State& state, const Beside& beside, const Options& options) {
+    const bool is_first = state.marked == first_meant(beside) && state.times_round == 0;
     return is_first ? std::chrono::milliseconds(std::llround(kFirstPaces * static_cast<double>(options.pace.count())))
                     : options.pace;
 }
@@ -64,7 +71,7 @@ Instant marked_for(const State& state, const Options& options) {
 std::optional<Instant> mark_deadline(const State& state, const Beside& beside, const Options& options) {
     if (!is_marking(state, beside.visit) || !state.marked || is_any_down(state)) return std::nullopt;
     const Instant since = std::max(state.marked_since, beside.speaks_until);
-    if (!is_stepped(state, options)) return since + marked_for(state, options);
+    if (!is_stepped(state, options)) return since + marked_for(state, beside, options);
     if (options.dwell.count() > 0 && state.is_marked_by_hand) return since + options.dwell;
     return std::nullopt;
 }
@@ -77,14 +84,14 @@ void mark(Turn& turn, std::optional<Choice> choice) {
 
 void begin_marking(Turn& turn) {
     turn.state.times_round = 0;
-    mark(turn, Choice::A);
+    mark(turn, first_meant(turn.beside));
 }
 
 void move_on(Turn& turn) {
-    const Choice last = turn.beside.can_go_back ? Choice::Back : Choice::D;
-    const bool is_last = index_of(*turn.state.marked) >= index_of(last);
-    if (is_last) ++turn.state.times_round;
-    mark(turn, is_last ? Choice::A : static_cast<Choice>(index_of(*turn.state.marked) + 1));
+    for (std::size_t next = index_of(*turn.state.marked) + 1; next <= index_of(Choice::Back); ++next)
+        if (is_meant(turn.beside, next)) return mark(turn, static_cast<Choice>(next));
+    ++turn.state.times_round;
+    mark(turn, first_meant(turn.beside));
 }
 
 // The visit asks something else now, or nothing; or the site has changed how it is played.
@@ -94,7 +101,7 @@ void follow_visit(Turn& turn) {
     const Buttons before = state.buttons;
     const bool has_ended = visit.screen == Screen::Attract && state.screen != Screen::Attract;
     if (has_ended || turn.options.always != Buttons::Four) state.buttons = turn.options.always;
-    if (has_ended) state.hold.reset();
+    if (has_ended) state.hold = state.asked_by = std::nullopt;
     if (state.screen == visit.screen && state.asked_since == visit.since && state.buttons == before) return;
     state.screen = visit.screen;
     state.asked_since = visit.since;
@@ -148,6 +155,12 @@ void release(Turn& turn, Choice button) {
     if (state.hold && state.hold->button == button) state.hold.reset();
     if (const auto told = std::exchange(state.told[index_of(button)], std::nullopt))
         turn.events.emplace_back(exhibit::Released{*told});
+    const bool is_wish = state.asked_by && state.asked_by->button == button;
+    if (is_wish && turn.now - std::exchange(state.asked_by, std::nullopt)->since >= kNobodysHold) {
+        state.buttons = turn.options.always;
+        state.asked_since = Instant::min();
+        follow_visit(turn);
+    }
     // What was marked meanwhile is marked for its whole time.
     if (!is_any_down(state) && state.marked) state.marked_since = turn.now;
 }
@@ -156,6 +169,7 @@ void play_with_fewer(Turn& turn) {
     State& state = turn.state;
     state.buttons = turn.options.held;
     const Choice button = std::exchange(state.hold, std::nullopt)->button;
+    state.asked_by = Hold{button, turn.now};
     if (const auto told = std::exchange(state.told[index_of(button)], std::nullopt))
         turn.events.emplace_back(exhibit::Released{*told});
     turn.events.emplace_back(exhibit::Stirred{});
@@ -199,7 +213,7 @@ Step let_go(const State& state) {
     for (auto& told : step.state.told)
         if (told) step.events.emplace_back(exhibit::Released{*std::exchange(told, std::nullopt)});
     step.state.is_down = {};
-    step.state.hold.reset();
+    step.state.hold = step.state.asked_by = std::nullopt;
     return step;
 }
 
@@ -213,7 +227,7 @@ std::optional<Instant> next_deadline(const State& state, const Beside& beside, c
 }
 
 bool is_marking(const State& state, const exhibit::State& visit) {
-    return state.buttons != Buttons::Four && asks_for_a_choice(visit.screen);
+    return state.buttons != Buttons::Four && exhibit::asks(visit);
 }
 
 float hold_share(const State& state, Instant now, const Options& options) {

@@ -38,6 +38,10 @@ struct Options {
 // The first choice of a question is marked longer, for the question has to be read.
 inline constexpr double kFirstPaces = 1.5;
 
+// A button that stays down so long after its wish was granted was nobody's: it is leaned on or stuck, and with its
+// release four are played with again.
+inline constexpr std::chrono::seconds kNobodysHold{30};
+
 using Event = std::variant<exhibit::Pressed, exhibit::Released, exhibit::Tick>;
 
 struct Hold {
@@ -57,6 +61,7 @@ struct State {
     Instant asked_since{0};                       // of the question that the mark belongs to
     std::optional<Instant> heard_at;              // the last press that was heard
     std::optional<Hold> hold;                     // while it may become a wish for fewer buttons
+    std::optional<Hold> asked_by;                 // whose hold was such a wish and when, until it comes up
     std::array<bool, 5> is_down{};                // by Choice
     std::array<std::optional<Choice>, 5> told{};  // as what a button that is down was told to the visit
     friend bool operator==(const State&, const State&) = default;
@@ -67,6 +72,7 @@ struct Beside {
     const exhibit::State& visit;
     bool can_go_back = false;
     Instant speaks_until{0};  // what is asked, and the choice that is marked; the mark waits for it
+    std::array<bool, 4> meant{true, true, true, true};  // which of A to D stand for something; others are never marked
 };
 
 struct Step {

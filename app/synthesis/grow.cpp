@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/grow.hpp"
 
+#include "scene/land_parameters.hpp"
+#include "scene/sky_parameters.hpp"
+#include "scene/tree_parameters.hpp"
 #include "synthesis/compose/exposure.hpp"
 #include "synthesis/compose/light.hpp"
 #include "synthesis/compose/low_ground.hpp"

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "base/seed.hpp"
-#include "scene/parameters.hpp"
+#include "scene/parameters_fwd.hpp"
 #include "scene/scene.hpp"
 
 // The growers. Each is a pure function of its arguments, bit for bit, on any number of threads, and may be called from

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "tempo/frame_record.hpp"
@@ -15,11 +16,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::size_t kTooManyLate = 3;  // of a window's frames
-constexpr float kOneMore = 1.12F;        // of the level: too little to be seen
-constexpr float kMuchMore = 1.4F;        // far from what it could be: seen, and welcome
-constexpr auto kSettling = 400ms;        // until a change can be judged
-constexpr auto kBlame = 5s;              // lateness so soon after a raise is the raise's
+constexpr float kOneMore = 1.12F;  // of the level: too little to be seen
+constexpr float kMuchMore = 1.4F;  // far from what it could be: seen, and welcome
+constexpr auto kSettling = 400ms;  // until a change can be judged
+constexpr auto kBlame = 5s;        // lateness so soon after a raise is the raise's
 constexpr auto kLongestPatience = std::chrono::nanoseconds{10min};
 constexpr auto kHopeless = 3s;  // late with the least detail: a frame in one period more
 constexpr auto kLongestRough = std::chrono::nanoseconds{2h};
@@ -108,15 +108,31 @@ bool DetailGovernor::is_unsettled(const FrameTold& told) const { return told.is_
 
 bool DetailGovernor::is_late(const FrameTold& told) const { return tempo::is_late(told.took, told.period, periods_); }
 
+// A frame of several periods among others in time: something else took the machine, or the driver its time.
+bool DetailGovernor::is_hiccup(const FrameTold& told) const {
+    return frames_since_hiccup_ >= kAlone && told.took >= kHiccup * told.period * periods_ &&
+           (late_ << (kWindow - kAlone)).none();
+}
+
+void DetailGovernor::note_lateness(const FrameTold& told) {
+    const bool is_counted = is_late(told) && !is_hiccup(told);
+    frames_since_hiccup_ = is_late(told) && !is_counted ? 0 : std::min(frames_since_hiccup_ + 1, kAlone);
+    late_ <<= 1U;
+    late_[0] = is_counted;
+    if (!is_counted) return;
+    const auto at = std::ranges::upper_bound(late_took_, told.took, std::ranges::greater{});
+    if (at == late_took_.end()) return;
+    std::move_backward(at, late_took_.end() - 1, late_took_.end());
+    *at = told.took;
+}
+
 void DetailGovernor::frame(const FrameTold& told) {
     if (!last_now_) begin_anew(told.now);
     const bool is_another_screens = follows_screen(told);
     glide(told);
     if (is_another_screens) return;  // it was begun with the time it had before
-    late_ <<= 1U;
-    late_[0] = is_late(told);
+    note_lateness(told);
     if (late_[0]) {
-        late_took_ = std::max(late_took_, told.took);
         begin_calm(told.now);
         room_ = std::max(room_ * kLateTakes, kLeastRoom);
         if (told.used > room_ && told.took < kHiccup * told.period * periods_) yield_a_little(told);
@@ -185,7 +201,7 @@ void DetailGovernor::give_way(const FrameTold& told) {
         growing_share_ = std::max(0.8F * growing_share_, kLeastGrowing);
         say("late while landscapes grow", before, told);
     } else if (target_ > GovernorOptions::kLeast) {
-        const float in_time = seconds(told.period * periods_) / seconds(late_took_);
+        const float in_time = seconds(told.period * periods_) / seconds(late_took_.back());
         target_ = std::max(target_ * std::clamp(in_time, 0.5F, 0.85F), GovernorOptions::kLeast);
         if (raised_at_ && told.now - *raised_at_ < kBlame) {
             target_ = std::min(target_, before_raise_);
@@ -246,7 +262,7 @@ void DetailGovernor::change_periods(int periods, Instant now) {
 
 void DetailGovernor::begin_anew(Instant now) {
     late_.reset();
-    late_took_ = 0ns;
+    late_took_ = {};
     changed_at_ = now;
     least_by_ones_ = kLeastByOnes * target_;
     begin_calm(now);
@@ -261,7 +277,7 @@ void DetailGovernor::say(std::string_view why, float before, const FrameTold& to
     const auto ms = [](Instant t) { return 1e3F * seconds(t); };
     if (late_.any())
         reason_ = fmt::format("detail {:.2f}, was {:.2f}: {} of {} frames {} ({:.0f} ms for {:.0f})", target_, before,
-                              late_.count(), kWindow, why, ms(late_took_), ms(told.period * periods_));
+                              late_.count(), kWindow, why, ms(late_took_.front()), ms(told.period * periods_));
     else
         reason_ = fmt::format("detail {:.2f}, was {:.2f}: {} for {:.0f} s", target_, before, why, seconds(patience_));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <algorithm>
+#include <array>
 #include <bitset>
 #include <chrono>
 #include <optional>
@@ -72,8 +73,12 @@ class DetailGovernor {
     std::optional<std::string> take_reason();
 
   private:
-    static constexpr std::size_t kWindow = 32;  // frames
+    static constexpr std::size_t kWindow = 32;      // frames
+    static constexpr std::size_t kTooManyLate = 3;  // of them
+    static constexpr int kAlone = 8;                // frames: what comes so seldom is not for what is drawn
 
+    bool is_hiccup(const FrameTold& told) const;
+    void note_lateness(const FrameTold& told);
     bool is_late(const FrameTold& told) const;
     bool is_unsettled(const FrameTold& told) const;
     bool follows_screen(const FrameTold& told);
@@ -103,7 +108,9 @@ class DetailGovernor {
     Instant rough_for_{std::chrono::minutes{5}};  // the next time
     FullRateProbe full_rate_probe_;
     std::bitset<kWindow> late_;  // the last frames, the newest first
-    Instant late_took_{0};       // the longest of them
+    // The longest of the late ones, longest first: were the last of these in time, they would not be too many.
+    std::array<Instant, kTooManyLate> late_took_{};
+    int frames_since_hiccup_ = kAlone;  // at most this
     std::optional<Instant> last_now_;
     Instant calm_since_{0};
     Instant changed_at_{0};

@@ -25,10 +25,13 @@ vec2 in_mirror(vec3 at_m, vec3 upward) {
     vec2 way = upward.xz / flat_length;
     float rise = upward.y / flat_length;
     float shore_m = shore_towards(way);
+    // Water beyond two thirds of the way to that shore, or in another lake, counts as there: nearer to it little would
+    // be seen but its foot, and behind it a ray meets it nowhere, which would show as an edge between two corners.
     vec2 from_place = at_m.xz - mirror.place.xz;
+    from_place *= min(0.65 * shore_m / max(length(from_place), 0.01), 1.0);
     float along = dot(from_place, way);
-    float reach = sqrt(max(shore_m * shore_m + along * along - dot(from_place, from_place), 0.0)) - along;
-    vec2 seen = reach > 0.0 ? from_place + way * reach : way;
-    rise = reach > 0.0 ? max(rise * reach + at_m.y - mirror.place.y, 0.0) / shore_m : rise;
+    float reach = sqrt(shore_m * shore_m + along * along - dot(from_place, from_place)) - along;
+    vec2 seen = from_place + way * reach;
+    rise = max(rise * reach + at_m.y - mirror.place.y, 0.0) / shore_m;
     return vec2(off_middle(seen) * 0.2777778 + 0.5, rise * 1.25 / (rise + 0.25));
 }

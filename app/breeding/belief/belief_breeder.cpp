@@ -216,11 +216,11 @@ genome::Candidate wished(const BeliefState& state, const genome::Candidate& othe
     return candidate;
 }
 
-std::array<float, genome::kParameterCount> moved_beside_words(const WordMap& map, const genome::Candidate& before,
-                                                              const genome::Candidate& now) {
+std::vector<float> moved_beside_words(const WordMap& map, const genome::Candidate& before,
+                                      const genome::Candidate& now) {
     const genome::ParameterValues asked_before = map(*before.words);
     const genome::ParameterValues asked_now = map(*now.words);
-    std::array<float, genome::kParameterCount> moved{};
+    std::vector<float> moved(genome::parameter_table().size());
     for (const genome::Parameter& p : genome::parameter_table()) {
         const float by_words = asked_now[p.id] - asked_before[p.id];
         moved[static_cast<std::size_t>(p.id)] = (now.values[p.id] - before.values[p.id] - by_words) / (p.max - p.min);

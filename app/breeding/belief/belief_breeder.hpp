@@ -44,7 +44,7 @@ std::vector<Place> archetype_places(genome::Genome genome, genome::Aspect aspect
 
 // How far each parameter of the table went from one candidate to another beyond what their words ask for, as a share of
 // its range. Both must have words.
-std::array<float, genome::kParameterCount> moved_beside_words(const WordMap& map, const genome::Candidate& before,
-                                                              const genome::Candidate& now);
+std::vector<float> moved_beside_words(const WordMap& map, const genome::Candidate& before,
+                                      const genome::Candidate& now);
 
 }  // namespace quadrat::breeding

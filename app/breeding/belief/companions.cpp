@@ -6,6 +6,8 @@
 #include <numeric>
 #include <span>
 
+#include "genome/parameter_ids.hpp"
+
 namespace quadrat::breeding {
 namespace {
 
@@ -33,6 +35,12 @@ double accord(std::span<const Affinity> affinities, const genome::Description& o
     for (const Affinity& a : affinities)
         sum += a.factor * static_cast<double>(one[a.one]) * static_cast<double>(other[a.other]);
     return sum;
+}
+
+// Snow falls on cold land: on green it would be seen not to lie.
+double snow_on(const genome::Description& land, const genome::ParameterValues& sky) {
+    constexpr double kFactor = 3;
+    return sky[genome::ParameterId::snowfall_share] > 0 ? kFactor * static_cast<double>(land[WordId::cold]) : 0;
 }
 
 // Which of the others goes with each, so that the sum is the greatest; the first of equals.
@@ -78,7 +86,11 @@ void put_together(genome::Offer& offer) {
         });
     };
     reorder(offer, Aspect::Land, with(kTreesWithLand));
-    reorder(offer, Aspect::Sky, with(kLandWithSky));
+    reorder(offer, Aspect::Sky, best_order([&](std::size_t land, std::size_t sky) {
+                const genome::Description& words = *offer.candidates[land].words;
+                return accord(kLandWithSky, words, *offer.candidates[sky].words) +
+                       snow_on(words, offer.candidates[sky].values);
+            }));
 }
 
 }  // namespace quadrat::breeding

@@ -252,7 +252,7 @@ std::string table_of(const SeeingWorld& world, const SeenWorld& seen) {
         "the world that sees: all {} parameters, noise {}, {} visitors whose taste drifts and who get bored\n"
         "distances between small pictures; 1 is that of a scene by chance within what archetypes span\n"
         "{:<8}{:>22}{:>22}\n",
-        genome::kParameterCount, name_of(world.noise), world.visitors, "round", "nearest of the four",
+        genome::parameter_table().size(), name_of(world.noise), world.visitors, "round", "nearest of the four",
         "two of the four apart");
     for (std::size_t r = 0; r < seen.belief.size(); ++r)
         text += fmt::format("{:<8}{:>14.3f} ± {:.3f}{:>22.3f}\n", r + 1, seen.belief[r].nearest.value,

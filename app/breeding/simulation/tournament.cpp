@@ -39,7 +39,7 @@ std::string colour_of(std::size_t i) {
 std::string title_of(const Tournament& t) {
     return fmt::format(
         "{} parameters, wishes {}, noise {}, {} {}",
-        t.genome == genome::Genome::Classic ? "21 classic" : fmt::format("all {}", genome::kParameterCount),
+        t.genome == genome::Genome::Classic ? "21 classic" : fmt::format("all {}", genome::parameter_table().size()),
         name_of(t.world), name_of(t.noise), t.visitors, name_of(t.party));
 }
 

@@ -59,10 +59,23 @@ if (at('pause')) {
   look();
 }
 
-// A preview is drawn when nobody plays: it is asked for again until it is there.
-const preview = document.querySelector('img[data-again]');
-if (preview) {
-  const again = () => setTimeout(() => { preview.src = `/preview.png?${Date.now()}`; }, 1000);
-  preview.addEventListener('error', again);
-  if (preview.complete && preview.naturalWidth === 0) again();
+// A preview is drawn when nobody plays: it is asked for until it is there, and why it is not yet is said.
+async function preview() {
+  const state = at('preview-state');
+  const say = (words) => { if (state.textContent !== words) state.textContent = words; };
+  try {
+    const answer = await ask('/preview.png');
+    if (answer.ok) {
+      at('previewed').src = URL.createObjectURL(await answer.blob());
+      at('previewed').hidden = false;
+      say(state.dataset.drawn);
+      return;
+    }
+    say(await answer.text());
+  } catch (trouble) { /* the desk does not answer: it is asked again */ }
+  setTimeout(preview, 1000);
+}
+if (at('preview-state')) {
+  at('previewed').hidden = true;
+  preview();
 }

@@ -229,14 +229,10 @@ float nearest_m(const scene::Sward::Cell& cell, const glm::vec3& eye_m) {
     return glm::distance(eye_m, glm::clamp(eye_m, cell.low_m, cell.high_m));
 }
 
-float whole_m(const CoverWish& wish) {
-    return kWhole_m * wish.pixels_per_radian / kUsual_px * std::min(std::sqrt(wish.alpha), 1.5F);
-}
+float whole_m(const CoverWish& wish) { return kWhole_m * wish.pixels_per_radian / kUsual_px * wish.whole; }
 
 // To where the shader draws it in.
-float reach_m(const CoverOfScene& cover, const CoverWish& wish) {
-    return cover.reach_m * std::min(std::pow(wish.alpha, 0.3F), 1.0F);
-}
+float reach_m(const CoverOfScene& cover, const CoverWish& wish) { return cover.reach_m * wish.drawn_to; }
 
 // Of a tuft's blades, those that are drawn.
 float share_at(float distance, float whole) {

@@ -65,8 +65,9 @@ struct CoverWish {
     const ViewBlock* view = nullptr;      // never null
     const mesh::Image* clouds = nullptr;  // a shadow map; null: none
     float pixels_per_radian = 700;
-    float alpha = 1;   // detail
-    float growth = 1;  // of the landscape
+    float whole = 1;     // how far tufts have all their blades, to the usual
+    float drawn_to = 1;  // how far they are drawn, to all the way
+    float growth = 1;    // of the landscape
     Reach reach = {};
     glm::vec3 eye_m() const { return glm::vec3{view->eye_seconds}; }
 };

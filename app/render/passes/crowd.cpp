@@ -21,9 +21,12 @@ constexpr float kLowPlant_m = 2.2F;    // below this it is undergrowth, which fa
 constexpr float kBladesA_px2 = 0.22F;  // of a plant as high as wide, where all that is asked for is drawn
 constexpr std::size_t kFewestBlades = 4;
 constexpr float kFewestBladesA_px = 0.15F;  // of its height: large blades that are few are flags
-constexpr float kLeastStand = 0.3F;   // of plants that are but a few blades: the fewest that stand for all of them
-constexpr float kStem_px = 11;        // high; of a smaller tree with leaves it is left out
-constexpr float kStandsFrom_px = 44;  // high; larger ones stand for themselves
+constexpr float kLeastStand = 0.3F;    // of plants that are but a few blades: the fewest that stand for all of them
+constexpr float kStem_px = 6;          // high; of a smaller tree with leaves it is left out
+constexpr float kStemWidth_px = 1.3F;  // at least
+constexpr float kWidenedAt = 1.6F;     // times as far away as where the coarsest wood begins
+constexpr float kBareStem_px = 0.7F;   // where no crown joins it: a dead wood is no palisade
+constexpr float kStandsFrom_px = 44;   // high; larger ones stand for themselves
 constexpr float kStandsTo_px = 24;
 constexpr float kMergedFrom = 0.40F;  // share of its blades with which a crown begins to become one mass
 constexpr float kMergedTo = 0.15F;
@@ -38,9 +41,11 @@ constexpr std::size_t kSimpleMass = 16;  // triangles: no more than the blades t
 // With less fineness than this larger crowns merge too: four blades that stand for thousands are shards.
 constexpr float kLeafyFrom = 0.125F;
 constexpr float kMassOutline = 9;           // triangles at least, times its height in pixels to this power:
-constexpr float kMassOutlinePower = 0.75F;  // its outline is smooth at any size
+constexpr float kMassOutlinePower = 0.75F;  // its outline is smooth at any size,
+constexpr float kMassFringed = 13;          // and with much detail as rough as leaves are: a smooth bush is a ball
 constexpr float kBladesFineness = 0.012F;   // nor what is never a mass: a handful of its blades are flags
 constexpr float kFewestOverMass = 12;       // blades; fewer are left out
+constexpr float kLargestBlade_px = 8;       // of those that a crown's size would allow to be larger
 // Blades that would have to be enlarged by so much, and are so long on the screen, are shards in a thin crown, which is
 // better one mass without them where little is drawn of anything.
 constexpr float kShardsFrom = 2.8F;
@@ -162,7 +167,7 @@ Instance instance_of(const scene::Plant& plant, const Kind& kind, const Seen& se
     const float through = 0.9F * against * against * against * sun;
     const glm::vec2 wind = wind_m(plant, height_m, g.view.eye_seconds.w);
     // Lighter and yellower, or darker and bluer.
-    const glm::vec3 tint = 1.0F + plant.tint * glm::vec3{0.24F, 0.16F, -0.10F};
+    const glm::vec3 tint = g.tint * (1.0F + plant.tint * glm::vec3{0.24F, 0.16F, -0.10F});
     const float size = plant.scale * seen.shown * kept(seen.plant, how.stand) / std::sqrt(how.stand);
     return {{plant.root_m, size * (0.25F + 0.75F * age)},
             {std::sin(plant.yaw_rad), std::cos(plant.yaw_rad), age, how.share},
@@ -216,6 +221,13 @@ float one_or_the_other_px(const Kind& kind, float leafy) {
     return kind.massed >= kMassAlone ? kMass_px : kMass_px * (1 - leafy);
 }
 
+// What the coarsest wood is to become, for its stem to be seen.
+float widened(const Kind& kind, float m_a_px) {
+    const float trunk_m = std::max(kind.trunk_m, 1e-3F);
+    const float wide_px = kBareStem_px + (kStemWidth_px - kBareStem_px) * std::min(2 * kind.opacity, 1.0F);
+    return std::clamp((0.5F * wide_px * m_a_px - trunk_m) / (kWidening * trunk_m), 0.0F, 1.0F);
+}
+
 bool is_mass_enough(const Kind& kind) {
     return kind.massed >= kMassAlone || (!kind.mass_triangles.empty() && kind.mass_triangles.back() <= kSimpleMass);
 }
@@ -233,10 +245,14 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     Closeness how;
     const bool has_leaves = how.has_leaves = kind.blades > 0;
     const float m_a_px = kind.height_m / std::max(height_px, 1e-3F);
-    const Level wood = level_leaving_out(kind.wood_left_out_m, kLimb_px * m_a_px / std::sqrt(fineness));
+    const float allowed_m = kLimb_px * m_a_px / std::sqrt(fineness);
+    const Level wood = level_leaving_out(kind.wood_left_out_m, allowed_m);
     how.wood_level = wood.at;
     how.to_coarser = wood.to_coarser;
-    // A stem that is no pixel wide behind leaves is not missed.
+    if (how.wood_level + 1 >= kind.wood_triangles.size() && !kind.wood_left_out_m.empty())
+        how.to_coarser =
+            widened(kind, m_a_px) * between(1, kWidenedAt, allowed_m / std::max(kind.wood_left_out_m.back(), 1e-3F));
+    // The stem of so small a crown is not missed.
     if (has_leaves && height_px < kStem_px) how.wood_level = kind.wood_triangles.size();
     if (!has_leaves) return how;
     const float least = kind.mass_triangles.empty() ? kBladesFineness : 0;
@@ -245,11 +261,11 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     const float all = static_cast<float>(kind.blades);
     float wanted_blades = std::max(fineness, least) * kBladesA_px2 * height_px * height_px;
     const auto share_of = [&](float blades) { return std::clamp(blades, fewest, all) / all; };
-    const auto enlarged_by = [&](float blades) {
-        return std::min(1 / std::sqrt(share_of(blades)), kind.largest_blade);
-    };
-    how.enlarged = enlarged_by(wanted_blades);
     const float blade_px = kind.blade_m * height_px / std::max(kind.height_m, 0.1F);
+    // Large ones near by are seen as what they are, sooner than in a crown that is small.
+    const float largest = std::clamp(kLargestBlade_px / blade_px, 0.55F * kind.largest_blade, kind.largest_blade);
+    const auto enlarged_by = [&](float blades) { return std::min(1 / std::sqrt(share_of(blades)), largest); };
+    how.enlarged = enlarged_by(wanted_blades);
     how.mass_level = kind.mass_triangles.size();
     const float leafy = leafiness(fineness);
     const float shards = kind.mass_triangles.empty()
@@ -263,15 +279,16 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     if (!is_mass_enough(kind) && small_px > 0) how.mass_size = between(small_px, 1.5F * small_px, height_px);
     if (merged > 0 && how.mass_size > 0) {
         const float broad = std::max(1.4F * kind.crown_m / std::max(kind.height_m, 0.1F), 1.0F);
-        const float wanted = std::max(fineness * kMassA_px2 * height_px * height_px,
-                                      kMassOutline * broad * std::pow(height_px, kMassOutlinePower));
+        const float wanted =
+            std::max(fineness * kMassA_px2 * height_px * height_px,
+                     glm::mix(kMassOutline, kMassFringed, leafy) * broad * std::pow(height_px, kMassOutlinePower));
         const Level mass = level_within(kind.mass_triangles, wanted);
         how.mass_level = mass.at;
         how.mass_to_coarser = mass.to_coarser;
         how.merged = merged;
         // The stem behind it is at its coarsest, which becomes nothing coarser.
         if (how.wood_level < kind.wood_triangles.size()) how.wood_level = kind.wood_triangles.size() - 1;
-        how.to_coarser = 0;
+        how.to_coarser = widened(kind, m_a_px);
         wanted_blades *= 1 - kLeavesMerged * kind.massed * merged;
         how.enlarged = enlarged_by(wanted_blades);
         wanted_blades *= 1 - shards;

@@ -27,6 +27,10 @@ struct Instance {
     glm::u8vec4 becoming;
 };
 
+// The coarsest level of wood becomes wider by at most so many radii of its trunk to each side, for a stem that is no
+// pixel wide is dots.
+inline constexpr float kWidening = 6;
+
 // What choosing the detail of a species needs to know of it.
 struct Kind {
     float height_m = 1;
@@ -42,6 +46,7 @@ struct Kind {
     float largest_blade = 100;                     // times its size; beyond it the crown thins instead
     float crown_m = 1;                             // the radius of its crown, but for what stands out of it
     float opacity = 0;                             // of the crown, of what lies behind it: 0 to 1
+    float trunk_m = 0.2F;                          // its radius
 };
 
 struct Batch {
@@ -57,7 +62,7 @@ struct Batch {
 // How closely a plant of this many pixels is drawn. Finer for more pixels, never coarser.
 struct Closeness {
     std::size_t wood_level = 0;  // the number of levels: none
-    float to_coarser = 0;        // 0 that level to 1 the next one
+    float to_coarser = 0;        // 0 that level to 1 the next one; of the coarsest to 1 widened
     bool has_leaves = false;
     float share = 1;             // of the blades
     float enlarged = 1;          // each of them, times its size
@@ -74,7 +79,8 @@ struct Gathering {
     ViewBlock view;                       // its eye, sun, air and time
     const mesh::Image* clouds = nullptr;  // whose shadow falls on the plants (cloud_shadow.hpp); null: none
     float pixels_per_radian = 500;        // as shown
-    float scale = 1;  // of the sides of the picture it is drawn in, if that is smaller: it needs less
+    float scale = 1;    // of the sides of the picture it is drawn in, if that is smaller: it needs less
+    glm::vec3 tint{1};  // of every plant: by moonlight eyes see less of leaves' green
     float growth = 1;
     float fineness = 1;                // asked for: 1 is the standard
     const Horizon* horizon = nullptr;  // of the ground before them; null: none

@@ -15,7 +15,6 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr std::size_t kDrops = 4200;
-constexpr float kFewestShare = 0.25F;  // with fewer, single drops draw the eye
 
 struct DropCorner {
     glm::vec3 home;
@@ -42,12 +41,10 @@ std::vector<std::uint16_t> drop_indices() {
     return indices;
 }
 
-// Of the drops there are; any prefix of them is even in the box.
-float share_of_drops(float alpha) { return std::clamp(std::sqrt(alpha), kFewestShare, 1.0F); }
-
-std::size_t drops_of(const scene::Precipitation& what, float alpha) {
+// Any prefix of the drops there are is even in the box.
+std::size_t drops_of(const scene::Precipitation& what, float share) {
     if (what.kind == scene::Precipitation::Kind::None) return 0;
-    return static_cast<std::size_t>(std::lround(what.amount * share_of_drops(alpha) * static_cast<float>(kDrops)));
+    return static_cast<std::size_t>(std::lround(what.amount * share * static_cast<float>(kDrops)));
 }
 
 }  // namespace
@@ -67,16 +64,16 @@ FallingPass::FallingPass()
     indices_.write<std::uint16_t>(0, indices);
 }
 
-std::size_t FallingPass::triangles(const scene::Precipitation& what, float alpha) { return 2 * drops_of(what, alpha); }
+std::size_t FallingPass::triangles(const scene::Precipitation& what, float share) { return 2 * drops_of(what, share); }
 
 gl::Work FallingPass::draw(const scene::Precipitation& what, const ViewBlock& view, float pixels_per_radian,
-                           float alpha) const {
+                           float share) const {
     using Kind = scene::Precipitation::Kind;
     if (what.kind == Kind::None) return {};
     program_.use();
     const bool is_snow = what.kind == Kind::Snow;
     // A streak keeps its length, a flake is as high as wide, and so is the least of it that is drawn.
-    const float fewer = 1 / share_of_drops(alpha);
+    const float fewer = 1 / share;
     // Of thin strokes a byte's rounding loses some light, of wide ones less.
     const float wider = std::pow(fewer, is_snow ? 0.5F : 0.9F);
     const float least_rad = 0.7F / pixels_per_radian * (is_snow ? wider : 1);
@@ -91,7 +88,7 @@ gl::Work FallingPass::draw(const scene::Precipitation& what, const ViewBlock& vi
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     glDisable(GL_CULL_FACE);
-    const std::size_t drops = drops_of(what, alpha);
+    const std::size_t drops = drops_of(what, share);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * drops), GL_UNSIGNED_SHORT, nullptr);
     glEnable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);

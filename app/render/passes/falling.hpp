@@ -14,8 +14,8 @@ class FallingPass {
   public:
     FallingPass();
     // In less detail fewer drops fall, each wider: as much light comes through them.
-    gl::Work draw(const scene::Precipitation& what, const ViewBlock& view, float pixels_per_radian, float alpha) const;
-    static std::size_t triangles(const scene::Precipitation& what, float alpha);
+    gl::Work draw(const scene::Precipitation& what, const ViewBlock& view, float pixels_per_radian, float share) const;
+    static std::size_t triangles(const scene::Precipitation& what, float share);
 
   private:
     gl::Program program_;

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "render/gl/buffer_upload.hpp"
+#include "render/gl/picture_upload.hpp"
 #include "render/passes/packing.hpp"
 
 namespace quadrat::render::passes {
@@ -18,6 +19,7 @@ constexpr float kNear_px_per_m = 5.5F;  // from there on every pane is seen,
 constexpr float kMiddle_px_per_m = 2.0F;
 constexpr float kLeast_px = 0.7F;
 constexpr float kUnitsPerM = 256;
+constexpr float kBoundsWear = 0.7F;  // of walls, fences and hedges: nobody paints them
 
 struct HouseLook {
     PackedNormal normal;
@@ -36,16 +38,24 @@ std::int16_t units(float m) {
     return static_cast<std::int16_t>(std::lround(std::clamp(m * kUnitsPerM, -32000.0F, 32000.0F)));
 }
 
-bool is_roof(scene::Cladding cladding) { return cladding >= scene::Cladding::Tiles; }
+bool is_roof(scene::Cladding cladding) {
+    return cladding >= scene::Cladding::Tiles && cladding <= scene::Cladding::Thatch;
+}
 
-void append(Corners& to, const scene::Masses& masses, const scene::House& house) {
+// A cladding and how worn it is in one byte, below those of lamps.
+std::uint8_t code_of(scene::Cladding cladding, float wear) {
+    const auto worn = static_cast<int>(std::lround(7 * std::clamp(wear, 0.0F, 1.0F)));
+    return static_cast<std::uint8_t>(worn + 8 * static_cast<int>(cladding));
+}
+
+void append(Corners& to, const scene::Masses& masses, const scene::House& house, float wear) {
     const mesh::Mesh& mesh = masses.mesh;
     for (std::size_t i = 0; i < mesh.positions_m.size(); ++i) {
         to.places.push_back(scene::placed(house, mesh.positions_m[i]));
         const glm::vec3 tint = is_roof(masses.claddings[i]) ? house.roof_tint : house.wall_tint;
         const glm::vec3 colour = glm::max(masses.colours[i] * tint, glm::vec3{0});
         const auto root = [&](int c) { return unsigned_byte(std::sqrt(colour[c])); };
-        auto code = static_cast<std::uint8_t>(masses.claddings[i]);
+        auto code = code_of(masses.claddings[i], wear);
         if (masses.lamps[i] > 0) {
             const float hour = masses.lamps[i] + house.evening;
             code = static_cast<std::uint8_t>(128 + std::lround(127 * (hour - std::floor(hour))));
@@ -156,14 +166,23 @@ void add_houses(gl::Slices& slices, HousesOnGpu& houses, const std::shared_ptr<c
         corners->places.reserve(count);
         corners->looks.reserve(count);
         for_levels(settlement, [&](std::size_t i, std::size_t, const scene::Masses& masses) {
-            append(*corners, masses, settlement.houses[i]);
+            const scene::House& house = settlement.houses[i];
+            append(*corners, masses, house, settlement.buildings[house.building].wear);
         });
-        for (const scene::Masses& piece : settlement.bounds) append(*corners, piece, {});
+        for (const scene::Masses& piece : settlement.bounds) append(*corners, piece, {}, kBoundsWear);
     });
     gl::add_elements<glm::vec3>(slices, houses.corners, GL_ARRAY_BUFFER, count,
                                 [corners] { return std::span<const glm::vec3>(corners->places); });
     gl::add_elements<HouseLook>(slices, houses.looks, GL_ARRAY_BUFFER, count,
                                 [corners] { return std::span<const HouseLook>(corners->looks); });
+    const std::shared_ptr<const mesh::Image> stains =
+        settlement.stains ? settlement.stains : std::make_shared<mesh::Image>(1, 1, 1);
+    gl::TextureShape tiled;
+    tiled.wrap_s = tiled.wrap_t = gl::Wrap::Repeat;
+    tiled.width = stains->width;
+    tiled.height = stains->height;
+    tiled.channels = 1;
+    gl::add_picture(slices, houses.stains, stains, tiled);
 }
 
 HousesPass::HousesPass()
@@ -179,6 +198,7 @@ HousesPass::HousesPass()
 gl::Work HousesPass::draw(const HousesOnGpu& houses, const gl::StreamBuffer& indices, const IndexRange& range) const {
     if (range.count == 0) return {};
     program_.use();
+    houses.stains.bind(0);
     vertices_.bind();
     vertices_.feed(0, houses.corners.name());
     vertices_.feed(1, houses.looks.name());

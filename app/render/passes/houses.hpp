@@ -8,6 +8,7 @@
 #include "render/gl/buffer.hpp"
 #include "render/gl/program.hpp"
 #include "render/gl/slices.hpp"
+#include "render/gl/texture.hpp"
 #include "render/gl/vertex_array.hpp"
 #include "render/passes/frustum.hpp"
 #include "render/passes/grid.hpp"
@@ -52,6 +53,7 @@ class HouseLevels {
 struct HousesOnGpu {
     gl::Buffer corners;
     gl::Buffer looks;
+    gl::Texture2D stains;
     HouseLevels levels;
 };
 

@@ -68,13 +68,14 @@ void put_halves(const glm::vec3& v, std::uint16_t (&halves)[3]) {
     for (int axis = 0; axis < 3; ++axis) halves[axis] = glm::packHalf1x16(v[axis]);
 }
 
-WoodPlace place_of(const scene::Wood& wood, std::size_t i) {
+// What the coarsest level becomes is wider: a stem that is no pixel wide would be dots.
+WoodPlace place_of(const scene::Wood& wood, std::size_t i, float widening_m) {
     const bool is_coarsest = wood.coarser_m.empty();
     const float sway = entry(wood.sways, i, 0);
     WoodPlace place{wood.mesh.positions_m[i], {}, 0, unsigned_byte(entry(wood.ages, i, 0)), unsigned_byte(sway), 0, 0};
     place.coarser_sway = is_coarsest ? place.sway : unsigned_byte(wood.coarser_sways[i]);
-    if (is_coarsest) return place;
-    put_halves(wood.coarser_m[i] - place.position_m, place.to_coarser_m);
+    put_halves(is_coarsest ? widening_m * wood.mesh.normals[i] : wood.coarser_m[i] - place.position_m,
+               place.to_coarser_m);
     return place;
 }
 
@@ -94,12 +95,12 @@ WoodSurface surface_of(const scene::Wood& wood, std::size_t i, float tiles_per_m
     return surface;
 }
 
-void add_wood(gl::Slices& slices, WoodOnGpu& wood, const std::shared_ptr<const scene::Wood>& source,
-              float tiles_per_m) {
+void add_wood(gl::Slices& slices, WoodOnGpu& wood, const std::shared_ptr<const scene::Wood>& source, float tiles_per_m,
+              float widening_m) {
     const std::size_t vertices = source->mesh.positions_m.size();
     wood.index_count = source->mesh.indices.size();
     gl::add_made<WoodPlace>(slices, wood.places, GL_ARRAY_BUFFER, vertices,
-                            [source](std::size_t i) { return place_of(*source, i); });
+                            [source, widening_m](std::size_t i) { return place_of(*source, i, widening_m); });
     gl::add_made<WoodSurface>(slices, wood.surfaces, GL_ARRAY_BUFFER, vertices,
                               [source, tiles_per_m](std::size_t i) { return surface_of(*source, i, tiles_per_m); });
     gl::add_elements<std::uint32_t>(slices, wood.indices, GL_ELEMENT_ARRAY_BUFFER, {source, &source->mesh.indices});
@@ -199,6 +200,7 @@ Kind kind_of(const scene::Species& species) {
     kind.radius_m = reach_of(species);
     kind.crown_m = species.crown_radius_m;
     kind.opacity = opacity_of(species);
+    kind.trunk_m = species.trunk_radius_m;
     for (const scene::Wood& wood : species.wood) {
         kind.wood_triangles.push_back(wood.mesh.triangle_count());
         kind.wood_left_out_m.push_back(wood.left_out_m);
@@ -243,7 +245,8 @@ void add_species(gl::Slices& slices, FloraOnGpu& flora, std::size_t index,
     flora.kinds[index] = kind_of(from);
     species.wood.resize(from.wood.size());
     for (std::size_t level = 0; level < from.wood.size(); ++level)
-        add_wood(slices, species.wood[level], {source, &from.wood[level]}, 1 / std::max(from.bark_tile_m, 0.01F));
+        add_wood(slices, species.wood[level], {source, &from.wood[level]}, 1 / std::max(from.bark_tile_m, 0.01F),
+                 kWidening * from.trunk_radius_m);
     species.masses.resize(from.masses.size());
     for (std::size_t level = 0; level < from.masses.size(); ++level)
         add_mass(slices, species.masses[level], {source, &from.masses[level]});

@@ -24,8 +24,6 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr int kSectors = 64;
-constexpr float kAllStarsFrom = 0.3F;  // alpha; with less the faintest are left out
-constexpr float kFewestStars = 0.15F;  // of them
 constexpr int kBowRings = 10;
 constexpr int kBowSectors = 56;  // a chord leaves its arc by less than a tenth of a degree
 // Encoded as the display wants it, in sixteen bits: eight would show as bands.
@@ -272,7 +270,7 @@ gl::Work SkyPass::draw_held(const gl::Texture2D& held, const glm::mat3& held_fro
     return {1, 2 * kSide * kSide, 6 * kSide * kSide};
 }
 
-gl::Work SkyPass::draw_lights(const SkyOnGpu& sky, int height_px, float alpha) const {
+gl::Work SkyPass::draw_lights(const SkyOnGpu& sky, int height_px, float share_of_stars) const {
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);  // what they are added to stays as clear as it is
@@ -281,8 +279,7 @@ gl::Work SkyPass::draw_lights(const SkyOnGpu& sky, int height_px, float alpha) c
     sky.clouds[1]->bind(1);
     gl::Work work;
     // The brightest come first.
-    const float share = std::clamp(alpha / kAllStarsFrom, kFewestStars, 1.0F);
-    const auto stars = static_cast<std::size_t>(std::ceil(share * static_cast<float>(sky.star_count)));
+    const auto stars = static_cast<std::size_t>(std::ceil(share_of_stars * static_cast<float>(sky.star_count)));
     if (stars > 0) {
         stars_.use();
         glUniform1f(0, static_cast<float>(height_px) / 1080);

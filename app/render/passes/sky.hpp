@@ -42,7 +42,7 @@ class SkyPass {
     // The same from a picture of them: from clip xy and 1 to its coordinates; so much of its light is kept.
     gl::Work draw_held(const gl::Texture2D& held, const glm::mat3& held_from_view, float kept) const;
     // What is too small or too bright to be held in a picture, added to either.
-    gl::Work draw_lights(const SkyOnGpu& sky, int height_px, float alpha) const;
+    gl::Work draw_lights(const SkyOnGpu& sky, int height_px, float share_of_stars) const;
 
   private:
     gl::Program program_;

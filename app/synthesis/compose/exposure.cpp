@@ -8,16 +8,20 @@
 #include <vector>
 
 #include "scene/colour.hpp"
+#include "synthesis/compose/low_ground.hpp"
 #include "synthesis/compose/view_rays.hpp"
 
 namespace quadrat::synthesis {
 namespace {
 
-constexpr float kBrightest = 0.67F;     // that a picture may be, shown, on the mean
-constexpr float kLeast = 0.72F;         // of what would be shown
-constexpr float kLit = 0.60F;           // that the lit parts of a picture are, shown, at least,
-constexpr float kLitByNight = 0.50F;    // and by night, which is to stay one,
-constexpr float kMost = 2.1F;           // unless they would have to be shown so many times brighter
+constexpr float kBrightest = 0.67F;   // that a picture may be, shown, on the mean
+constexpr float kLeast = 0.72F;       // of what would be shown
+constexpr float kLit = 0.60F;         // that the lit parts of a picture are, shown, at least,
+constexpr float kLitByNight = 0.50F;  // and by night, which is to stay one,
+constexpr float kMost = 2.1F;         // unless they would have to be shown so many times brighter
+constexpr float kRange = 0.46F;       // of values; where there is less,
+constexpr float kMostRaised = 1.22F;  // lit parts are to be shown brighter by at most so much
+constexpr float kMostRaisedByNight = 1.15F;
 constexpr float kLitShare = 0.93F;      // of the picture is no brighter than its lit parts
 constexpr float kShownByLight = 0.45F;  // shown brightness follows light to about this power
 
@@ -32,6 +36,12 @@ struct Seen {
     const scene::Land& land;
     const scene::Sky& sky;
     const scene::BakedLight& light;
+    float floor_m = 0;  // on which mist lies
+
+    Seen(const scene::Land& of, const scene::Sky& under, const scene::BakedLight& lit, const scene::Track& track)
+        : land(of), sky(under), light(lit) {
+        if (sky.mist.per_m > 0) floor_m = low_ground_m(land, track);
+    }
 
     // Around the land, taken to be level.
     float country(const glm::vec3& at) const {
@@ -60,7 +70,9 @@ struct Seen {
         const Hit hit = first_hit(land, eye, ray);
         if (hit.distance_m >= kFarthest_m)
             return shown(std::min(scene::luminance(scene::mean_radiance(sky, ray)), 0.9F));
-        const float air = 1 - std::exp(-hit.distance_m / std::max(sky.haze_distance_m, 1.0F));
+        const float over_mist_m = eye.y + ray.y * hit.distance_m - floor_m - sky.mist.level_m;
+        const float mist = sky.mist.per_m * std::exp(-std::max(over_mist_m, 0.0F) / std::max(sky.mist.depth_m, 1.0F));
+        const float air = 1 - std::exp(-hit.distance_m * (1 / std::max(sky.haze_distance_m, 1.0F) + mist));
         const float water =
             shown(0.5F * scene::luminance(scene::mean_radiance(sky, {ray.x, std::abs(ray.y) + 0.2F, ray.z})));
         const float surface = hit.is_water ? water : ground(eye + ray * hit.distance_m);
@@ -85,25 +97,33 @@ float value_at(std::vector<float>& values, float share) {
     return *at;
 }
 
+float range_of(std::vector<float>& values) {
+    const float light_end = value_at(values, 0.95F);
+    return light_end - value_at(values, 0.05F);
+}
+
 }  // namespace
 
 float value_range(const scene::Land& land, const scene::Sky& sky, const scene::BakedLight& light,
                   const scene::Track& track) {
     if (land.albedo.is_empty() || light.ground.bytes.empty()) return 1;
-    std::vector<float> values = values_along(Seen{land, sky, light}, track);
-    const float light_end = value_at(values, 0.95F);
-    return light_end - value_at(values, 0.05F);
+    std::vector<float> values = values_along(Seen{land, sky, light, track}, track);
+    return range_of(values);
 }
 
 float exposure_for(const scene::Land& land, const scene::Sky& sky, const scene::BakedLight& light,
                    const scene::Track& track) {
     if (land.albedo.is_empty() || light.ground.bytes.empty()) return 1;
-    const Seen seen{land, sky, light};
+    const Seen seen{land, sky, light, track};
     std::vector<float> values = values_along(seen, track);
     const float bright = std::accumulate(values.begin(), values.end(), 0.0F) / static_cast<float>(values.size());
     if (bright > kBrightest) return std::pow(std::max(kBrightest / bright, kLeast), 1 / kShownByLight);
     const float lit = value_at(values, kLitShare);
-    const float wanted = sky.is_night ? kLitByNight : kLit;
+    // What has little between its light and its dark is shown brighter, and so has more.
+    const float range = range_of(values);
+    const float raised =
+        std::clamp(kRange / std::max(range, 1.0e-3F), 1.0F, sky.is_night ? kMostRaisedByNight : kMostRaised);
+    const float wanted = raised * (sky.is_night ? kLitByNight : kLit);
     if (lit >= wanted) return 1;
     // Something is lit in every picture, by night and under storms too.
     const float more = std::min({wanted / std::max(lit, 1.0e-3F), kMost, kBrightest / std::max(bright, 1.0e-3F)});

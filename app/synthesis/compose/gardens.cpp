@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <string_view>
 
+#include "scene/land_parameters.hpp"
 #include "synthesis/houses/lanes.hpp"
 #include "synthesis/trees/phyllotaxis.hpp"
 

@@ -5,7 +5,7 @@
 #include "base/seed.hpp"
 #include "scene/flora.hpp"
 #include "scene/land.hpp"
-#include "scene/parameters.hpp"
+#include "scene/parameters_fwd.hpp"
 #include "synthesis/compose/competition.hpp"
 #include "synthesis/compose/site.hpp"
 

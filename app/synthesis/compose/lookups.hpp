@@ -3,13 +3,17 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <span>
 #include <vector>
 
 #include "mesh/field.hpp"
+#include "scene/flora.hpp"
 #include "synthesis/compose/competition.hpp"
+#include "synthesis/compose/kinds_of_plants.hpp"
 #include "synthesis/noise/automaton.hpp"
 #include "synthesis/noise/gradient.hpp"
+#include "synthesis/noise/lateral_inhibition.hpp"
 
 // What is asked at many places over one land, worked out once.
 namespace quadrat::synthesis {
@@ -38,6 +42,53 @@ class NoiseMap {
     glm::vec2 low_m_;
     float cell_m_;
     mesh::Field map_;
+};
+
+// Ground on which what stands keeps others off (lateral inhibition): the share of it that is nearer to none of its
+// middles, 0 to 1, which lie about so far apart.
+class EvenMap {
+  public:
+    EvenMap(float share, float apart_m, base::Seed seed) : sample_m_(apart_m / noise::kPeakSpacing) {
+        if (share > 0) ranks_ = noise::ranks_of(noise::inhibited({}, seed, kSide));
+    }
+    bool is_empty() const { return ranks_.samples.empty(); }
+    float at(glm::vec2 at_m) const {
+        const glm::vec2 at = at_m / sample_m_;
+        const glm::vec2 low = glm::floor(at);
+        const glm::vec2 t = at - low;
+        const auto sample = [&](int dx, int dy) {
+            const auto wrapped = [](float v, int d) { return ((static_cast<int>(v) + d) % kSide + kSide) % kSide; };
+            return ranks_.at(wrapped(low.x, dx), wrapped(low.y, dy));
+        };
+        return glm::mix(glm::mix(sample(0, 0), sample(1, 0), t.x), glm::mix(sample(0, 1), sample(1, 1), t.x), t.y);
+    }
+
+  private:
+    static constexpr int kSide = 64;
+    float sample_m_;
+    mesh::Field ranks_;
+};
+
+// How far ground is from being a clearing, spread as noise is: by chance, or as far from others as they keep it.
+class Glades {
+  public:
+    Glades(const scene::Stand& stand, float half_m, base::Seed seed)
+        : by_chance_(seed.child("clearings"), glm::vec2{-half_m}, glm::vec2{half_m}, stand.grove_m / 1.3F, 2),
+          even_(stand.even_clearings, stand.grove_m, seed.child("glades")),
+          share_(stand.even_clearings),
+          ragged_m_(0.5F * stand.grove_m) {}
+    float at(glm::vec2 at_m, const NoiseMap& groves) const {
+        const float by_chance = by_chance_.at(at_m);
+        if (even_.is_empty()) return by_chance;
+        const glm::vec2 off_m = ragged_m_ * glm::vec2{groves.at(at_m), by_chance};
+        return glm::mix(by_chance, quantile(1 - even_.at(at_m + off_m)), share_);
+    }
+
+  private:
+    NoiseMap by_chance_;
+    EvenMap even_;
+    float share_;
+    float ragged_m_;
 };
 
 // How old the forest is at a place: 0 just burnt to 1 old, which it all is without fires.

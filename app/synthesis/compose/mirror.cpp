@@ -33,6 +33,15 @@ struct Water {
     float bearing_rad;
 };
 
+constexpr int kSoftPasses = 3;
+constexpr float kBelow = -1.0e8F;
+
+// Of the ground, at one look.
+struct Seen {
+    float rise = -1.0e9F;  // over the water, for its distance
+    glm::vec3 light{0};
+};
+
 glm::vec2 way_of(float bearing_rad) { return {std::sin(bearing_rad), -std::cos(bearing_rad)}; }
 
 // Above the sea; none where the ground is dry.
@@ -116,17 +125,22 @@ class Painting {
     void paint_column(int x) {
         const glm::vec2 way = way_of(bearing_of(x));
         int filled = 0;  // rows from the horizon up that land hides
+        Seen before;     // the look at the ground before this one
         for (float away_m = 0.98F * shore_m_[static_cast<std::size_t>(x)]; away_m < kReach_m; away_m *= kGrowth) {
             const glm::vec2 at = glm::vec2{water_.at_m.x, water_.at_m.z} + away_m * way;
             const float over_m = scene::ground_height_m(*scene_.land, at) - water_.at_m.y;
-            const float rise = over_m / away_m;
-            if (filled >= kHeight || rise <= rise_[static_cast<std::size_t>(filled)]) continue;
-            const glm::vec3 colour = through_air(ground_light(at), {at.x, over_m + water_.at_m.y, at.y}, away_m);
-            while (filled < kHeight && rise_[static_cast<std::size_t>(filled)] < rise) {
-                light_.at(x, filled) = colour;
+            const Seen now{over_m / away_m,
+                           through_air(ground_light(at), {at.x, over_m + water_.at_m.y, at.y}, away_m)};
+            // What lies between two looks is between them in colour too: a slope is no staircase.
+            const bool is_slope = before.rise > kBelow && now.rise > before.rise;
+            while (filled < kHeight && rise_[static_cast<std::size_t>(filled)] < now.rise) {
+                const float rise = rise_[static_cast<std::size_t>(filled)];
+                const float t = is_slope ? std::clamp((rise - before.rise) / (now.rise - before.rise), 0.0F, 1.0F) : 1;
+                light_.at(x, filled) = glm::mix(before.light, now.light, t);
                 away_m_.at(x, filled) = away_m;
                 ++filled;
             }
+            before = now;
         }
         for (int y = filled; y < kHeight; ++y) {
             const float t = rise_[static_cast<std::size_t>(y)];
@@ -189,6 +203,12 @@ class Painting {
         }
     }
 
+    // Still water is never glass: what it shows is a little soft, along the shore more than upward.
+    void soften() {
+        for (int pass = 0; pass < kSoftPasses; ++pass)
+            light_ = mixed_with_neighbours(light_, pass == 0 ? glm::ivec2{0, 1} : glm::ivec2{1, 0});
+    }
+
     scene::Mirror take() const {
         scene::Mirror mirror;
         mirror.at_m = water_.at_m;
@@ -205,6 +225,20 @@ class Painting {
     }
 
   private:
+    static mesh::Grid<glm::vec3> mixed_with_neighbours(const mesh::Grid<glm::vec3>& sharp, const glm::ivec2& step) {
+        mesh::Grid<glm::vec3> soft(kWidth, kHeight);
+        oneapi::tbb::parallel_for(0, kHeight, [&](int y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const auto at = [&](int way) -> const glm::vec3& {
+                    return sharp.at(std::clamp(x + way * step.x, 0, kWidth - 1),
+                                    std::clamp(y + way * step.y, 0, kHeight - 1));
+                };
+                soft.at(x, y) = 0.25F * (at(-1) + at(1)) + 0.5F * at(0);
+            }
+        });
+        return soft;
+    }
+
     glm::vec3 in_picture(const glm::vec3& at_m) const {
         const glm::vec2 from{at_m.x - water_.at_m.x, at_m.z - water_.at_m.z};
         const float away_m = std::max(glm::length(from), 1.0F);
@@ -384,6 +418,7 @@ scene::Mirror hold_up_mirror(const scene::Scene& scene) {
             painting.paint_plant(plant, foliage[plant.species].colour, foliage[plant.species].is_pointed);
     for (const scene::House& house : scene.land->settlement.houses)
         painting.paint_house(scene.land->settlement.buildings[house.building].levels.back(), house);
+    painting.soften();
     return painting.take();
 }
 

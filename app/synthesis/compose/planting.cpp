@@ -30,6 +30,7 @@ namespace {
 
 constexpr float kBare = 0.05F;  // of the years to an old forest
 constexpr float kHalfGrown = 0.45F;
+constexpr float kGiant = 0.95F;        // of the ranks about a giant's middle
 constexpr float kWidestAside = 1.15F;  // of the view, that undergrowth is planted for
 
 class Planter {
@@ -101,12 +102,27 @@ class Planter {
     float crown_m(const Candidate& c) const { return flora_.species[c.species].crown_radius_m * c.scale; }
     float trunk_m(const Candidate& c) const { return flora_.species[c.species].trunk_radius_m * c.scale; }
 
+    // On a rock little broader than its crown a tree is a parasol.
+    bool overhangs(const Candidate& c) const {
+        constexpr int kWays = 8;
+        const float reach_m = 1.5F * crown_m(c);
+        const float root_m = scene::ground_height_m(land_, c.at_m);
+        int falling = 0;
+        for (int i = 0; i < kWays; ++i) {
+            const float turn = glm::radians(360.0F / kWays) * static_cast<float>(i);
+            const glm::vec2 rim_m = c.at_m + reach_m * glm::vec2{std::cos(turn), std::sin(turn)};
+            falling += scene::ground_height_m(land_, rim_m) < root_m - 0.8F * reach_m;
+        }
+        return falling > kWays / 2;
+    }
+
     std::vector<Candidate> grow_trees() {
         const scene::Stand& stand = flora_.stand;
         const glm::vec2 low{-half_m_};
         const glm::vec2 high{half_m_};
         const NoiseMap groves(seed_.child("groves"), low, high, stand.grove_m, 3);
-        const NoiseMap clearings(seed_.child("clearings"), low, high, stand.grove_m / 1.3F, 2);
+        const Glades clearings(stand, half_m_, seed_);
+        const EvenMap giants(stand.giants, 0.8F * stand.grove_m, seed_.child("giants"));
         std::vector<NoiseMap> stands;
         for (const std::uint32_t kind : kinds_.trees)
             stands.emplace_back(seed_.child("stands").child(kind), low, high, 0.6F * stand.grove_m, 2);
@@ -116,7 +132,7 @@ class Planter {
         const float openness = std::clamp((flora_.spacing_m - 4.0F) / 18.0F, 0.0F, 1.0F);
         const float bare_below = stand.clearings < 0.01F ? -9.0F : quantile(stand.clearings);
         const auto draw = [&](Candidate& c, base::RandomStream& random) {
-            if (!ground_.is_on_land(c.at_m) || clearings.at(c.at_m) < bare_below) return;
+            if (!ground_.is_on_land(c.at_m) || clearings.at(c.at_m, groves) < bare_below) return;
             const float mark = random.unit_f();
             const float kind = random.unit_f();
             const float stay = random.unit_f();
@@ -144,7 +160,11 @@ class Planter {
             c.scale = c.is_young && age >= kHalfGrown ? 0.46F + 0.16F * size : 1.0F + stand.size_spread * size;
             c.scale *= 0.24F + 0.76F * age;
             if (sight_.is_in_the_way(c.at_m, crown_m(c)) || vistas_.are_closed_by(c.at_m, crown_m(c))) return;
+            if (overhangs(c)) return;
             c.mark = mark + (c.is_young ? 1.0F : 0.0F);
+            if (giants.is_empty() || giants.at(c.at_m) < kGiant) return;
+            c.scale = std::max(c.scale, 1.0F) * (1 + 0.7F * stand.giants);
+            c.mark = 0.05F * mark;
         };
         const float reach_m = std::max(0.55F * flora_.spacing_m, 2.0F) + 4.0F;
         return compete(draw_candidates(
@@ -321,7 +341,7 @@ class Planter {
             const float thicket = thickets.at(c.at_m);
             const float cover = shade.at(c.at_m);
             const float edge = 4.0F * cover * (1 - cover);  // the rim of a crown
-            const float wish = std::clamp(5.0F * (thicket - 0.13F), 0.0F, 1.0F) + 0.16F * edge;
+            const float wish = std::clamp(7.0F * (thicket - 0.15F), 0.0F, 1.0F) + 0.13F * edge;
             if (stay > wish) return;
             if (!ground_.is_free(c.at_m, 0.5F)) return;
             const Soil soil = ground_.soil(c.at_m);
@@ -330,14 +350,14 @@ class Planter {
                 flora_, kinds_.shrubs, kind,
                 [&](std::uint32_t i, std::size_t) { return welfare(flora_.species[i], soil); }, well);
             if (stay > wish * well * flora_.species[c.species].density * 1.4F) return;
-            // Many small ones beside a few large.
-            c.scale = 0.42F + 0.95F * size * size;
+            // Many small ones beside a few large, which stand in the midst of a thicket.
+            c.scale = 0.38F + (0.55F + 0.55F * std::clamp(5.0F * (thicket - 0.2F), 0.0F, 1.0F)) * size * size * size;
             if (sight_.is_in_the_way(c.at_m, 0.2F * crown_m(c)) && view.to_way_m < 14.0F) return;
             c.mark = mark + 1.0F - std::min(c.scale, 1.0F);
         };
         std::vector<Candidate> shrubs =
             compete(draw_candidates(low, high, 1.9F, seed_.child("shrubs"), may, draw), 3.0F,
-                    [&](const Candidate& a, const Candidate& b) { return 0.55F * (crown_m(a) + crown_m(b)); });
+                    [&](const Candidate& a, const Candidate& b) { return 0.30F * (crown_m(a) + crown_m(b)); });
         std::erase_if(shrubs, [&](const Candidate& c) { return !is_clear_of_trunks(near.around(c.at_m), c); });
         return shrubs;
     }

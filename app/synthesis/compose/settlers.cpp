@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/compose/settlers.hpp"
 
+#include <oneapi/tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <utility>
 
+#include "scene/land_parameters.hpp"
 #include "synthesis/compose/gardens.hpp"
 #include "synthesis/houses/bounds.hpp"
 #include "synthesis/houses/bridges.hpp"
@@ -44,13 +48,22 @@ void HouseBuilders::build(scene::Land& land) {
     }
     land.settlement = std::move(settled_.settlement);
     settled_.settlement = land.settlement.without_masses();
-    land.settlement.gardens = lay_gardens(land, parameters_, seed_.child("gardens"));
-    fields_ = houses::lay_fields(land, settled_, parameters_, seed_.child("fields"));
-    land.settlement.bounds = houses::add_bounds(land, settled_, fields_, parameters_, seed_.child("bounds"));
-    for (scene::Masses& jetty : houses::add_jetties(land, settled_, parameters_, seed_.child("jetties")))
-        land.settlement.bounds.push_back(std::move(jetty));
-    for (scene::Masses& bridge : houses::add_bridges(land, settled_, parameters_))
-        land.settlement.bounds.push_back(std::move(bridge));
+    std::vector<scene::GardenPlant> gardens;
+    std::vector<scene::Masses> bounds, waterside;
+    // Neither knows of the other.
+    oneapi::tbb::parallel_invoke(
+        [&] {
+            fields_ = houses::lay_fields(land, settled_, parameters_, seed_.child("fields"));
+            bounds = houses::add_bounds(land, settled_, fields_, parameters_, seed_.child("bounds"));
+        },
+        [&] {
+            gardens = lay_gardens(land, parameters_, seed_.child("gardens"));
+            waterside = houses::add_jetties(land, settled_, parameters_, seed_.child("jetties"));
+            std::ranges::move(houses::add_bridges(land, settled_, parameters_), std::back_inserter(waterside));
+        });
+    land.settlement.gardens = std::move(gardens);
+    land.settlement.bounds = std::move(bounds);
+    std::ranges::move(waterside, std::back_inserter(land.settlement.bounds));
 }
 
 void HouseBuilders::keep_clear(const scene::Land& land, mesh::Field& to_edge_m) {

@@ -131,7 +131,9 @@ class Sower {
             return true;
         }
         // Between what grows, and where nothing does, lie stones.
-        const float stony = 0.06F + 0.40F * material.y + 0.24F * (1 - bears);
+        // Sand has none.
+        const float bare = glm::smoothstep(0.0F, 0.08F, material.y);
+        const float stony = 0.06F * std::max(bears, bare) + bare * (0.40F * material.y + 0.24F * (1 - bears));
         if (stay > closed + stony * (1 - closed)) return false;
         tuft.kind = scene::CoverKind::Stone;
         tuft.height_m = 0.05F + 0.40F * std::pow(size, 5.0F);

@@ -112,6 +112,24 @@ float skyline_rad(const scene::Land& land, const FlightPlan::Station& station, f
     return most;
 }
 
+// How much lower than this pitch the eye must look so that no landmark ahead falls out of the picture below.
+float lower_rad(const scene::Land& land, const FlightPlan::Station& station, float eye_m, float pitch_rad) {
+    constexpr float kFarthest_m = 260;
+    constexpr float kWidest = 0.55F;              // tangent off the view
+    const float below_rad = glm::radians(11.0F);  // of a picture that shows 21 degrees below its middle
+    const float least_rad = glm::radians(-11.0F);
+    float lowest = pitch_rad;
+    for (const scene::Landmark& mark : land.landmarks) {
+        const glm::vec2 to = glm::vec2{mark.at_m.x, mark.at_m.z} - station.at_m;
+        const float along_m = glm::dot(to, station.ahead);
+        const float aside_m = std::abs(to.x * station.ahead.y - to.y * station.ahead.x);
+        if (along_m < 15 || along_m > kFarthest_m || aside_m > kWidest * along_m) continue;
+        const float foot_m = std::min(mark.at_m.y, scene::ground_height_m(land, station.at_m + to));
+        lowest = std::min(lowest, std::atan2(foot_m - eye_m, along_m) + below_rad);
+    }
+    return std::max(pitch_rad - std::max(lowest, least_rad), 0.0F);
+}
+
 // Each value the highest of its neighbourhood, then their mean: never lower than the value itself.
 std::vector<float> smoothed_over(const std::vector<float>& values, int reach) {
     const int n = static_cast<int>(values.size());
@@ -154,6 +172,9 @@ FlightPlan plan_flight(base::Seed flight) {
 
 namespace {
 
+// A settlement shows itself over its first roofs.
+constexpr std::array kLiftsOverRoofs_m{2.0F, 7.0F, 12.0F};
+
 // How high over what must be cleared, and how far up or down the eyes are turned, to the usual.
 struct Manner {
     float lift_m;
@@ -177,9 +198,7 @@ struct Flown {
 Manner best_manner(const Flown& flown, const scene::Land& land) {
     Manner best{0, 0};
     float most = -1.0e6F;
-    // A settlement shows itself over its first roofs.
-    const std::array<float, 3> lifts_m =
-        land.settlement.is_empty() ? std::array{0.0F, 2.0F, 6.0F} : std::array{2.0F, 7.0F, 12.0F};
+    const std::array<float, 3> lifts_m = land.settlement.is_empty() ? std::array{0.0F, 2.0F, 6.0F} : kLiftsOverRoofs_m;
     for (const float lift_m : lifts_m) {
         for (const float tilt_deg : {0.0F, -3.5F, 3.0F}) {
             const Manner manner{lift_m, tilt_deg};
@@ -286,6 +305,12 @@ scene::Track fly(const FlightPlan& plan, const scene::Land& land, base::Seed fli
         pitches.push_back(std::clamp(0.42F * up - glm::radians(1.8F), glm::radians(-5.0F), glm::radians(5.0F)));
     }
     pitches = smoothed_over(pitches, 8);
+    std::vector<float> lower;
+    const float lifted_m = land.settlement.is_empty() ? 0.0F : kLiftsOverRoofs_m[1];
+    for (std::size_t i = 0; i < eyes_m.size(); ++i)
+        lower.push_back(lower_rad(land, plan.stations[i], eyes_m[i] + lifted_m, pitches[i]));
+    lower = smoothed_over(lower, 8);
+    for (std::size_t i = 0; i < eyes_m.size(); ++i) pitches[i] -= lower[i];
     const Flown flown{plan, eyes_m, pitches};
     const Manner manner = best_manner(flown, land);
     scene::Track track;

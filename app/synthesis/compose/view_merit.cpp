@@ -57,14 +57,60 @@ float made_in_sight(const scene::Land& land, const scene::Camera& camera) {
     return sum;
 }
 
+// The houses about an eye as boxes, to ask of many rays.
+class NearHouses {
+  public:
+    NearHouses(const scene::Settlement& settlement, const glm::vec3& eye) {
+        for (const scene::House& house : settlement.houses) {
+            if (glm::length(house.foot_m - eye) > 1.5F * kNear_m) continue;
+            const scene::Building& building = settlement.buildings[house.building];
+            const float cosine = std::cos(house.yaw_rad);
+            const float sine = std::sin(house.yaw_rad);
+            const glm::vec3 off_m = eye - house.foot_m;
+            // A roof is narrower than its walls.
+            boxes_.push_back({{cosine * off_m.x - sine * off_m.z, off_m.y, sine * off_m.x + cosine * off_m.z},
+                              {building.half_m.x, kBelowRidge * building.height_m, building.half_m.y},
+                              cosine,
+                              sine});
+        }
+    }
+
+    bool stand_before(const glm::vec3& ray, float land_m) const {
+        return std::ranges::any_of(boxes_, [&](const Box& box) {
+            const glm::vec3 along{box.cosine * ray.x - box.sine * ray.z, ray.y, box.sine * ray.x + box.cosine * ray.z};
+            const glm::vec3 low = (glm::vec3{-box.size_m.x, 0, -box.size_m.z} - box.eye_m) / along;
+            const glm::vec3 high = (box.size_m - box.eye_m) / along;
+            const glm::vec3 in = glm::min(low, high);
+            const glm::vec3 out = glm::max(low, high);
+            const float enters_m = std::max({in.x, in.y, in.z, 0.0F});
+            return enters_m < std::min({out.x, out.y, out.z}) && enters_m < std::min(kNear_m, land_m);
+        });
+    }
+
+  private:
+    static constexpr float kNear_m = 32;
+    static constexpr float kBelowRidge = 0.85F;
+    struct Box {
+        glm::vec3 eye_m;   // where it stands in the house's own directions, from its foot
+        glm::vec3 size_m;  // half its width, its height, half its depth
+        float cosine, sine;
+    };
+    std::vector<Box> boxes_;
+};
+
 }  // namespace
 
 Outlook outlook(const scene::Land& land, const scene::Camera& camera) {
     Outlook seen;
     const std::vector<glm::vec3> rays = view_rays(camera);
     const float share = 1.0F / static_cast<float>(rays.size());
+    const NearHouses houses(land.settlement, camera.eye_m);
     for (const glm::vec3& ray : rays) {
         const Hit hit = first_hit(land, camera.eye_m, ray);
+        if (houses.stand_before(ray, hit.distance_m)) {
+            seen.roofed += share;
+            continue;
+        }
         if (hit.distance_m >= kFarthest_m)
             seen.sky += share;
         else if (hit.is_water)
@@ -86,7 +132,7 @@ float view_merit(const Outlook& seen) {
     const float too_much = std::max(seen.near - 0.42F, 0.0F) + std::max(seen.water - 0.30F, 0.0F);
     return up_to(seen.near, 0.16F) + 0.9F * up_to(seen.far, 0.10F) + 0.8F * up_to(seen.water, 0.10F) +
            1.2F * up_to(seen.made, 0.7F) - 0.8F * off_sky * off_sky - 3 * too_much -
-           4 * std::max(seen.walled - 0.10F, 0.0F);
+           4 * std::max(seen.walled - 0.10F, 0.0F) - 4 * std::max(seen.roofed - 0.20F, 0.0F);
 }
 
 }  // namespace quadrat::synthesis

@@ -12,6 +12,7 @@ struct Outlook {
     float near = 0;    // ground nearer than 45 m
     float far = 0;     // farther than 500 m
     float walled = 0;  // nearer than 12 m: a slope before the eyes
+    float roofed = 0;  // of houses nearer than 32 m: walls and roofs before the eyes
     float made = 0;    // of roads, arches and standing stones in sight: the sum of how large they look, in radians
 };
 Outlook outlook(const scene::Land& land, const scene::Camera& camera);

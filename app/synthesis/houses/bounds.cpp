@@ -5,14 +5,18 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <tuple>
+#include <utility>
 
 #include "scene/colour.hpp"
+#include "scene/land_parameters.hpp"
 #include "synthesis/houses/masses.hpp"
 
 namespace quadrat::synthesis::houses {
 namespace {
 
 constexpr float kStep_m = 3.2F;
+constexpr float kSteepest = 0.42F;         // along them
 constexpr std::size_t kMostPieces = 1400;  // of all hedges, walls and fences, kStep_m each
 
 enum class Kind { Hedge, Wall, Fence };
@@ -56,14 +60,20 @@ class Bounds {
     void add_line(scene::Masses& to, glm::vec2 from, glm::vec2 end, const Bound& bound, const scene::House* own) {
         const float length = glm::distance(from, end);
         const int steps = std::max(1, static_cast<int>(std::lround(length / kStep_m)));
+        look_about(0.5F * (from + end), 0.5F * length);
+        bool is_joined = false;
         for (int i = 0; i < steps && pieces_ < kMostPieces; ++i) {
+            const bool was_joined = std::exchange(is_joined, false);
             const float n = static_cast<float>(steps);
             const glm::vec2 a = from + (end - from) * (static_cast<float>(i) / n);
             const glm::vec2 b = from + (end - from) * (static_cast<float>(i + 1) / n);
             if (!is_free(a, own) || !is_free(b, own) || !is_free(0.5F * (a + b), own)) continue;
             if (is_bounded(0.5F * (a + b))) continue;
+            const float climb_m = scene::ground_height_m(land_, b) - scene::ground_height_m(land_, a);
+            if (std::abs(climb_m) > kSteepest * glm::distance(a, b)) continue;
             own_.push_back(0.5F * (a + b));
-            add_piece(to, a, b, bound);
+            add_piece(to, a, b, bound, was_joined);
+            is_joined = true;
             ++pieces_;
         }
     }
@@ -79,21 +89,42 @@ class Bounds {
         return std::ranges::any_of(others_, [at](glm::vec2 p) { return glm::distance(p, at) < 3.4F; });
     }
 
-    bool is_free(glm::vec2 at, const scene::House* own) const {
-        if (!is_buildable(land_, at)) return false;
+    struct Segment {
+        glm::vec2 from_m, way_m;
+        float room_m;
+    };
+
+    // The roads and houses that a line of this reach about a place may meet.
+    void look_about(glm::vec2 middle, float reach_m) {
+        segments_.clear();
+        houses_.clear();
         for (const scene::Road& road : land_.roads)
             for (std::size_t i = 0; i + 1 < road.line_m.size(); ++i) {
-                const glm::vec2 a{road.line_m[i].x, road.line_m[i].z};
-                const glm::vec2 d = glm::vec2{road.line_m[i + 1].x, road.line_m[i + 1].z} - a;
-                if (glm::distance(a, at) > 30) continue;
-                const float t = std::clamp(glm::dot(at - a, d) / std::max(glm::dot(d, d), 1e-6F), 0.0F, 1.0F);
-                if (glm::distance(at, a + t * d) < 0.5F * road.width_m + 0.5F) return false;
+                const glm::vec2 from{road.line_m[i].x, road.line_m[i].z};
+                const glm::vec2 way = glm::vec2{road.line_m[i + 1].x, road.line_m[i + 1].z} - from;
+                const float room_m = 0.5F * road.width_m + 0.5F;
+                const float near_m = reach_m + room_m + glm::length(way);
+                const glm::vec2 d = from - middle;
+                if (glm::dot(d, d) < near_m * near_m) segments_.push_back({from, way, room_m});
             }
-        return std::ranges::all_of(settled_.settlement.houses, [&](const scene::House& house) {
-            const glm::vec2 d{house.foot_m.x - at.x, house.foot_m.z - at.y};
+        for (const scene::House& house : settled_.settlement.houses) {
+            const glm::vec2 d{house.foot_m.x - middle.x, house.foot_m.z - middle.y};
+            if (glm::dot(d, d) < (reach_m + 20) * (reach_m + 20)) houses_.push_back(&house);
+        }
+    }
+
+    bool is_free(glm::vec2 at, const scene::House* own) const {
+        if (!is_buildable(land_, at)) return false;
+        for (const Segment& segment : segments_) {
+            const glm::vec2 d = segment.way_m;
+            const float t = std::clamp(glm::dot(at - segment.from_m, d) / std::max(glm::dot(d, d), 1e-6F), 0.0F, 1.0F);
+            if (glm::distance(at, segment.from_m + t * d) < segment.room_m) return false;
+        }
+        return std::ranges::all_of(houses_, [&](const scene::House* house) {
+            const glm::vec2 d{house->foot_m.x - at.x, house->foot_m.z - at.y};
             if (glm::dot(d, d) > 400) return true;
-            const float room_m = &house == own ? 0.2F : 1.6F;
-            return scene::to_house_m(settled_.settlement.buildings[house.building], house, at) > room_m;
+            const float room_m = house == own ? 0.2F : 1.6F;
+            return scene::to_house_m(settled_.settlement.buildings[house->building], *house, at) > room_m;
         });
     }
 
@@ -101,34 +132,57 @@ class Bounds {
         return {p.x, scene::ground_height_m(land_, p) + over_m, p.y};
     }
 
-    void add_piece(scene::Masses& to, glm::vec2 a, glm::vec2 b, const Bound& bound) const {
+    // Half its width, and how high, from foot to crown; a wall is even, a hedge grows as it likes.
+    struct Rib {
+        std::array<float, 3> half_m, over_m;
+    };
+    Rib rib_at(glm::vec2 p, const Bound& bound) const {
+        const float h = bound.height_m;
+        if (bound.kind == Kind::Wall) return {{0.26F, 0.24F, 0.22F}, {-0.3F, 0.5F * h, h}};
+        const auto place = [](float m) { return static_cast<std::int64_t>(std::floor(4 * m)); };
+        const std::uint64_t grown = base::hash_of(base::Seed{7}, place(p.x), place(p.y));
+        const float wide = 0.82F + 0.36F * base::unit_of(grown);
+        const float high = 0.80F + 0.40F * base::unit_of(grown * 0x9E3779B97F4A7C15ULL);
+        return {{0.42F * wide, 0.56F * wide, 0.30F * wide}, {-0.3F, 0.55F * h * high, h * high}};
+    }
+
+    void add_piece(scene::Masses& to, glm::vec2 a, glm::vec2 b, const Bound& bound, bool is_joined) const {
+        if (bound.kind == Kind::Fence) return add_fence(to, a, b, bound);
         const glm::vec2 d = glm::normalize(b - a);
         const glm::vec2 side{-d.y, d.x};
-        if (bound.kind == Kind::Fence) return add_fence(to, a, b, bound);
-        const float half = bound.kind == Kind::Hedge ? 0.45F : 0.26F;
-        const float top = bound.kind == Kind::Hedge ? 0.28F : 0.22F;
-        const Look look{bound.colour, bound.kind == Kind::Hedge ? scene::Cladding::Thatch : scene::Cladding::Rubble, 0};
-        const std::array<float, 4> shades{0.6F, 0.6F, 1, 1};
+        const bool is_hedge = bound.kind == Kind::Hedge;
+        const Look look{bound.colour, is_hedge ? scene::Cladding::Leaves : scene::Cladding::Rubble, 0};
+        const Rib at_a = rib_at(a, bound);
+        const Rib at_b = rib_at(b, bound);
+        const std::size_t first = is_hedge ? 0 : 1;  // a wall is as wide below as in its middle
+        constexpr std::array<float, 3> kLight{0.5F, 0.86F, 1.1F};
+        const auto on = [&](glm::vec2 p, const Rib& rib, std::size_t k, float s) {
+            return on_ground(p + s * rib.half_m[k] * side, k == first ? -0.3F : rib.over_m[k]);
+        };
+        for (std::size_t k = first; k < 2; ++k)
+            for (const float s : {1.0F, -1.0F}) {
+                const auto& [p, p_rib, q, q_rib] = s > 0 ? std::tie(a, at_a, b, at_b) : std::tie(b, at_b, a, at_a);
+                const std::array<float, 4> shades{kLight[k], kLight[k], kLight[k + 1], kLight[k + 1]};
+                add_face(
+                    to,
+                    std::array{on(p, p_rib, k, s), on(q, q_rib, k, s), on(q, q_rib, k + 1, s), on(p, p_rib, k + 1, s)},
+                    look, shades);
+            }
+        add_face(to, std::array{on(a, at_a, 2, 1), on(b, at_b, 2, 1), on(b, at_b, 2, -1), on(a, at_a, 2, -1)},
+                 {1.1F * look.colour, look.cladding, 0});
         for (const float s : {1.0F, -1.0F}) {
-            const glm::vec2 p = s > 0 ? a : b;
-            const glm::vec2 q = s > 0 ? b : a;
-            add_face(to,
-                     std::array{on_ground(p + s * half * side, -0.3F), on_ground(q + s * half * side, -0.3F),
-                                on_ground(q + s * top * side, bound.height_m),
-                                on_ground(p + s * top * side, bound.height_m)},
-                     look, shades);
-        }
-        add_face(to,
-                 std::array{on_ground(a + top * side, bound.height_m), on_ground(b + top * side, bound.height_m),
-                            on_ground(b - top * side, bound.height_m), on_ground(a - top * side, bound.height_m)},
-                 {1.12F * look.colour, look.cladding, 0});
-        for (const glm::vec2 end : {a, b}) {
-            const float s = end == a ? 1.0F : -1.0F;
-            add_face(to,
-                     std::array{on_ground(end - s * half * side, -0.3F), on_ground(end + s * half * side, -0.3F),
-                                on_ground(end + s * top * side, bound.height_m),
-                                on_ground(end - s * top * side, bound.height_m)},
-                     look, shades);
+            if (s > 0 && is_joined) continue;
+            const glm::vec2 end = s > 0 ? a : b;
+            const Rib& rib = s > 0 ? at_a : at_b;
+            std::vector<glm::vec3> corners;
+            std::vector<float> shades;
+            const auto add = [&](std::size_t k, float side_of) {
+                corners.push_back(on(end, rib, k, side_of));
+                shades.push_back(kLight[k]);
+            };
+            for (std::size_t k = first; k < 3; ++k) add(k, s);
+            for (std::size_t k = 3; k-- > first;) add(k, -s);
+            add_face(to, corners, look, shades);
         }
     }
 
@@ -152,6 +206,8 @@ class Bounds {
     int region_;
     std::size_t pieces_ = 0;
     std::vector<glm::vec2> own_, others_;  // the middles of pieces
+    std::vector<Segment> segments_;        // that the line in hand may meet
+    std::vector<const scene::House*> houses_;
 };
 
 }  // namespace

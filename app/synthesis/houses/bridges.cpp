@@ -9,6 +9,7 @@
 
 #include "base/seed.hpp"
 #include "scene/colour.hpp"
+#include "scene/land_parameters.hpp"
 #include "synthesis/houses/masses.hpp"
 
 namespace quadrat::synthesis::houses {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "scene/land.hpp"
-#include "scene/parameters.hpp"
+#include "scene/parameters_fwd.hpp"
 #include "synthesis/houses/settle.hpp"
 
 namespace quadrat::synthesis::houses {

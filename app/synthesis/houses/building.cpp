@@ -61,6 +61,7 @@ scene::Building build(const Design& design, base::Seed seed) {
     scene::Building building;
     building.levels.resize(kLevels);
     building.half_m = half_of(design);
+    building.wear = design.wear;
     const std::vector<glm::dvec2>& plan = design.footprint.plan;
     const std::size_t n = plan.size();
     add_plinth(building, design);

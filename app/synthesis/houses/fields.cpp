@@ -9,6 +9,7 @@
 
 #include "mesh/lots.hpp"
 #include "scene/colour.hpp"
+#include "scene/land_parameters.hpp"
 #include "synthesis/houses/lanes.hpp"
 
 namespace quadrat::synthesis::houses {
@@ -49,10 +50,27 @@ class Tillage {
             const glm::vec2 inside = p + 0.2F * (middle - p);
             if (!is_fit_at(inside) || !is_fit_at(0.5F * (inside + middle))) ++bad;
         }
-        return bad == 0 && is_fit_at(middle);
+        return bad == 0 && is_fit_at(middle) && is_dry(outline, middle);
     }
 
   private:
+    // No brook runs through it, from corner to corner or side to side.
+    bool is_dry(const std::vector<glm::vec2>& outline, glm::vec2 middle) const {
+        constexpr float kApart_m = 4;  // narrower ones are rills
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const glm::vec2 next = outline[(i + 1) % outline.size()];
+            const int rays = std::max(1, static_cast<int>(glm::distance(outline[i], next) / 12));
+            for (int k = 0; k < rays; ++k) {
+                const glm::vec2 rim =
+                    outline[i] + (static_cast<float>(k) / static_cast<float>(rays)) * (next - outline[i]);
+                const float far_m = glm::distance(rim, middle);
+                for (float m = 0; m < far_m; m += kApart_m)
+                    if (scene::water_depth_m(land_, rim + (m / far_m) * (middle - rim)) > 0) return false;
+            }
+        }
+        return true;
+    }
+
     bool is_fit_at(glm::vec2 p) const {
         if (!is_buildable(land_, p) || steepness(land_, p, 7) > kSteepest) return false;
         for (const scene::Road& road : land_.roads)

@@ -20,9 +20,8 @@ const glm::vec3 kBalk{0.36F, 0.45F, 0.24F};  // the grass between fields
 
 void blend(std::uint8_t* pixel, const glm::vec3& srgb, float share) {
     for (int c = 0; c < 3; ++c) {
-        const float from = static_cast<float>(pixel[c]) / 255;
-        pixel[c] =
-            static_cast<std::uint8_t>(std::lround(255 * glm::clamp(from + share * (srgb[c] - from), 0.0F, 1.0F)));
+        const auto from = static_cast<float>(pixel[c]);
+        pixel[c] = static_cast<std::uint8_t>(glm::clamp(from + share * (255 * srgb[c] - from), 0.0F, 255.0F) + 0.5F);
     }
 }
 
@@ -65,10 +64,10 @@ void paint_field(const Canvas& canvas, const FieldPlot& field, base::Seed seed) 
         const float in = inside.by_m(at);
         if (in < 0) return;
         const float chance = base::unit_of(base::hash_of(seed, x, y));
-        const float row = std::sin(glm::dot(at, across) * 1.6F);
+        const float row = field.rows > 0 ? std::sin(glm::dot(at, across) * 1.6F) : 0.0F;
         const float tone = 1 + 0.09F * (chance - 0.5F) + 0.13F * field.rows * row;
         const float edge = glm::smoothstep(0.3F, 1.9F, in + 0.5F * chance);
-        blend(pixel, kBalk, 0.55F * (1 - edge));
+        if (edge < 1) blend(pixel, kBalk, 0.55F * (1 - edge));
         blend(pixel, field.colour * tone, 0.82F * edge);
     });
 }
@@ -81,7 +80,7 @@ void paint_yard(const Canvas& canvas, const scene::Building& building, const sce
     const glm::vec3 lawn{0.43F, 0.52F, 0.27F};
     canvas.paint(at_m - reach_m, at_m + reach_m, [&](std::uint8_t* pixel, glm::vec2 at, int x, int y) {
         const float away_m = frame.away_m(at);
-        if (away_m > 12) return;
+        if (away_m > 12 || (away_m > 3.7F && green <= 0)) return;
         const float ragged = base::unit_of(base::hash_of(seed, x, y));
         const float garden = 0.55F * green * (1 - glm::smoothstep(6.0F, 12.0F, away_m + 3 * ragged));
         if (garden > 0) blend(pixel, lawn * (0.93F + 0.14F * ragged), garden);

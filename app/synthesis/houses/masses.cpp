@@ -2,6 +2,7 @@
 #include "synthesis/houses/masses.hpp"
 
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace quadrat::synthesis::houses {
@@ -17,11 +18,14 @@ void add_face(scene::Masses& to, std::span<const glm::vec3> corners, const Look&
     const glm::vec3 along =
         glm::dot(level, level) > 1.0e-6F ? glm::normalize(glm::vec3{level.x, 0, level.y}) : glm::vec3{1, 0, 0};
     const glm::vec3 up = glm::cross(normal, along);
+    // Far from the middle the surface counts anew: what is drawn holds metres in few bits.
+    constexpr float kAnew_m = 64;
+    const float from_m = kAnew_m * std::round(glm::dot(along, corners[0]) / kAnew_m);
     const auto first = static_cast<std::uint32_t>(to.mesh.positions_m.size());
     for (std::size_t i = 0; i < corners.size(); ++i) {
         to.mesh.positions_m.push_back(corners[i]);
         to.mesh.normals.push_back(normal);
-        to.mesh.texcoords.emplace_back(glm::dot(along, corners[i]), glm::dot(up, corners[i]));
+        to.mesh.texcoords.emplace_back(glm::dot(along, corners[i]) - from_m, glm::dot(up, corners[i]));
         to.colours.push_back(look.colour * (shades.empty() ? 1.0F : shades[i]));
         to.claddings.push_back(look.cladding);
         to.lamps.push_back(look.lamp);

@@ -4,7 +4,7 @@
 
 #include "base/seed.hpp"
 #include "scene/land.hpp"
-#include "scene/parameters.hpp"
+#include "scene/parameters_fwd.hpp"
 #include "synthesis/houses/lanes.hpp"
 
 namespace quadrat::synthesis::houses {

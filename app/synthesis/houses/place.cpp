@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "scene/land_parameters.hpp"
 #include "synthesis/houses/lanes.hpp"
 
 namespace quadrat::synthesis::houses {

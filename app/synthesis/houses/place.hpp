@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "scene/land.hpp"
-#include "scene/parameters.hpp"
+#include "scene/parameters_fwd.hpp"
 
 namespace quadrat::synthesis::houses {
 

@@ -8,8 +8,10 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "scene/land_parameters.hpp"
 #include "synthesis/houses/network.hpp"
 #include "synthesis/houses/place.hpp"
+#include "synthesis/houses/stains.hpp"
 #include "synthesis/houses/styles.hpp"
 
 namespace quadrat::synthesis::houses {
@@ -98,6 +100,7 @@ class Growth {
         settled.settlement.buildings = stock_.raised();
         settled.settlement.houses = std::move(houses_);
         settled.settlement.lit_share = p_.settle_lit_share;
+        settled.settlement.stains = weather_stains();
         for (std::size_t b = branches_.size(); b-- > 0;) {
             const Branch& branch = branches_[b];
             if (used_m_[b] > 0 && branch.from >= 0) {

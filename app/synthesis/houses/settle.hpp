@@ -5,7 +5,7 @@
 #include "base/seed.hpp"
 #include "mesh/image.hpp"
 #include "scene/land.hpp"
-#include "scene/parameters.hpp"
+#include "scene/parameters_fwd.hpp"
 #include "synthesis/houses/lanes.hpp"
 
 namespace quadrat::synthesis::houses {

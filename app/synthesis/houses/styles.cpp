@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "scene/colour.hpp"
+#include "scene/land_parameters.hpp"
 #include "synthesis/houses/regions.hpp"
 #include "synthesis/houses/roofs.hpp"
 
@@ -168,7 +169,10 @@ class Designer {
         if (shed.low_m > 1.5) d.lean_tos.push_back(shed);
     }
 
-    double storeys_more() { return std::floor(std::max(0.0F, p_.settle_storeys - 1 + random_.between(-0.5F, 0.5F))); }
+    double storeys_more() {
+        if (is_savanna()) return 0;  // earth bears no second floor
+        return std::floor(std::max(0.0F, p_.settle_storeys - 1 + random_.between(-0.5F, 0.5F)));
+    }
 
     void shape_townhouse(Design& d) {
         d.facade = &grammars().at(region_.townhouse);
@@ -184,7 +188,7 @@ class Designer {
         d.facade = &grammars().at(is_savanna() ? "savanna" : "barn");
         if (!is_savanna()) d.wall = Cladding::Planks;
         d.form = RoofForm::Gabled;
-        d.wall_m = random_.between(3.2F, 3.9F);
+        d.wall_m = random_.between(3.2F, 3.9F) - (is_savanna() ? 1.0F : 0.0F);
         const double width = random_.between(8.0F, 12.0F);
         d.footprint = rectangle(width, random_.between(6.0F, 7.6F), chance(0.4));
         if (chance(1.3 * region_.broken)) {

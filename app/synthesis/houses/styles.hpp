@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/seed.hpp"
-#include "scene/parameters.hpp"
+#include "scene/land_parameters.hpp"
 #include "scene/settlement.hpp"
 #include "synthesis/houses/building.hpp"
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "scene/colour.hpp"
+#include "scene/land_parameters.hpp"
 #include "synthesis/houses/masses.hpp"
 
 namespace quadrat::synthesis::houses {
@@ -35,9 +36,10 @@ std::optional<Berth> berth_at(const scene::Land& land, glm::vec2 at) {
     if (scene::water_depth_m(land, at) > 0) return std::nullopt;
     for (int i = 0; i < 16; ++i) {
         const glm::vec2 out = bearing(i, 16);
-        const float near_m = scene::water_depth_m(land, at + 4.0F * out);
         const float far_m = scene::water_depth_m(land, at + kJetty_m * out);
-        if (near_m <= 0.1F || far_m < kDeep_m || scene::water_depth_m(land, at + 8.0F * out) < 0.5F) continue;
+        if (far_m < kDeep_m || scene::water_depth_m(land, at + 4.0F * out) <= 0.1F ||
+            scene::water_depth_m(land, at + 8.0F * out) < 0.5F)
+            continue;
         const glm::vec2 end = at + kJetty_m * out;
         const float surface_m = std::max(scene::ground_height_m(land, end), -50.0F) + far_m;
         if (scene::ground_height_m(land, at) - surface_m > 1.6F) continue;
@@ -56,6 +58,8 @@ std::vector<Berth> berths(const scene::Land& land, const Settled& settled, std::
             const bool is_apart =
                 std::ranges::all_of(found, [at](const Berth& b) { return glm::distance(b.shore_m, at) > kApart_m; });
             const bool is_free = std::ranges::all_of(settled.settlement.houses, [&](const scene::House& house) {
+                const glm::vec2 off = at - glm::vec2{house.foot_m.x, house.foot_m.z};
+                if (glm::dot(off, off) > 900) return true;
                 return scene::to_house_m(settled.settlement.buildings[house.building], house, at) > 3;
             });
             if (!is_apart || !is_free) continue;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "scene/land_parameters.hpp"
 #include "synthesis/land/facets.hpp"
 #include "synthesis/noise/gradient.hpp"
 

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "scene/land_parameters.hpp"
 #include "synthesis/land/facets.hpp"
 #include "synthesis/noise/gradient.hpp"
 

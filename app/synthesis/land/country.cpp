@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scene/colour.hpp"
+#include "scene/land_parameters.hpp"
 #include "synthesis/land/erosion.hpp"
 #include "synthesis/land/ground.hpp"
 #include "synthesis/land/patterns.hpp"
@@ -150,7 +151,8 @@ void wear(scene::Land& land, const Terrain& terrain, const scene::LandParameters
 }
 
 void set_grain(scene::Land& land, const scene::LandParameters& p, base::Seed seed) {
-    GroundDetail detail = ground_detail(seed, 256, p.ground_detail, p.ground_bumps);
+    GroundDetail detail = ground_detail(
+        seed, 256, {.contrast = p.ground_detail, .bumps = p.ground_bumps, .sandy = sandy(p), .cracked = cracked(p)});
     land.detail = std::move(detail.grain);
     land.detail_slopes = std::move(detail.slopes);
     land.detail_tile_m = p.ground_detail_m;

@@ -4,7 +4,7 @@
 #include "mesh/field.hpp"
 #include "mesh/image.hpp"
 #include "scene/land.hpp"
-#include "scene/parameters.hpp"
+#include "scene/parameters_fwd.hpp"
 #include "scene/scene.hpp"
 
 namespace quadrat::synthesis::land {

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "base/seed.hpp"
+#include "scene/land_parameters.hpp"
 #include "synthesis/land/stone.hpp"
 
 // What boulders, arches and caves are made with.
@@ -53,6 +54,13 @@ inline constexpr float kTallestFin_m = 14;
 // A fin of bedded rock, weathered so that one can stand under it (overhangs.hpp); none where no ground is level enough.
 void add_fin(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, const Strata& strata,
              base::Seed seed);
+
+// Dry walls between fields, where wall_share asks for them; none where there is too little ground for them.
+void add_field_walls(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, base::Seed seed);
+
+// Rock in steps, where ledge_share asks for it; none where no ground is level enough.
+void add_rock_ledges(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, const Strata& strata,
+                     base::Seed seed);
 
 // Arches by arch_share.
 void add_arches(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, const Strata& strata,

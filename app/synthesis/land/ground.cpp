@@ -12,6 +12,7 @@
 
 #include "scene/colour.hpp"
 #include "scene/land.hpp"
+#include "scene/land_parameters.hpp"
 #include "synthesis/land/erosion.hpp"
 #include "synthesis/land/ground_row.hpp"
 #include "synthesis/land/patterns.hpp"
@@ -41,6 +42,33 @@ Material material(const glm::vec3& linear, float soft, float hard) {
     return {lab.x, lab.y, lab.z, soft, hard};
 }
 
+Material mixed(const Material& one, const Material& other, float share) {
+    const auto mix = [share](float a, float b) { return a + share * (b - a); };
+    return {mix(one.l, other.l), mix(one.a, other.a), mix(one.b, other.b), mix(one.soft, other.soft),
+            mix(one.hard, other.hard)};
+}
+
+// Dunes are sand where other land is dry grass, earth or scree; it bears nothing.
+void cover_with_sand(GroundLook& look, const Palette& palette, float share) {
+    constexpr float kGrain = 0.30F;
+    const Material sand = material(palette.sand, kGrain, 0);
+    for (Material* m : {&look.dry, &look.soil, &look.scree}) {
+        Material own = sand;
+        own.l += 0.25F * (m->l - own.l);  // crests and flanks are told apart
+        *m = mixed(*m, own, share);
+    }
+}
+
+// Beside snow rock is dark, or neither would be seen for the other.
+void darken_beside_snow(GroundLook& look, const scene::LandParameters& p) {
+    constexpr float kPalest = 0.72F;  // in OKLab
+    const float snowy = std::clamp(1.4F - snow_line_m(p) / std::max(p.land_relief_m, 1.0F), 0.0F, 1.0F);
+    for (Material* m : {&look.rock_dark, &look.rock_light, &look.scree}) {
+        const float dark = 1.35F * kPalest * m->l / (kPalest + m->l);
+        m->l += snowy * std::min(dark - m->l, 0.0F);
+    }
+}
+
 GroundLook look_of(const scene::LandParameters& p, const Palette& palette) {
     GroundLook look;
     look.dry = material(palette.dry, 1, 0);
@@ -54,6 +82,8 @@ GroundLook look_of(const scene::LandParameters& p, const Palette& palette) {
     look.sand = material(palette.sand, 0.25F, 0.35F);
     look.gravel = material(scene::mix_colours(palette.sand, palette.scree, 0.5F), 0.3F, 0.35F);
     look.snow = material(palette.snow, 0.2F, 0.1F);
+    cover_with_sand(look, palette, sandy(p));
+    darken_beside_snow(look, p);
     look.lushness = 1.1F * p.ground_lushness - 0.35F * p.ground_moisture;
     look.thirst = 2.0F * p.ground_moisture;
     look.heath_share = p.ground_heath;
@@ -253,6 +283,26 @@ class Bands {
     mesh::Field bare_;
 };
 
+// Flats that have dried lie bare in patches. As with bands, they are laid as if they were steep.
+class DryFlats {
+  public:
+    explicit DryFlats(const scene::LandParameters& p)
+        : share_(0.9F * cracked(p)), bare_slope_(p.ground_soil_slope + 0.2F) {}
+
+    void lay(RowRoom& r) const {
+        if (share_ <= 0) return;
+        for (std::size_t x = 0; x < r.pixels(); ++x) {
+            const float flat = 1 - std::clamp((r.slope[x] - 0.1F) / 0.2F, 0.0F, 1.0F);
+            const float patch = std::clamp(0.5F + 2.2F * r.patch[x] + 2.0F * (share_ - 0.5F), 0.0F, 1.0F);
+            r.slope[x] = std::max(r.slope[x], share_ * flat * patch * bare_slope_);
+        }
+    }
+
+  private:
+    float share_;
+    float bare_slope_;
+};
+
 }  // namespace
 
 mesh::Field moisture_of(const mesh::Field& height_m, const std::vector<float>& drained_area_m2, float cell_m) {
@@ -284,6 +334,7 @@ Ground lay_ground(const GroundFacts& facts, const Palette& palette, const scene:
     const Relief relief(height_m, facts.cell_m);
     const PixelPlaces places(height_m.columns, side_px);
     const GroundLook look = look_of(parameters, palette);
+    const DryFlats flats(parameters);
     const Bands bands(parameters, seed, places.per_px() * facts.cell_m);
     const float patches_per_px = places.per_px() * facts.cell_m / parameters.ground_patch_m;
     const auto width = static_cast<std::size_t>(side_px);
@@ -308,6 +359,7 @@ Ground lay_ground(const GroundFacts& facts, const Palette& palette, const scene:
             noise::fbm(patches, us, vs, std::span(r.patch).first(width), {.count = 3, .gain = 0.45F});
             for (float& p : r.patch) p *= 1.6F;
             bands.lay(y, r);
+            flats.lay(r);
             const float* grains = &grain.at(0, y % kGrainSide);
             // It is painted as seen from above: the steeper the ground, the longer its tufts would be drawn down it.
             for (std::size_t i = 0; i < width; ++i)
@@ -318,6 +370,16 @@ Ground lay_ground(const GroundFacts& facts, const Palette& palette, const scene:
         }
     });
     return ground;
+}
+
+float cracked(const scene::LandParameters& p) {
+    const float dry = std::clamp((0.5F - p.ground_lushness) / 0.6F, 0.0F, 1.0F);
+    return dry * std::clamp(p.ground_cracks, 0.0F, 1.0F);
+}
+
+float sandy(const scene::LandParameters& p) {
+    const float t = std::clamp((p.dune_share - 0.35F) / 0.4F, 0.0F, 1.0F);
+    return t * t * (3 - 2 * t);
 }
 
 // From the shore upward; on low land there is snow in cold country only.

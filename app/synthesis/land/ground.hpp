@@ -6,7 +6,7 @@
 #include "base/seed.hpp"
 #include "mesh/field.hpp"
 #include "mesh/image.hpp"
-#include "scene/parameters.hpp"
+#include "scene/parameters_fwd.hpp"
 
 namespace quadrat::synthesis::land {
 
@@ -49,7 +49,15 @@ struct GroundDetail {
     mesh::Image grain;
     mesh::Image slopes;
 };
-GroundDetail ground_detail(base::Seed seed, int side_px, float contrast, float bumps);
+struct DetailLook {
+    float contrast = 1, bumps = 1;
+    float sandy = 0;    // 0 to 1, how far soft ground is ripples of sand instead of tufts
+    float cracked = 0;  // 0 to 1, how far it is plates of dry mud
+};
+GroundDetail ground_detail(base::Seed seed, int side_px, const DetailLook& look);
+
+// Mud that has dried, as the relief of one tile: plates some tenth of it wide, about 0.5 high, and cracks below -1.
+mesh::Field mud_tile(base::Seed seed, int side_px);
 
 // Colours of the country around, a pixel a sample, sRGB.
 mesh::Image surround_colours(const mesh::Field& surround_m, float cell_m, const Palette& palette,
@@ -61,5 +69,9 @@ void ease_into_land(mesh::Image& surround, float cell_m, const mesh::Image& albe
 
 // Height above the sea from which snow lies; far above everything where none does.
 float snow_line_m(const scene::LandParameters& parameters);
+// How far what lies dry has cracked: 0 to 1.
+float cracked(const scene::LandParameters& parameters);
+// How far land is dunes, and so bare sand: 0 to 1.
+float sandy(const scene::LandParameters& parameters);
 
 }  // namespace quadrat::synthesis::land

@@ -8,6 +8,8 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "scene/land_parameters.hpp"
+
 namespace quadrat::synthesis::land {
 namespace {
 

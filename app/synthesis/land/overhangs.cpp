@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+#include "scene/land_parameters.hpp"
 #include "synthesis/land/facets.hpp"
 #include "synthesis/noise/gradient.hpp"
 

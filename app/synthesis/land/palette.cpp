@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/colour.hpp"
+#include "scene/land_parameters.hpp"
 #include "synthesis/land/ground.hpp"
 
 namespace quadrat::synthesis::land {

@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "scene/colour.hpp"
+#include "scene/land_parameters.hpp"
 #include "synthesis/land/facets.hpp"
 
 namespace quadrat::synthesis::land {
@@ -197,7 +198,11 @@ Stones make_stones(const StoneGround& ground, const scene::LandParameters& p, ba
         else
             add_arches(stones, ground, p, strata, seed);
     }
-    add_standing_stones(stones, ground.land, strata, seed.child("ring"));
+    if (p.wall_share > 0) add_field_walls(stones, ground, p, seed.child("walls"));
+    if (p.ledge_share > 0)
+        add_rock_ledges(stones, ground, p, strata, seed.child("ledges"));
+    else
+        add_standing_stones(stones, ground.land, strata, seed.child("ring"));
     return stones;
 }
 

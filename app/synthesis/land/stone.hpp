@@ -5,7 +5,7 @@
 #include "base/seed.hpp"
 #include "mesh/field.hpp"
 #include "scene/land.hpp"
-#include "scene/parameters.hpp"
+#include "scene/parameters_fwd.hpp"
 #include "synthesis/land/ground.hpp"
 
 namespace quadrat::synthesis::land {
@@ -26,14 +26,15 @@ struct Footprint {
 struct Stones {
     scene::Stone stone;
     std::vector<Footprint> footprints;
-    std::vector<scene::Landmark> landmarks;  // caves, then arches or a fin, then the ring of a site
+    std::vector<scene::Landmark> landmarks;  // caves, then arches or a fin, then rock in steps or the ring of a site
     std::vector<Footprint> forecourts;       // ground before caves that nothing may grow on
 };
 
 // Boulders where the ground is steep and stony or falls to the shore; where the genes ask for them natural arches, feet
 // in the ground, on stony slopes and shores in the viewer's sight where there are any, or for low ones a fin that
 // weather has undercut (layered ground), and caves in rock that stands out of a slope (the overhangs of Peytavie et al.
-// 2009, as meshes of their own); on a site a ring of hewn stones. No more than some thousand triangles.
+// 2009, as meshes of their own); on a site a ring of hewn stones, or where the genes ask for it rock in steps. No more
+// than some thousand triangles.
 Stones make_stones(const StoneGround& ground, const scene::LandParameters& parameters, base::Seed seed);
 
 // Darkens the ground under and around stones.

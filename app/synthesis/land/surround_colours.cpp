@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scene/colour.hpp"
+#include "scene/land_parameters.hpp"
 #include "synthesis/land/ground.hpp"
 #include "synthesis/noise/gradient.hpp"
 

@@ -7,6 +7,8 @@
 #include <glm/trigonometric.hpp>
 #include <vector>
 
+#include "scene/land_parameters.hpp"
+
 namespace quadrat::synthesis::land {
 namespace {
 

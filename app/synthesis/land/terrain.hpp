@@ -3,7 +3,7 @@
 #include <span>
 
 #include "base/seed.hpp"
-#include "scene/parameters.hpp"
+#include "scene/land_parameters.hpp"
 #include "synthesis/land/landforms.hpp"
 #include "synthesis/noise/gradient.hpp"
 

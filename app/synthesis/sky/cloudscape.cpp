@@ -24,6 +24,7 @@ constexpr int kLevels = 10;          // of the light's grid, from base to top
 constexpr int kSide = 128;           // of it, over the tile
 constexpr float kRelief = 1.3F;      // of thick clouds' undersides, in their light
 constexpr float kBrightest = 0.16F;  // thinner than this nothing is told apart: holes would be lamps
+constexpr float kHeaped = 0.22F;     // light of a bulge, shade of a crease: a heap's flank is no wall
 constexpr float kStep = 1.036F;      // of the distance from one slab to the next
 constexpr std::size_t kAround = 4;   // halvings of the tile: sixteenths of a cloud
 constexpr float kGapHeight = 0.24F;  // sine of how high a whole gap reaches
@@ -202,7 +203,8 @@ class Column {
                 share < 0.5F ? glm::mix(low, middle, 2.0F * share) : glm::mix(middle, high, 2.0F * share - 1.0F);
             // Near the light much goes on that was scattered forward; the tops have all of the sky.
             const float lit = 0.62F * std::exp(-0.85F * before) + 0.20F * std::exp(-0.16F * before) +
-                              0.22F * share * rise + 0.34F * through + 0.10F * bulge * share + relief;
+                              0.22F * share * rise + 0.34F * through + kHeaped * bulge * std::min(3.0F * share, 1.0F) +
+                              relief;
             light_[y] += left_[y] * (1.0F - passed) * std::clamp(lit, 0.0F, 1.0F);
             left_[y] *= passed;
         }

@@ -13,6 +13,7 @@
 
 #include "mesh/field.hpp"
 #include "scene/colour.hpp"
+#include "scene/sky_parameters.hpp"
 #include "synthesis/sky/atmosphere.hpp"
 #include "synthesis/sky/preetham.hpp"
 
@@ -25,7 +26,8 @@ using Parameters = scene::SkyParameters;
 constexpr float kPi = std::numbers::pi_v<float>;
 // Of the sun's light; a hundred times the true moon's, because an eye would have adapted and a picture cannot.
 constexpr float kMoonlight = 2.5e-4F;
-constexpr float kFill = 1.95F;  // how far an illustrator opens the shadows
+constexpr float kLeastBlue = 0.55F;  // of a night: a green meadow under stars is a day that has gone wrong
+constexpr float kFill = 1.95F;       // how far an illustrator opens the shadows
 
 float brightest(const glm::vec3& c) { return std::max({c.x, c.y, c.z, 1.0e-9F}); }
 
@@ -234,7 +236,8 @@ Daylight make_daylight(const Parameters& p, const Lights& lights) {
         });
         light = moon * glm::sqrt(dark.transmittance(lights.moon.y));
         light = warmed(light, p.moon_warmth, kAmber, kColdLight);
-        light = warmed(light, p.night_blue, kMoonBlue, kMoonBlue);
+        // At nightfall the sky is red yet: blue trees before it would be out of place.
+        light = warmed(light, lights.darkness * std::max(p.night_blue, kLeastBlue), kMoonBlue, kMoonBlue);
         high += 0.7F * light;
     } else {
         light = warmed(light, p.sun_warmth - 0.2F, kAmber, kColdLight);

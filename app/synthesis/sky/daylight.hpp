@@ -2,7 +2,7 @@
 #pragma once
 #include <glm/vec3.hpp>
 
-#include "scene/parameters.hpp"
+#include "scene/parameters_fwd.hpp"
 #include "scene/sky.hpp"
 
 namespace quadrat::synthesis::sky {

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "scene/colour.hpp"
+#include "scene/sky_parameters.hpp"
 #include "synthesis/sky/clouds.hpp"
 #include "synthesis/sky/cloudscape.hpp"
 #include "synthesis/sky/daylight.hpp"
@@ -36,8 +37,8 @@ Falling falling(const Parameters& p) { return {std::max(p.rain_share, 0.0F), std
 // Where flights are, about, above the sea.
 constexpr float kEye_m = 25.0F;
 
-// Clouds that leave a gap are seen to end; rain and snow hide that.
-float gap_of(const Parameters& p) { return p.cloud_gap * (1.0F - falling(p).any()); }
+// Clouds that leave a gap are seen to end, also from under a shower; snow hides that.
+float gap_of(const Parameters& p) { return p.cloud_gap * (1.0F - std::min(falling(p).snow, 1.0F)); }
 
 // A low sun shines in under clouds that end far off: 0 to 1.
 float under_clouds(const Parameters& p, const Lights& lights) {
@@ -89,6 +90,9 @@ glm::vec3 heap_light(const glm::vec3& sun) {
 
 constexpr glm::ivec2 kCloudscape{1280, 240};
 
+// Of its base's height: what stood taller would be seen as a wall overhead.
+constexpr float kTallest = 0.75F;
+
 // The lower clouds as they stand over the land. depth: of the layer, over its tile.
 scene::Cloudscape stand_up(const scene::CloudLayer& low, const mesh::Field& depth, const Parameters& p,
                            const glm::vec3& sun, const glm::vec3& brightest, base::Seed seed) {
@@ -98,7 +102,7 @@ scene::Cloudscape stand_up(const scene::CloudLayer& low, const mesh::Field& dept
                                 low.stretch,
                                 low.along,
                                 std::max(low.height_m - kEye_m, 120.0F),
-                                std::clamp(tall_m, 60.0F, 1.6F * low.height_m),
+                                std::clamp(tall_m, 60.0F, kTallest * low.height_m),
                                 gap_of(p),
                                 p.sun_beams,
                                 std::max(p.sun_halo, 0.0F),
@@ -286,6 +290,7 @@ scene::Sky make_sky(const scene::SkyParameters& p, base::Seed seed) {
     const Lights lights(p);
     Daylight day = make_daylight(p, lights);
     sky.is_night = lights.is_night;
+    sky.darkness = lights.is_night ? lights.darkness : 0;
     sky.sun_direction = lights.brightest();
     // After nightfall the sky glows where the sun went, until the moon is all there is.
     sky.glow_direction = lights.is_night && lights.darkness > 0.75F ? lights.moon : lights.sun;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "scene/sky_parameters.hpp"
 #include "synthesis/noise/gradient.hpp"
 
 namespace quadrat::synthesis::sky {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/seed.hpp"
-#include "scene/parameters.hpp"
+#include "scene/parameters_fwd.hpp"
 #include "scene/sky.hpp"
 
 namespace quadrat::synthesis::sky {

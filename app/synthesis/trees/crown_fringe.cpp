@@ -9,7 +9,7 @@
 
 #include "base/seed.hpp"
 #include "mesh/pieces.hpp"
-#include "synthesis/trees/crown_ball.hpp"
+#include "synthesis/trees/crown_outline.hpp"
 #include "synthesis/trees/crown_reach.hpp"
 
 namespace quadrat::synthesis::trees {
@@ -17,8 +17,10 @@ namespace {
 
 constexpr std::size_t kFewestTriangles = 15;  // of a mass that has a fringe
 constexpr std::size_t kPerTriangle = 2;       // of the mass
+constexpr std::size_t kFewest = 24;           // sprays, of a bush some ten pixels high: without any it is a ball
 constexpr float kCovers = 1.0F;               // of the mass, by area,
 constexpr float kLargest = 0.016F;            // of it, one spray: larger ones are spikes
+constexpr float kLargestOfFew = 0.026F;       // and where they are few
 constexpr float kLength = 1.8F;               // of a spray, to the square root of its area, and so its width
 constexpr float kWidth = 4.0F / 3;
 constexpr double kGoldenShare = 0.6180339887498949;
@@ -123,12 +125,19 @@ void add_fringe(std::vector<scene::CrownMass>& masses) {
         const bool has_all = mesh::pieces_of(mass.mesh).size() == clumps;
         counts.push_back(has_all && own >= kFewestTriangles ? kPerTriangle * own : 0);
     }
+    if (counts.back() > 2 * kFewest) {
+        masses.back().coarser_m = masses.back().mesh.positions_m;
+        masses.push_back(masses.back());
+        masses.back().coarser_m.clear();
+        counts.push_back(kFewest);
+    }
     if (counts.front() == 0) return;
     const std::vector<Spray> sprays = sprays_of(masses.front(), counts.front());
     const float crown_m2 = areas_up_to(masses.front().mesh).back();
     const float most_m = reach_m(masses.front().mesh);
     const auto at = [&](std::size_t level, std::size_t spray) {
-        const float share = std::min(kCovers / static_cast<float>(counts[level]), kLargest);
+        const float share =
+            std::min(kCovers / static_cast<float>(counts[level]), counts[level] > kFewest ? kLargest : kLargestOfFew);
         return corners(sprays[spray], share * crown_m2, most_m);
     };
     for (std::size_t level = 0; level < masses.size() && counts[level] > 0; ++level) {
@@ -143,7 +152,7 @@ void add_fringe(std::vector<scene::CrownMass>& masses) {
                 masses[level].coarser_m.push_back(corner);
         }
     }
-    for (const Ball ball : {Ball::Of32, Ball::Of8}) add_ball(masses, ball);
+    for (const Outline& outline : {kRoundOutline, kPlainOutline}) add_outline(masses, outline);
 }
 
 }  // namespace quadrat::synthesis::trees

@@ -17,7 +17,7 @@
 #include "mesh/pieces.hpp"
 #include "mesh/progressive.hpp"
 #include "mesh/sparse_field.hpp"
-#include "synthesis/trees/crown_ball.hpp"
+#include "synthesis/trees/crown_outline.hpp"
 #include "synthesis/trees/crown_reach.hpp"
 
 namespace quadrat::synthesis::trees {
@@ -382,7 +382,7 @@ std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves, float de
         masses.push_back(coloured(level, density, share));
     }
     if (!masses.empty()) add_fewer_clumps(masses);
-    add_ball(masses, Ball::Of32);
+    add_outline(masses, kRoundOutline);
     return masses;
 }
 

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "scene/colour.hpp"
+#include "scene/tree_parameters.hpp"
 #include "synthesis/trees/species.hpp"
 #include "synthesis/trees/undergrowth.hpp"
 
@@ -118,8 +119,9 @@ scene::Flora make_flora(const scene::TreeParameters& p, base::Seed seed) {
     scene::Flora flora;
     flora.spacing_m = p.tree_spacing_m;
     flora.stand = {
-        p.stand_grove_m,    p.stand_grove_contrast, p.stand_clearings, p.tree_young_share,
-        p.tree_size_spread, p.stand_self_thinning,  p.herb_patch_m,    std::max(1.5F * p.stand_fires - 0.5F, 0.0F)};
+        p.stand_grove_m,        p.stand_grove_contrast, p.stand_clearings, p.tree_young_share,
+        p.tree_size_spread,     p.stand_self_thinning,  p.herb_patch_m,    std::max(1.5F * p.stand_fires - 0.5F, 0.0F),
+        p.stand_even_clearings, p.stand_giants};
     const Wear wear = wear_of(p);
     add_trees(flora, p, seed);
     add_shrubs(flora, p, wear, seed);

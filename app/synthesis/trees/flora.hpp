@@ -2,7 +2,7 @@
 #pragma once
 #include "base/seed.hpp"
 #include "scene/flora.hpp"
-#include "scene/parameters.hpp"
+#include "scene/parameters_fwd.hpp"
 
 namespace quadrat::synthesis::trees {
 

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "scene/colour.hpp"
+#include "scene/tree_parameters.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -22,7 +23,7 @@ constexpr std::array<Dress, 10> kDresses{{
     {0x7F8A58, 0xA3A878, 0x7C7064, 0xA7A468, 0xB59AC8},  // olive
     {0xD2963C, 0xCB6434, 0x54463C, 0xA89E58, 0xC8573F},  // autumn
     {0xD0A94A, 0xA7AE52, 0xC9C2B4, 0x9DA058, 0xE3B04B},  // birch
-    {0x4F7470, 0x7A9A8C, 0x6A5A50, 0x8A9A68, 0xD8D4E6},  // blue conifer
+    {0x557463, 0x809C84, 0x6A5A50, 0x8A9A68, 0xD8D4E6},  // blue conifer
     {0x5E8C3E, 0x8FB048, 0x8A6A50, 0x88AC48, 0xE2604A},  // bright south
     {0x93A65C, 0xE3B9C2, 0x5E4A42, 0x90A860, 0xF0CDD4},  // blossom
     {0xA8603E, 0xC48A4C, 0x5C4C44, 0x94985C, 0xD9C46A},  // copper
@@ -39,13 +40,20 @@ glm::vec3 between(const std::array<std::uint32_t, 6>& hexes, float hue) {
 
 glm::vec3 fruit_colour(float hue) { return between({0x9AA84A, 0xE0B43E, 0xE07A2E, 0xC23A2C, 0x7A3458, 0x44508A}, hue); }
 
-// Toward yellow or toward blue in OKLab; the bluest leaf is a spruce's.
+// Toward yellow or toward blue in OKLab; the bluest leaf is a spruce's. One that has turned does not go back toward
+// blue, nor grey: it would look mouldy.
 glm::vec3 yellower(const glm::vec3& colour, float by) {
-    constexpr float kBluest = -0.012F;
+    constexpr float kBluest = 0.006F;
+    constexpr float kLeastChroma = 0.075F;  // of a leaf that is red
     constexpr float kMostChroma = 0.195F;
     glm::vec3 lab = scene::oklab_from_linear(colour);
+    const float turned = glm::smoothstep(-0.02F, 0.03F, lab.y);
+    if (by < 0) by *= 1 - 0.8F * turned;
     lab.z = std::max(lab.z + 0.045F * by, std::min(lab.z, kBluest));
     lab.y += 0.012F * by;
+    const float grey = std::max(std::hypot(lab.y, lab.z), 1e-4F);
+    const float brighter = std::max(kLeastChroma / grey, 1.0F);
+    lab = {lab.x, lab.y * (1 + turned * (brighter - 1)), lab.z * (1 + turned * (brighter - 1))};
     // A yellow palette and the yellowest gene together would be garish.
     const float chroma = std::hypot(lab.y, lab.z);
     if (chroma > kMostChroma) lab = {lab.x, lab.y * kMostChroma / chroma, lab.z * kMostChroma / chroma};

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "base/seed.hpp"
-#include "scene/parameters.hpp"
+#include "scene/parameters_fwd.hpp"
 #include "synthesis/trees/bark.hpp"
 #include "synthesis/trees/foliage.hpp"
 #include "synthesis/trees/self_organising.hpp"

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/vec2.hpp>
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -112,16 +113,46 @@ glm::vec3 ShadowGrid::way_to_light(const glm::vec3& at) const {
 }
 
 void ShadowGrid::shade_layer(int y, std::span<const Change> changes) {
+    std::size_t shaded = 0;
+    for (const Change& change : changes) {
+        const int q = cell_of(change.at).y - y;
+        if (q >= 0 && q <= shade_.q_max) shaded += static_cast<std::size_t>((2 * q + 1) * (2 * q + 1));
+    }
+    // Of many squares only the corners are written, and summed up over the layer once: the same whole numbers.
+    const bool are_many = shaded > static_cast<std::size_t>(4 * cells_.x * cells_.z);
+    const int stride = cells_.x + 1;
+    std::vector<std::int32_t> corners(are_many ? static_cast<std::size_t>(stride * (cells_.z + 1)) : 0, 0);
+    const auto corner = [&](int x, int z) -> std::int32_t& {
+        return corners[static_cast<std::size_t>(z * stride + x)];
+    };
     for (const Change& change : changes) {
         const glm::ivec3 cell = cell_of(change.at);
         const int q = cell.y - y;
         if (q < 0 || q > shade_.q_max) continue;
         const std::int32_t by = change.is_new ? added_[q] : -added_[q];
-        const int x0 = std::max(cell.x - q, 0);
-        const int x1 = std::min(cell.x + q, cells_.x - 1);
-        for (int z = std::max(cell.z - q, 0); z <= std::min(cell.z + q, cells_.z - 1); ++z) {
+        const glm::ivec2 low{std::max(cell.x - q, 0), std::max(cell.z - q, 0)};
+        const glm::ivec2 high{std::min(cell.x + q + 1, cells_.x), std::min(cell.z + q + 1, cells_.z)};
+        if (low.x >= high.x || low.y >= high.y) continue;
+        if (are_many) {
+            corner(low.x, low.y) += by;
+            corner(high.x, low.y) -= by;
+            corner(low.x, high.y) -= by;
+            corner(high.x, high.y) += by;
+            continue;
+        }
+        for (int z = low.y; z < high.y; ++z) {
             std::int32_t* row = shadow_.data() + flat(0, y, z);
-            for (int x = x0; x <= x1; ++x) row[x] += by;
+            for (int x = low.x; x < high.x; ++x) row[x] += by;
+        }
+    }
+    if (!are_many) return;
+    for (int z = 0; z < cells_.z; ++z) {
+        std::int32_t* row = shadow_.data() + flat(0, y, z);
+        std::int32_t sum = 0;
+        for (int x = 0; x < cells_.x; ++x) {
+            sum += corner(x, z);
+            row[x] += sum;
+            corner(x, z + 1) += corner(x, z);
         }
     }
 }

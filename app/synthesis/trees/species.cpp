@@ -79,6 +79,13 @@ float crown_radius(const TreeSkeleton& skeleton) {
     return std::max(*most, 0.3F);
 }
 
+// A crown of which the usual mass would hold but a little has a thinner one: curtains of a willow.
+std::vector<scene::CrownMass> masses_of(const scene::Leaves& leaves) {
+    constexpr float kEnough = 0.4F;  // of the leaves
+    std::vector<scene::CrownMass> masses = crown_masses(leaves);
+    return masses.empty() || masses.front().share < kEnough ? crown_masses(leaves, kThinCrown) : masses;
+}
+
 scene::Species species_of(TreeSkeleton skeleton, const Form& f, base::Seed seed) {
     const Kind& k = kind(f.habit);
     if (k.blossom > 0) set_organs(skeleton, k.blossom * f.blossom, 0.2F * f.fruit, seed.child("organs"));
@@ -91,7 +98,7 @@ scene::Species species_of(TreeSkeleton skeleton, const Form& f, base::Seed seed)
     const FoliageOptions foliage = foliage_of(f, species);
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
     const bool has_spines = k.own_leaf == LeafKind::Spines;  // its limbs are what is seen of it
-    if (!k.is_rosette && !has_spines) species.masses = crown_masses(species.leaves);
+    if (!k.is_rosette && !has_spines) species.masses = masses_of(species.leaves);
     add_fringe(species.masses);
     if (species.leaves.blades > 0 && !has_spines) add_spindle(species.wood, species.height_m, species.trunk_radius_m);
     set_coarser(species.wood, species.trunk_radius_m);

@@ -89,24 +89,31 @@ int add_shoot(TreeSkeleton& skeleton, const glm::vec3& from, const glm::vec3& ti
     return index;
 }
 
-// Stems from one root, by the golden angle, that fork once; all tips lie on a dome that reaches the ground.
+// Stems from one root, by the golden angle, that fork once. Their tips lie about a dome that reaches the ground, whose
+// lobes keep it from being a ball: a bush is higher on one side, with bays between its boughs.
 TreeSkeleton shrub_skeleton(const ShrubOptions& o, base::Seed seed) {
     TreeSkeleton skeleton;
     base::RandomStream random{seed.child("stems")};
     constexpr int kStems = 10;
     const float h = o.height_m;
     const glm::vec3 dome_m{0.5F * h * (0.45F + 0.6F * o.width), 0.86F * h, 0};
+    const float turn = random.between(0, kTurn_rad);
+    const auto lobes = [turn](float bearing_rad, float steep) {
+        const float beside = 0.24F * std::sin(2 * bearing_rad + turn) + 0.20F * std::sin(3 * bearing_rad + 1.7F * turn);
+        return 1 + (1 - 0.6F * steep) * beside - 0.06F;
+    };
     const auto on_dome = [&](float bearing_rad, float steep, float reach) {
         const float flat = std::sqrt(1 - steep * steep);
-        return reach * (flat * dome_m.x * flat_direction(bearing_rad) + glm::vec3{0, steep * dome_m.y, 0});
+        return reach * lobes(bearing_rad, steep) *
+               (flat * dome_m.x * flat_direction(bearing_rad) + glm::vec3{0, steep * dome_m.y, 0});
     };
     for (int i = 0; i < kStems; ++i) {
         const float bearing = kGoldenAngle_rad * static_cast<float>(i) + random.between(-0.4F, 0.4F);
         const float steep = 1 - (static_cast<float>(i) + 0.4F) / static_cast<float>(kStems);
-        const glm::vec3 tip = on_dome(bearing, steep, random.between(0.8F, 1.05F));
+        const glm::vec3 tip = on_dome(bearing, steep, random.between(0.70F, 1.14F));
         const int stem = add_shoot(skeleton, {0, -0.04F * h, 0}, tip, 0.024F * h, -1);
         const float aside = random.between(0.5F, 0.9F) * (i % 2 == 0 ? 1.0F : -1.0F);
-        const glm::vec3 beside = on_dome(bearing + aside, 0.85F * steep + 0.05F, random.between(0.75F, 1.0F));
+        const glm::vec3 beside = on_dome(bearing + aside, 0.85F * steep + 0.05F, random.between(0.60F, 1.06F));
         add_shoot(skeleton, skeleton.limbs[static_cast<std::size_t>(stem)].nodes[1].at_m, beside, 0.013F * h, stem);
     }
     measure(skeleton);
@@ -294,8 +301,8 @@ scene::Species shrub(const ShrubOptions& o, base::Seed seed) {
     foliage.blades = static_cast<std::size_t>(std::clamp(5.0F * ratio * (0.6F + 0.4F * o.width), 120.0F, 420.0F));
     foliage.length_m = o.leaf_m;
     foliage.width = 1.15F;
-    foliage.scatter_m = 0.26F * o.height_m;
-    foliage.clumping = 0.2F;
+    foliage.scatter_m = 0.19F * o.height_m;
+    foliage.clumping = 0.35F;
     foliage.droop = 0.05F;
     foliage.flower_m = 0.75F * o.leaf_m;
     foliage.colours.leaf = o.leaf;
