@@ -3,10 +3,12 @@
 #include <oneapi/tbb/global_control.h>
 
 #include "genome/recipe.hpp"
+#include "scene/parameters.hpp"
 #include "synthesis/grow.hpp"
 #include "synthesis/land/drainage.hpp"
 #include "synthesis/land/erosion.hpp"
 #include "synthesis/land/field_methods.hpp"
+#include "synthesis/lsystem/map_lsystem.hpp"
 
 namespace {
 
@@ -71,5 +73,16 @@ void finished_land(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(grow_land(p.land, recipe.seeds[genome::Aspect::Land]).albedo);
 }
 BENCHMARK(finished_land)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void a_map_of_cells(benchmark::State& state) {
+    const lsystem::MapGrammar grammar = lsystem::library_map("map-cross");
+    const std::vector<glm::vec2> square = lsystem::regular_outline(4);
+    const auto steps = static_cast<int>(state.range(0));
+    std::size_t cells = 0;
+    for (auto _ : state)
+        cells = lsystem::derive_map(grammar, square, {.steps = steps, .chance = 0.5F}, base::Seed{1}).cells.size();
+    state.counters["cells"] = static_cast<double>(cells);
+}
+BENCHMARK(a_map_of_cells)->Arg(8)->Arg(12)->Unit(benchmark::kMillisecond);
 
 }  // namespace

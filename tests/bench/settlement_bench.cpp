@@ -3,6 +3,7 @@
 // 100).
 #include <benchmark/benchmark.h>
 
+#include "scene/land_parameters.hpp"
 #include "synthesis/compose/gardens.hpp"
 #include "synthesis/compose/settlers.hpp"
 #include "synthesis/grow.hpp"
@@ -21,8 +22,8 @@ using namespace quadrat::synthesis;
 const scene::Land& wild() {
     static const scene::Land kWild = [] {
         scene::LandParameters level;
-        level.land_relief_m = 60;
-        level.land_sea_level = 0.05F;
+        level.land_relief_m = 15;
+        level.land_sea_level = 0.0F;
         return grow_land(level, base::Seed{11});
     }();
     return kWild;
@@ -31,6 +32,10 @@ const scene::Land& wild() {
 scene::LandParameters aged(const benchmark::State& state) {
     scene::LandParameters p;
     p.settle_age = 0.01F * static_cast<float>(state.range(0));
+    if (state.range(0) < 100) return p;
+    // A town that has all of its houses is dense.
+    p.settle_density = 1;
+    p.settle_house_size = 0.8F;
     return p;
 }
 

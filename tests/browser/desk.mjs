@@ -227,7 +227,8 @@ test('a curator changes by keyboard what is said, sees it drawn, and takes it ba
   await page.getByLabel('attract', { exact: true }).fill('Venez voir <b>ceci</b>');
   await page.getByRole('button', { name: 'Show it: attract' }).focus();
   await page.keyboard.press('Enter');
-  await until('the preview', () => page.evaluate(() => document.querySelector('#preview img').naturalWidth > 0));
+  // Whoever holds a button for long plays with one, and is waited for the longer.
+  await until('the preview', () => page.evaluate(() => document.querySelector('#preview img').naturalWidth > 0), 180000);
   await picture(page, 'curator-preview');
   await page.locator('#preview img').screenshot({ path: 'pictures/preview.png' });
   assert.deepEqual(await findings(page), []);
@@ -249,6 +250,36 @@ test('a curator changes by keyboard what is said, sees it drawn, and takes it ba
   await page.goto(`${stage.url}/curator/visit`);
   assert.equal(await page.getByLabel('Rounds').inputValue(), '6');
   await page.close();
+});
+
+test('a preview waits while somebody plays and says so, in every language', async () => {
+  const visit = ['at 3s press A', ...Array.from({ length: 20 }, () => 'after 4s press A')].join('\n');
+  const played = await Stage.open(`${visit}\nwait 3000s\n`, '[visit]\npatience_s = 5\ncountdown_s = 2\nfinale_s = 5\ndescribe_words = 0\n');
+  try {
+    const page = await played.newPage();
+    await played.logIn(page);
+    await until('a visitor', () => played.processes[0].said.includes('a visit begins'));
+    const said = new Set();
+    for (const [code, waits] of [['ar', 'هناك من يلعب'], ['de', 'Gerade spielt jemand'], ['es', 'Alguien está jugando'],
+                                 ['fr', 'Quelqu’un joue'], ['xh', 'Kukho umntu odlalayo'], ['en', 'Somebody is playing']]) {
+      await page.locator(`a[hreflang="${code}"]`).click();
+      await page.goto(`${played.url}/curator/texts?in=fr`);
+      await page.locator('button[value="text.attract"]').click();
+      await page.locator('#preview').getByRole('status').filter({ hasText: waits }).waitFor();
+      said.add(await page.locator('#preview-state').textContent());
+      assert.equal(await page.evaluate(() => document.querySelector('#preview img').naturalWidth), 0, 'nothing is drawn meanwhile');
+      assert.equal(await page.locator('#preview img').isVisible(), false, 'and no broken picture is seen');
+      await picture(page, `curator-waits-${code}`);
+      assert.deepEqual(await findings(page), [], code);
+    }
+    assert.equal(said.size, 6);
+    await until('the preview', () => page.evaluate(() => document.querySelector('#preview img').naturalWidth > 0), 120000);
+    assert.equal(await page.locator('#preview-state').textContent(), 'As visitors would see it. Nothing is saved yet.');
+    assert.ok(await page.locator('#preview img').isVisible());
+    await page.close();
+  } finally {
+    await played.close();
+  }
 });
 
 test('what cannot be is said once, and what was written stays', async () => {

@@ -73,7 +73,8 @@ function plainPng(width, height) {
 }
 
 export class Stage {
-  static async open() {
+  // `visit`: what its visitor presses; `settings`: what its site says besides.
+  static async open(visit = 'at 2s press B\nafter 1s hold C for 3000s\n', settings = '') {
     const stage = new Stage();
     stage.folder = mkdtempSync(join(tmpdir(), 'quadrat-browser-'));
     stage.state = join(stage.folder, 'state');
@@ -81,7 +82,7 @@ export class Stage {
     stage.port = await freePort();
     stage.url = `http://127.0.0.1:${stage.port}`;
     stage.processes = [];
-    stage.write();
+    stage.write(visit, settings);
     await stage.setPassphrase();
     stage.start('run', '--display', 'headless', '--size', '640x360', '--input', `script:${join(stage.folder, 'visit.script')}`,
                 '--seed', '5', '--speed', '1.001');
@@ -99,13 +100,13 @@ export class Stage {
     return stage;
   }
 
-  write() {
+  write(visit, settings) {
     const inFolder = (name, text) => writeFileSync(join(this.folder, name), text);
     inFolder('quadrat.toml', `[picture]\nland_samples = 65\n[desk]\nlisten = "127.0.0.1:${this.port}"\n` +
              `[fleet]\nname = "Foyer, 2nd floor"\nbroker = "mqtt://127.0.0.1:1883"\nuser = "exhibit"\n` +
-             `password_file = "${join(this.folder, 'password')}"\n`);
+             `password_file = "${join(this.folder, 'password')}"\n${settings}`);
     inFolder('password', `${secret}\n`);
-    inFolder('visit.script', 'at 2s press B\nafter 1s hold C for 3000s\n');
+    inFolder('visit.script', visit);
     inFolder('exhibit.log', Array.from({ length: 300 }, (_, i) => `2026-11-26 11:${String(i % 60).padStart(2, '0')}:00 line ${i}\n`).join('') +
              `<script>document.title = 'attacked'</script>\nthe broker refuses ${secret}\npassword=open-sesame\n`);
     const at = 1795680000;

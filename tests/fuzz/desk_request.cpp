@@ -62,7 +62,8 @@ Curator curator_for(Done& done, std::string_view bytes) {
         using Kind = Entry::Kind;
         for (const Kind kind :
              {Kind::Line, Kind::Lines, Kind::Number, Kind::Tick, Kind::Choice, Kind::Day, Kind::Range})
-            form.groups.push_back({any, any, {{kind, any, any, any, any, any, any, {{any, any}}, 0, 1, 1, any, true}}});
+            form.groups.push_back(
+                {any, any, {{kind, any, any, any, any, any, any, {{any, any}}, 0, 1, 1, any, any, any, true}}});
         for (const auto& [name, value] : query) form.kept.emplace(name, value);
         return form;
     };
@@ -78,6 +79,7 @@ Curator curator_for(Done& done, std::string_view bytes) {
     };
     some.ask_preview = [&done](const Fields&, const std::string&) { ++done.acts; };
     some.landscape = [](const std::string&) { return std::nullopt; };
+    some.postcard = [](const std::string&) { return std::nullopt; };
     some.preview = [] { return std::nullopt; };
     return some;
 }

@@ -23,7 +23,7 @@ class Refused : public testing::TestWithParam<BadInput> {};
 void make_inputs(const TemporaryFolder& folder) {
     folder.write("bad.script", "at 2s press A\nat 3s prod B\n");
     folder.write("bad.toml", "[visit]\nrounds = \"six\"\n");
-    folder.write("unknown.toml", "[visit]\nturns = 6\n");
+    folder.write("unknown.toml", "[visit]\nround = 6\n");
     folder.write("mole.toml", "[picture]\nground = \"mole\"\n");
     folder.write("broken.toml", "[visit\nrounds = 6\n");
     folder.write("broken.json", "{\"quadrat\":\"scene\",\n \"version\":1,,}");
@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{
             "ConfigurationType", run_with({"--config", "bad.toml"}), {"bad.toml:2", "visit.rounds", "whole number"}},
         BadInput{
-            "ConfigurationKey", run_with({"--config", "unknown.toml"}), {"unknown.toml:2", "visit.turns", "rounds"}},
+            "ConfigurationKey", run_with({"--config", "unknown.toml"}), {"unknown.toml:2", "visit.round", "rounds"}},
         BadInput{"ConfigurationSyntax", run_with({"--config", "broken.toml"}), {"broken.toml:1"}},
         BadInput{"MissingConfiguration", run_with({"--config", "none.toml"}), {"none.toml"}},
         BadInput{"Size", {"run", "--display", "headless", "--size", "12x"}, {"12x"}},

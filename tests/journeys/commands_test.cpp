@@ -180,7 +180,7 @@ void describe_a_landscape(const TemporaryFolder& folder, const std::string& answ
                  "[picture]\nland_samples = 65\n[visit]\nrounds = 1\ndescribe_every = 1\nlanguage = \"xh\"\n");
     folder.write("visit.script",
                  "at 2s press A\nafter 2s press A\nafter 2s press B\nafter 2s press C\n"
-                 "after 4s press A\nafter 2s press " +
+                 "after 4s press D\nafter 2s press " +
                      answer + "\nafter 2s press " + answer + "\nafter 2s press " + answer + "\n");
     const Ended ended = run(program({"run", "--config", "one.toml", "--display", "headless", "--size", "64x64",
                                      "--input", "script:visit.script", "--state", "state", "--seed", "3"}),

@@ -123,6 +123,10 @@ TEST_F(CuratorsDesk, ChoosesAmongWhatVisitorsBred) {
     }
     EXPECT_THAT(ask("GET", picture), HasSubstr("\x89PNG"));
     const std::string id = picture.substr(19, 16);
+    const std::string card = ask("GET", "/curator/postcard/" + id + ".png");
+    EXPECT_THAT(card, HasSubstr("\x89PNG"));
+    EXPECT_THAT(card, HasSubstr("Content-Disposition: attachment; filename=\"quadrat-" + id + ".png\""));
+    EXPECT_THAT(ask("GET", "/curator/collection"), HasSubstr("/curator/postcard/" + id));
     EXPECT_THAT(post("/collection", "show." + id + "=favourite"), HasSubstr("done=saved"));
     EXPECT_THAT(curated(), HasSubstr("favourites = [\n    'Q"));
     // What the exhibit kept of late is gone with the power; what was chosen is not.

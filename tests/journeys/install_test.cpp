@@ -280,7 +280,7 @@ TEST(Install, KeyboardsLoseTheirPowerKeysAfterSystemdHasGivenThemThese) {
 
 // A broken partition is worth no black screen. StateDirectory= and its like make systemd require the mount.
 TEST(Install, NoServiceRequiresThePartitionOfWhatVisitorsDid) {
-    for (const char* name : {"quadrat.service", "quadrat-fleet.service"}) {
+    for (const char* name : {"quadrat.service", "quadrat-fleet.service", "quadrat-projector.service"}) {
         const std::string unit = contents_of(QUADRAT_SOURCE_DIR "/deploy/system/" + std::string(name));
         for (const char* requires_it : {"\nStateDirectory=", "\nCacheDirectory=", "\nLogsDirectory=",
                                         "\nWorkingDirectory=", "\nRequires", "\nBindsTo=", "\nRequisite="})
@@ -318,7 +318,7 @@ TEST(Install, EveryServiceIsShutIn) {
         EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
         EXPECT_THAT(ended.out, HasSubstr("Overall exposure level for " + entry.path().filename().string()));
     }
-    EXPECT_EQ(services, 7);
+    EXPECT_EQ(services, 8);
     const std::string unit = contents_of(QUADRAT_SOURCE_DIR "/deploy/system/quadrat.service");
     for (const char* line :
          {"ProtectSystem=strict", "NoNewPrivileges=yes", "DevicePolicy=closed", "SystemCallFilter=@system-service",

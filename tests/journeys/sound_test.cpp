@@ -15,7 +15,8 @@ namespace {
 using namespace quadrat::tests;
 using testing::HasSubstr;
 
-constexpr const char* kShort = "[picture]\nland_samples = 65\n[visit]\nrounds = 1\ndescribe_every = 1\n";
+constexpr const char* kShort =
+    "[picture]\nland_samples = 65\n[visit]\nrounds = 1\ndescribe_every = 1\nfamily = false\n";
 
 std::vector<std::string> play_words(const std::string& speed) {
     std::vector<std::string> words{"run",       "--config", "site.toml",

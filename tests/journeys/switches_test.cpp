@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <regex>
+#include <sstream>
 
 #include "journeys/quadrat_program.hpp"
 #include "journeys/state_database.hpp"
@@ -17,7 +18,8 @@ using testing::ElementsAre;
 Ended play(const TemporaryFolder& folder, const std::string& settings, const std::string& script) {
     folder.write(
         "site.toml",
-        "[picture]\nland_samples = 65\n[visit]\nrounds = 1\ndescribe_every = 1\ndescribe_words = 1\n" + settings);
+        "[picture]\nland_samples = 65\n[visit]\nrounds = 1\ndescribe_every = 1\ndescribe_words = 1\nfamily = false\n" +
+            settings);
     folder.write("visit.script", script);
     return run(program({"run", "--config", "site.toml", "--display", "headless", "--size", "320x180", "--input",
                         "script:visit.script", "--state", "state", "--capture", "pictures", "--seed", "7"}),
@@ -89,6 +91,26 @@ TEST(FourButtons, AreAsTheyWereWhereNobodyMayHold) {
     expect_a_whole_visit(folder, ended);
     EXPECT_THAT(heard(ended.err), ElementsAre("D", "A", "B", "C", "A", "D"));
     EXPECT_EQ(count_of(ended.err, "played with"), 0U);
+}
+
+double rounds_a_minute(const std::string& table, const std::string& name) {
+    const std::size_t at = table.find(name);
+    if (at == std::string::npos) return 0;
+    std::istringstream row(table.substr(at + name.size(), table.find('\n', at) - at - name.size()));
+    double minutes = 0, rate = 0;
+    row >> minutes >> rate;
+    return rate;
+}
+
+TEST(Simulate, TellsHowManyRoundsAMinuteArePlayedWithSwitches) {
+    const TemporaryFolder folder;
+    const Ended told = run(program({"simulate", "--switches", "--visitors", "10", "--rounds", "3"}), folder);
+    ASSERT_TRUE(succeeds(told));
+    const double four = rounds_a_minute(told.out, "four buttons"), quick = rounds_a_minute(told.out, "pace_s = 1.0"),
+                 slow = rounds_a_minute(told.out, "pace_s = 3.0");
+    EXPECT_GT(four, quick) << told.out;
+    EXPECT_GT(quick, slow) << told.out;
+    EXPECT_GT(slow, 0.5) << told.out;
 }
 
 }  // namespace

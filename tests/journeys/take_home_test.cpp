@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 #include <thread>
 
 #include "journeys/quadrat_program.hpp"
@@ -83,6 +84,58 @@ TEST(TakeHome, APostcardIsReadFromPaperAndDrawsItsLandscapeAgain) {
     EXPECT_EQ(code_of("card.png", folder), code_of("seed:7", folder)) << "it carries its scene";
     EXPECT_EQ(run(program({"postcard", "seed:7", "-o", "card.jpg"}), folder).status, 2);
     EXPECT_EQ(run(program({"postcard", "nothing.json", "-o", "card.png"}), folder).status, 2);
+}
+
+TEST(TakeHome, APageHasThePostcardThatTheFinalesCodeLeadsTo) {
+    const TemporaryFolder folder;
+    const std::string page_address = "https://museum.example/quadrat/#";
+    folder.write("site.toml",
+                 "[picture]\nland_samples = 65\nalpha = 0.1\n[visit]\nrounds = 1\nfinale_s = 5\ndescribe_words = 0\n"
+                 "family = false\n[take_home]\nurl = \"" +
+                     page_address + "\"\n[postcard]\nplace = \"Museum\"\n");
+    folder.write("visit.script", "at 2s press A\nafter 3s press B\nafter 3s press C\nafter 3s press D\nwait 900s\n");
+    // On the machine's own clock: what was bred is kept by who has time for it.
+    Process exhibit(program({"run", "--config", "site.toml", "--display", "headless", "--size", "640x360", "--input",
+                             "script:visit.script", "--state", "state", "--seed", "5", "--speed", "1.001", "--capture",
+                             "pictures"}),
+                    folder.path());
+    const auto has_card = [&] {
+        std::error_code none;
+        for (const auto& file : std::filesystem::directory_iterator(folder / "state/bred", none))
+            if (file.path().string().ends_with(".card.png")) return true;
+        return false;
+    };
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds{kIsSanitized ? 400 : 120};
+    while (exhibit.is_running() && !has_card() && std::chrono::steady_clock::now() < until)
+        std::this_thread::sleep_for(std::chrono::milliseconds{100});
+    ASSERT_TRUE(has_card()) << contents_of(folder / "stderr.txt");
+    exhibit.kill(SIGTERM);
+    EXPECT_TRUE(succeeds(exhibit.wait()));
+    const auto page = [&](const std::string& language) {
+        return run(program({"cards", "-o", "page", "--state", "state", "--language", language, "--place", "A & B"}),
+                   folder);
+    };
+    const Ended made = page("fr");
+    ASSERT_TRUE(succeeds(made));
+    EXPECT_THAT(made.out, HasSubstr("page/index.html: 1 landscapes\n"));
+    const std::string html = contents_of(folder / "page/index.html");
+    const std::string code = code_of("pictures/finale-01.png", folder);
+    EXPECT_THAT(html, HasSubstr("<figure id=\"" + code + "\">")) << "where its code leads";
+    EXPECT_THAT(html, HasSubstr("<html lang=\"fr\" dir=\"ltr\">"));
+    EXPECT_THAT(html, HasSubstr("<h1>A &amp; B</h1>"));
+    EXPECT_THAT(html, testing::Not(HasSubstr("<script"))) << "any server, or none, will do";
+    EXPECT_THAT(html, testing::Not(testing::ContainsRegex("(src|href)=\"[^\"]*:")));
+    const std::size_t link = html.find("<a href=\"") + 9;
+    const std::string card = html.substr(link, html.find('"', link) - link);
+    EXPECT_EQ(run({"zbarimg", "--quiet", "--raw", "page/" + card}, folder).out, page_address + code + "\n");
+    // Made anew, what has gone goes, and nothing of anybody else's.
+    folder.write("page/0123456789abcdef.card.png", "of another day");
+    folder.write("page/logo.png", "the museum's");
+    ASSERT_TRUE(succeeds(page("ar")));
+    EXPECT_THAT(contents_of(folder / "page/index.html"), HasSubstr("<html lang=\"ar\" dir=\"rtl\">"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "page/0123456789abcdef.card.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "page/logo.png"));
+    EXPECT_EQ(run(program({"cards", "-o", "site.toml", "--state", "state"}), folder).status, 2);
 }
 
 TEST(TakeHome, ACodeThatWasMisreadIsToldInOneLine) {

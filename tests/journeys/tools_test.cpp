@@ -59,6 +59,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Writer{"ExportGlb", "a.glb", {"export", "seed:3", "-o", "a.glb", "--what", "tree"}},
                     Writer{"FieldStreams", "a.exr", {"field", "streams", "-o", "a.exr", "--size", "129"}},
                     Writer{"Lsystem", "a.svg", {"lsystem", "bush", "-o", "a.svg"}},
+                    Writer{"LsystemMap", "a.svg", {"lsystem", "map-leaf", "-o", "a.svg"}},
+                    Writer{"Tiles", "a.obj", {"tiles", "ruin", "-o", "a.obj"}},
                     Writer{"LsystemText", "a.txt", {"lsystem", "bush", "-o", "a.txt"}},
                     Writer{
                         "SimulatePlot", "a.svg", {"simulate", "--visitors", "4", "--rounds", "60", "--plot", "a.svg"}}),
@@ -180,6 +182,8 @@ TEST(Text, FromOutsideIsReadInOneWay) {
     const TemporaryFolder folder;
     const std::vector<std::pair<std::string, std::vector<std::string>>> readers{
         {"a.lsys", {"lsystem", "a.lsys"}},
+        {"a.map", {"lsystem", "a.map"}},
+        {"a.tiles", {"tiles", "a.tiles"}},
         {"a.json", {"render", "a.json", "-o", "out.png"}},
         {"b.json", {"export", "b.json", "-o", "out.obj"}},
         {"own.json", {"words", "own", "own.json"}},
@@ -212,6 +216,32 @@ TEST(Grammars, OfABookDrawWhatTheBookDraws) {
     EXPECT_EQ(count_of(svg, "<line "), 255U);
     EXPECT_EQ(count_of(svg, "<circle "), 0U);
     EXPECT_THAT(svg, HasSubstr("<title>Hilbert&#39;s &lt;curve&gt; &amp; more</title>"));
+}
+
+TEST(Grammars, OfCellsDrawAPolygonACell) {
+    const TemporaryFolder folder;
+    folder.write("own.map", "map: four & more\nsteps: 2\nstart: A B A B\nA -> B[-A][+A]B\nB -> A\n");
+    ASSERT_TRUE(succeeds(run(program({"lsystem", "own.map", "-o", "a.svg"}), folder)));
+    const std::string svg = contents_of(folder / "a.svg");
+    EXPECT_EQ(count_of(svg, "<polygon "), 4U);
+    EXPECT_THAT(svg, HasSubstr("<title>four &amp; more</title>"));
+    EXPECT_EQ(count_of(run(program({"lsystem", "own.map", "--steps", "5"}), folder).out, "\n"), 32U);
+    folder.write("own.map", "map: m\nstart: A B A B\nA -> B[*A]B\n");
+    EXPECT_THAT(run(program({"lsystem", "own.map"}), folder).err, HasSubstr("own.map:3:8: '*' stands where"));
+    EXPECT_THAT(run(program({"lsystem", "map-leaf", "-o", "a.glb"}), folder).err, HasSubstr(".txt or .svg"));
+    EXPECT_THAT(run(program({"lsystem", "bush", "--pull", "2"}), folder).err, HasSubstr("are of maps of cells"));
+}
+
+TEST(Tiles, AreMadeAfterAnExampleOrRefusedByPlace) {
+    const TemporaryFolder folder;
+    folder.write("own.tiles", "....\n.##.\n.##.\n....\n");
+    const Ended made = run(program({"tiles", "own.tiles", "--size", "9x7x1"}), folder);
+    EXPECT_TRUE(succeeds(made));
+    EXPECT_EQ(count_of(made.out, "\n"), 7U);
+    EXPECT_THAT(run(program({"tiles", "own.tiles", "--size", "9x7"}), folder).err, HasSubstr("write EASTxSOUTHxUP"));
+    folder.write("own.tiles", "..\n. .\n");
+    EXPECT_THAT(run(program({"tiles", "own.tiles"}), folder).err, HasSubstr("own.tiles:2:4: a row of 3 tiles"));
+    EXPECT_THAT(run(program({"tiles", "temple"}), folder).err, HasSubstr("quadrat tiles --list names"));
 }
 
 TEST(CommandLine, AMistakeNamesTheHelpOfItsSubcommand) {

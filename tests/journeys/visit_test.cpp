@@ -35,7 +35,7 @@ std::string lively_visit() {
            "after 1500ms press C\nafter 1500ms press C\n" +  // 16, 17
            round_of("D", "D", "D") +                         // 18-20
            round_of("B", "A", "B") +                         // 21-23
-           "after 9s press A\n"                              // 24: in the finale: back to the start
+           "after 9s press D\n"                              // 24: in the finale: done, back to the start
            "after 3s press B\n" +                            // 25: another visitor
            round_of("A", "B", "C") +                         // 26-28
            "after 1500ms press D\nafter 1500ms press D\n";   // 29, 30; then they walk away
@@ -43,7 +43,9 @@ std::string lively_visit() {
 
 Ended play(const TemporaryFolder& folder, const std::vector<std::string>& more) {
     folder.write("visit.script", lively_visit());
-    folder.write("small.toml", "[picture]\nland_samples = 129\n");
+    const std::string six_rounds = "[visit]\nrounds_early = 0\nrounds_more = 0\n";
+    folder.write("six.toml", six_rounds);
+    folder.write("small.toml", "[picture]\nland_samples = 129\n" + six_rounds);
     std::vector<std::string> command{
         "run",     "--display", "headless",  "--size",   "320x180", "--input", "script:visit.script",
         "--state", "state",     "--capture", "pictures", "--seed",  "7"};
@@ -53,7 +55,7 @@ Ended play(const TemporaryFolder& folder, const std::vector<std::string>& more) 
 
 TEST(Visit, ThirtyPressesPlayAWholeVisitAndLeaveStatePicturesAndLogAsTheyShould) {
     const TemporaryFolder folder;
-    const Ended ended = play(folder, {});
+    const Ended ended = play(folder, {"--config", "six.toml"});
     ASSERT_EQ(ended.status, 0) << ended.err;
 
     // The log: every press was heard once, bounces and all.

@@ -42,6 +42,9 @@ class FallingDrops : public Stage {
         sky->haze_colour = sky->haze_sunward = glm::vec3{0};
         for (scene::CloudLayer& layer : sky->clouds) layer.opacity = 0;
         falling.sky = sky;
+        auto cold = std::make_shared<scene::Land>(*falling.land);
+        cold->snow_line_m = 0;  // on other land no snow falls
+        falling.land = cold;
         scene::Scene dry = falling;
         auto dry_sky = std::make_shared<scene::Sky>(*sky);
         dry_sky->precipitation = {};
@@ -67,6 +70,17 @@ class FallingDrops : public Stage {
 TEST_F(FallingDrops, OfRainAreFewerInLessDetailAndAsBright) { expect_as_bright(Hour::Storm); }
 
 TEST_F(FallingDrops, OfSnowAreFewerInLessDetailAndAsBright) { expect_as_bright(Hour::Snow); }
+
+TEST_F(FallingDrops, OfSnowAreNoneWhereTheLineOfSnowIsFarAbove) {
+    scene::Scene scene = *handmade_scene(Hour::Snow, Ground::Meadow);
+    const scene::Camera camera = scene.track.cameras.front();
+    for (const bool is_cold : {true, false}) {
+        auto land = std::make_shared<scene::Land>(*scene.land);
+        land->snow_line_m = scene.floor_m + (is_cold ? 150.0F : 300.0F);
+        scene.land = land;
+        EXPECT_EQ(seen(uploaded(std::make_shared<scene::Scene>(scene)), camera, 1).triangles > 0, is_cold);
+    }
+}
 
 }  // namespace
 }  // namespace quadrat::tests

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the audience sees, screen by screen, with a site's settings:
 //     screens_sheet 1920x1080 FOLDER [SETTINGS.toml]
-// leaves a picture of each in the folder: every question, with the mark on each choice, captions, labels, the finale;
+// leaves a picture of each in the folder: every question, with the mark on each choice, captions, labels, the finale,
+// what it offers, the family tree, the card of a closed house;
 // one of them also as people see it who lack a kind of cone.
 #include <fmt/core.h>
 
@@ -13,6 +14,8 @@
 #include "genome/speech.hpp"
 #include "pictures/picture.hpp"
 #include "stage/easel.hpp"
+#include "stage/spoken.hpp"
+#include "stage/stage.hpp"
 #include "support/colour_vision.hpp"
 
 namespace {
@@ -62,12 +65,37 @@ class Screens {
         draw("language", Screen::Language, one_);
         asked_.reset();
         draw("still-there", Screen::StillThere, four_);
+        draw_company();
     }
 
   private:
-    void draw(const std::string& name, Screen screen, const stage::Cast& cast,
-              const std::optional<stage::Scanned>& scanned = std::nullopt,
-              base::Instant now = std::chrono::seconds{7}) {
+    // What groups are told, what a finale offers, the family tree, what breeds on, and the card of a closed house.
+    void draw_company() {
+        timings_.turns = exhibit::TakingTurns::Always;
+        draw("turns", Screen::Ask, four_);
+        timings_ = {};
+        timings_.can_breed_on = timings_.can_print = true;
+        draw("breed-on", Screen::Attract, one_);
+        family_ = {{-1, {}, true}};
+        for (int round = 0; round < 4; ++round) {
+            exhibit::Ancestor next{round, {}, round < 3};
+            next.pick.each = {round % 4, (round + 1) % 4, (round + 1) % 4};
+            family_.push_back(next);
+        }
+        family_.push_back({1, family_.back().pick, true});
+        const stage::Spoken spoken(configuration_);
+        for (const auto& [name, screen] : {std::pair{"finale-asks", Screen::Finale}, {"family", Screen::Family}}) {
+            exhibit::State state = state_of(screen);
+            asked_ = stage::asked_of(state, timings_, spoken, std::nullopt);
+            draw(name, screen, one_,
+                 screen == Screen::Finale ? std::nullopt : std::optional(stage::Scanned{exhibit::Choice::D, "", true}));
+        }
+        asked_.reset();
+        board_ = stage::Board{site::text(configuration_, "closed"), {}, stage::Board::Cover::Tint, false, "closed"};
+        draw("closed", Screen::Attract, one_);
+        board_.reset();
+    }
+    exhibit::State state_of(Screen screen) const {
         exhibit::State state;
         state.screen = screen;
         state.question = genome::Aspect::Land;
@@ -75,8 +103,19 @@ class Screens {
         genome::Pick chosen;
         chosen.each = {1, 0, 3};
         if (screen == Screen::Breed) state.past_answers = {chosen};
-        const exhibit::Timings timings;
-        stage::StageView view{state, timings, cast, flash_, 0.5F, now, caption_};
+        if (family_.empty()) return state;
+        state.finale_asks = true;
+        state.family = family_;
+        state.here = 4;
+        state.walked = screen == Screen::Family ? 1 : 4;
+        return state;
+    }
+    void draw(const std::string& name, Screen screen, const stage::Cast& cast,
+              const std::optional<stage::Scanned>& scanned = std::nullopt,
+              base::Instant now = std::chrono::seconds{7}) {
+        const exhibit::State state = state_of(screen);
+        stage::StageView view{state, timings_, cast, flash_, 0.5F, now, caption_};
+        view.board = board_ ? &*board_ : nullptr;
         view.asked = asked_ ? &*asked_ : nullptr;
         view.scanned = scanned ? &*scanned : nullptr;
         const std::string address = configuration_.take_home.url + genome::code_of(genome::Recipe{});
@@ -97,6 +136,9 @@ class Screens {
     stage::Cast four_, one_;
     std::string caption_;
     std::optional<stage::Asked> asked_;
+    exhibit::Timings timings_;
+    std::vector<exhibit::Ancestor> family_;
+    std::optional<stage::Board> board_;
     const std::optional<stage::Flash> flash_;
 };
 

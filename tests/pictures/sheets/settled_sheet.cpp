@@ -18,7 +18,7 @@
 #include "pictures/image_file.hpp"
 #include "pictures/picture.hpp"
 #include "pictures/weather.hpp"
-#include "scene/parameters.hpp"
+#include "scene/land_parameters.hpp"
 #include "stage/easel.hpp"
 #include "synthesis/grow.hpp"
 
@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
     recipe.flight = seed.child("flight");
     set_all(recipe, extra);
     const scene::Land land =
-        synthesis::grow_land(scene::realise(recipe.values).land, recipe.seeds[genome::Aspect::Land]);
+        synthesis::grow_land(scene::realise_land(recipe.values), recipe.seeds[genome::Aspect::Land]);
     fmt::print("{} houses, {} triangles, {} bounds\n", land.settlement.houses.size(), land.settlement.triangles(),
                land.settlement.bounds.size());
     picture.scenes = {recipe};

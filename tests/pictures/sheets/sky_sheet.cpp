@@ -100,7 +100,7 @@ int measure(std::uint64_t count) {
         picture.land_samples = 129;
         const auto scene = nursery::grow(picture.scenes[0], pictures::fineness_of(picture.land_samples));
         const tests::Exposure e = tests::exposure_of(easel.draw(picture, nursery::Scenes{scene}));
-        const bool is_night = picture.scenes[0].values[genome::ParameterId::night_share] > 0;
+        const bool is_night = picture.scenes[0].values[*genome::parameter_named("night.share")] > 0;
         std::string fault = tests::not_finite(*scene->sky, scene->exposure);
         if (fault.empty()) fault = tests::fault_of(e, is_night);
         if (!fault.empty()) fmt::print("seed:{} {}: {}\n", seed, is_night ? "night" : "day", fault);

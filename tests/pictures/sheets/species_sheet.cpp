@@ -7,7 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include "genome/parameter_ids.hpp"
 #include "pictures/picture.hpp"
+#include "scene/parameters.hpp"
 #include "stage/easel.hpp"
 #include "synthesis/compose/light.hpp"
 #include "synthesis/compose/openness.hpp"

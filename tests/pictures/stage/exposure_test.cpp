@@ -21,7 +21,7 @@ TEST(Pictures, OfRandomGenomesAreNeitherBurntOutNorBlack) {
         picture.width = 320;
         picture.height = 180;
         picture.land_samples = 129;
-        const bool is_night = picture.scenes[0].values[genome::ParameterId::night_share] > 0;
+        const bool is_night = picture.scenes[0].values[*genome::parameter_named("night.share")] > 0;
         const auto scene = nursery::grow(picture.scenes[0], pictures::fineness_of(picture.land_samples));
         EXPECT_EQ(tests::not_finite(*scene->sky, scene->exposure), "") << "seed:" << seed;
         EXPECT_EQ(tests::fault_of(tests::exposure_of(easel.draw(picture, nursery::Scenes{scene})), is_night), "")

@@ -10,6 +10,8 @@
 #include <iostream>
 #include <string>
 
+#include "genome/parameter_ids.hpp"
+#include "scene/parameters.hpp"
 #include "stage/easel.hpp"
 #include "support/effort.hpp"
 #include "unit/synthesis/scenes.hpp"

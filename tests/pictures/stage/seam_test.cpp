@@ -12,8 +12,10 @@
 #include <optional>
 #include <vector>
 
+#include "genome/parameter_ids.hpp"
 #include "genome/recipe.hpp"
 #include "pictures/stage.hpp"
+#include "scene/parameters.hpp"
 #include "support/effort.hpp"
 #include "synthesis/compose/view_rays.hpp"
 #include "synthesis/grow.hpp"

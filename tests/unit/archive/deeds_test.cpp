@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "genome/scene_code.hpp"
 
 namespace quadrat::archive {
 namespace {
@@ -18,8 +19,20 @@ TEST(Deeds, AreReadAsTheyWereWritten) {
     EXPECT_EQ(deeds_from(""), std::vector<Deed>{});
 }
 
+TEST(Deeds, BeginWithTheLandscapeThatAVisitWasBredOnFrom) {
+    const std::string code = genome::code_of(genome::random_recipe(base::Seed{1}));
+    genome::Pick pick;
+    pick[genome::Aspect::Sky] = 2;
+    const std::vector<Deed> deeds = deeds_of(code, {pick, {}});
+    EXPECT_EQ(to_text(deeds), "=" + code + " --C ---");
+    EXPECT_EQ(deeds_from(to_text(deeds)), deeds);
+    EXPECT_EQ(picks_of(deeds), (std::vector<genome::Pick>{pick, {}}));
+    EXPECT_EQ(deeds_of("", {pick}).size(), 1U);
+}
+
 TEST(Deeds, AreNotReadFromAnythingElse) {
-    for (const char* text : {"AB", "ABCD", "ABE", "abc", "7", "7*", "+", "99999999999+", " ABC", "ABC  ABC", "{}"})
+    for (const char* text :
+         {"=", "=Q1-", "=ABC", "AB", "ABCD", "ABE", "abc", "7", "7*", "+", "99999999999+", " ABC", "ABC  ABC", "{}"})
         EXPECT_THROW(deeds_from(text), base::InputError) << text;
 }
 

@@ -65,6 +65,21 @@ TEST_F(ABackup, ThatIsPackedAnewIsRestored) {
     EXPECT_FALSE(fs::exists(machine / "words.json")) << "there was none in it";
 }
 
+TEST_F(ABackup, HasThePicturesOfWhatWasChosen) {
+    fs::create_directory(site / "state/collection");
+    site.write("state/collection/0123456789abcdef.png", "a picture");
+    site.write("state/collection/0123456789abcdef.code", "a code\nfrom hall-2\n");
+    site.write("state/collection/notes.txt", "somebody else's");
+    write_backup({site / "state", "", archive::WallTime{}}, site / "site.tar.xz", kUnheard);
+    fs::create_directory(machine / "collection");
+    machine.write("collection/aaaaaaaaaaaaaaaa.png", "chosen here");
+    restore_from(site / "site.tar.xz");
+    EXPECT_EQ(tests::contents_of(machine / "collection/0123456789abcdef.png"), "a picture");
+    EXPECT_EQ(tests::contents_of(machine / "collection/0123456789abcdef.code"), "a code\nfrom hall-2\n");
+    EXPECT_FALSE(fs::exists(machine / "collection/aaaaaaaaaaaaaaaa.png"));
+    EXPECT_FALSE(fs::exists(machine / "collection/notes.txt"));
+}
+
 TEST_F(ABackup, WithTheSchemaOfANewerProgramIsRefusedAndNothingIsTouched) {
     const auto changed = with(
         "state/quadrat.db", [](std::string& bytes) { bytes.replace(kUserVersionAt, 4, std::string("\0\0\0\x63", 4)); });

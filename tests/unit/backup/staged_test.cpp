@@ -105,6 +105,41 @@ TEST(Staging, ThatWasInterruptedAfterAnyMoveIsCompleted) {
     }
 }
 
+TEST(Staging, OfACollectionIsWhatItsNamesSay) {
+    for (const char* name : {"collection/0123456789abcdef.png", "collection/0123456789abcdef.code"})
+        EXPECT_TRUE(is_of_a_collection(name)) << name;
+    for (const char* name :
+         {"", "collection/", "collection/0123456789abcdef", "collection/0123456789abcdef.toml",
+          "collection/0123456789ABCDEF.png", "collection/../../0123456789.png", "collection/0123456789abcdef.png/x",
+          "bred/0123456789abcdef.png", "collection/0123456789abcde.png", "collection/0123456789abcdef0.png"})
+        EXPECT_FALSE(is_of_a_collection(name)) << name;
+}
+
+// Which landscapes there are is another on each side, and a pull of the plug may come after any of them.
+TEST(Staging, TakesTheWholeCollectionInThePlaceOfWhatWasThere) {
+    const std::string both = "collection/00000000000000aa.code", old = "collection/00000000000000bb.code",
+                      fresh = "collection/00000000000000cc.png";
+    for (int moved = 0; moved <= 4; ++moved) {
+        const tests::TemporaryFolder state;
+        for (const char* folder : {"collection", "before/collection", "restoring/collection"})
+            fs::create_directories(state / folder);
+        for (const std::string& name : {both, old}) state.write(name, "old");
+        for (const std::string& name : {both, fresh}) state.write("restoring/" + name, "new");
+        state.write("restoring/ready", "before\n" + both + "\n" + fresh + "\n../elsewhere.png\n");
+        const std::pair<std::string, std::string> moves[] = {{both, "before/" + both},
+                                                             {"restoring/" + both, both},
+                                                             {old, "before/" + old},
+                                                             {"restoring/" + fresh, fresh}};
+        for (int i = 0; i < moved; ++i) fs::rename(state / moves[i].first, state / moves[i].second);
+        EXPECT_TRUE(complete(state.path())) << moved;
+        EXPECT_EQ(tests::contents_of(state / both), "new") << moved;
+        EXPECT_EQ(tests::contents_of(state / fresh), "new") << moved;
+        EXPECT_FALSE(fs::exists(state / old)) << moved;
+        EXPECT_EQ(tests::contents_of(state / "before" / both), "old") << moved;
+        EXPECT_EQ(tests::contents_of(state / "before" / old), "old") << moved;
+    }
+}
+
 TEST(Staging, ANoteThatNamesAFolderElsewhereIsRefused) {
     for (const char* note : {"../elsewhere\nquadrat.db\n", "/tmp\n", "", ".\n"}) {
         const tests::TemporaryFolder state;

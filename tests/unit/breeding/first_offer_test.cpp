@@ -10,6 +10,7 @@
 #include "breeding/belief/four_means.hpp"
 #include "breeding/session.hpp"
 #include "breeding/words/described_scene.hpp"
+#include "genome/parameter_ids.hpp"
 
 namespace quadrat::breeding {
 namespace {
@@ -64,6 +65,28 @@ TEST(FirstOffer, GoesTogether) {
     // By chance it is 0 in the mean, and every second is below it.
     EXPECT_GT(sum / kOffers, 0.25);
     EXPECT_LE(below, 3);
+}
+
+TEST(FirstOffer, SnowFallsOnTheColdestLand) {
+    int snowing = 0;
+    int coldest = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        const genome::Offer offer = first_offer(seed);
+        const genome::Candidate* snowy = nullptr;
+        int skies = 0;
+        float cold = -2;
+        for (const genome::Candidate& c : offer.candidates) {
+            cold = std::max(cold, (*c.words)[genome::WordId::cold]);
+            if (c.values[genome::ParameterId::snowfall_share] <= 0) continue;
+            snowy = &c;
+            ++skies;
+        }
+        if (skies != 1) continue;
+        ++snowing;
+        coldest += (*snowy->words)[genome::WordId::cold] >= cold - 0.1F ? 1 : 0;
+    }
+    ASSERT_GT(snowing, 5);
+    EXPECT_GE(coldest, (9 * snowing + 9) / 10);
 }
 
 TEST(FirstOffer, PuttingTogetherTwiceChangesNothing) {

@@ -97,7 +97,7 @@ TEST(Training, MovesAWordTowardWhatVisitorsCallIt) {
     dry.set(WordId::wet, -0.2F);
     genome::Description wet;
     wet.set(WordId::wet, 0.5F);
-    const auto id = genome::ParameterId::land_sea_level;
+    const auto id = *genome::parameter_named("land.sea_level");
     const float taught = training.map(wet)[id];
     EXPECT_LT(std::abs(taught - default_word_map()(dry)[id]),
               std::abs(default_word_map()(wet)[id] - default_word_map()(dry)[id]))

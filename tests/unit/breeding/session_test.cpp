@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "genome/recipe.hpp"
 
 namespace quadrat::breeding {
 namespace {
@@ -66,6 +67,49 @@ TEST_P(EveryBreeder, GoesBackToTheIdenticalOfferAndBeliefByUndo) {
     }
     EXPECT_FALSE(session.can_undo());
     EXPECT_FALSE(session.undo());
+}
+
+TEST_P(EveryBreeder, ReturnsToAnyNodeOfItsTreeAsItWas) {
+    Session session = session_of(GetParam());
+    base::RandomStream chance(kSeed);
+    std::vector<Session> moments{session};
+    for (int round = 0; round < 30; ++round) {
+        if (chance.below(3) == 0) session.undo();
+        session.next(random_pick(chance));
+        moments.push_back(session);
+        ASSERT_EQ(session.here(), round + 1) << "numbered as they came";
+    }
+    for (int i = 0; i < 60; ++i) {
+        const auto node = static_cast<int>(chance.below(31));
+        ASSERT_TRUE(session.return_to(node));
+        const Session& then = moments[static_cast<std::size_t>(node)];
+        EXPECT_EQ(session.offer(), then.offer());
+        EXPECT_EQ(session.breeder(), then.breeder());
+        EXPECT_EQ(session.favourite(), then.favourite());
+        EXPECT_EQ(session.favourite_of(node), then.favourite());
+        EXPECT_EQ(session.can_undo(), then.can_undo());
+    }
+    EXPECT_FALSE(session.return_to(31));
+    EXPECT_FALSE(session.return_to(-1));
+}
+
+TEST(Session, BegunWithALandscapeOffersItAndWhatFollows) {
+    BreederOptions options;
+    options.kind = BreederKind::Belief;
+    options.genome = genome::Genome::Full;
+    const Session fresh(Breeder(options), kSeed);
+    const genome::Candidate liked = genome::candidate_of(genome::random_recipe(base::Seed{4}));
+    const Session begun = fresh.begun_with(liked);
+    EXPECT_FALSE(begun.can_undo());
+    EXPECT_EQ(begun.here(), 0);
+    const auto holds = [&](const genome::Candidate& candidate, Aspect aspect) {
+        for (const auto id : parameters_of(aspect, genome::Genome::Full))
+            if (candidate.values[id] != liked.values[id]) return false;
+        return candidate.seeds[aspect] == liked.seeds[aspect];
+    };
+    for (const Aspect aspect : kAspects) EXPECT_TRUE(holds(begun.offer().candidates.front(), aspect));
+    EXPECT_FALSE(holds(begun.offer().candidates.back(), Aspect::Land)) << "and others beside it";
+    EXPECT_EQ(fresh.offer(), Session(Breeder(options), kSeed).offer());
 }
 
 TEST_P(EveryBreeder, ForgetsTheWayBackBeyondItsDepth) {

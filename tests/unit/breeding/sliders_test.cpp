@@ -32,7 +32,8 @@ TEST(Sliders, ATurnedWordMovesItsAspectAloneAndChanceStaysAsItWas) {
     const genome::Candidate after = session.favourite();
     EXPECT_FLOAT_EQ((*after.words)[WordId::wet], 0.8F);
     EXPECT_EQ(after.seeds, before.seeds);
-    EXPECT_NE(after.values[genome::ParameterId::land_sea_level], before.values[genome::ParameterId::land_sea_level]);
+    EXPECT_NE(after.values[*genome::parameter_named("land.sea_level")],
+              before.values[*genome::parameter_named("land.sea_level")]);
     for (const Aspect aspect : {Aspect::Trees, Aspect::Sky})
         for (const auto id : parameters_of(aspect, genome::Genome::Full))
             EXPECT_EQ(after.values[id], before.values[id]) << parameter(id).name;
@@ -43,10 +44,10 @@ TEST(Sliders, AParameterFixedByHandStaysWhateverTheWordsDo) {
     Session session = session_of(genome::Genome::Full);
     session.turn("land.sea_level", 0.31, "line");
     session.turn("wet", 1, "line");
-    EXPECT_FLOAT_EQ(session.favourite().values[genome::ParameterId::land_sea_level], 0.31F);
+    EXPECT_FLOAT_EQ(session.favourite().values[*genome::parameter_named("land.sea_level")], 0.31F);
     session.turn("land.sea_level", std::nullopt, "line");
-    EXPECT_EQ(session.favourite().values[genome::ParameterId::land_sea_level],
-              session.breeder().word_map()(*session.favourite().words)[genome::ParameterId::land_sea_level]);
+    EXPECT_EQ(session.favourite().values[*genome::parameter_named("land.sea_level")],
+              session.breeder().word_map()(*session.favourite().words)[*genome::parameter_named("land.sea_level")]);
 }
 
 TEST(Sliders, APickTurnsTheChosenSliderAndChoosesTheNext) {

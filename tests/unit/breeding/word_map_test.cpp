@@ -182,7 +182,7 @@ DescribedScene scene_of(float wet, float value, double weight = 1) {
     scene.aspect = Aspect::Land;
     for (const genome::Word& word : genome::vocabulary(Aspect::Land))
         scene.words[static_cast<std::size_t>(word.id)] = word.id == WordId::wet ? wet : 0.0F;
-    scene.values.set(genome::ParameterId::land_sea_level, value);
+    scene.values.set(*genome::parameter_named("land.sea_level"), value);
     scene.weight = weight;
     return scene;
 }
@@ -190,7 +190,7 @@ DescribedScene scene_of(float wet, float value, double weight = 1) {
 float sea_level(const WordMap& map, float wet) {
     genome::Description words;
     words.set(WordId::wet, wet);
-    return map(words)[genome::ParameterId::land_sea_level];
+    return map(words)[*genome::parameter_named("land.sea_level")];
 }
 
 TEST(WordMap, BelievesThoseMoreWhoAreTrustedMore) {

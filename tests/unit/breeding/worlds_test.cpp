@@ -118,13 +118,13 @@ TEST(DetailAxes, PointWherePicturesChangeMostAndSayHowMuchIsSeen) {
     const auto row_of = [&](genome::ParameterId id) {
         return static_cast<Eigen::Index>(std::ranges::find(atlas.ids, id) - atlas.ids.begin());
     };
-    pictures(row_of(genome::ParameterId::cirrus_bearing_deg), 0) = 3;
-    pictures(row_of(genome::ParameterId::star_band_deg), 1) = 1;
+    pictures(row_of(*genome::parameter_named("cirrus.bearing_deg")), 0) = 3;
+    pictures(row_of(*genome::parameter_named("star.band_deg")), 1) = 1;
     const DetailAxes axes = detail_axes(map, Aspect::Sky, std::vector{pictures}, 2);
     ASSERT_GE(axes.axes.size(), 1U);
-    EXPECT_GT(std::abs(axes.axes[0].at(genome::ParameterId::cirrus_bearing_deg)), 0.8);
-    EXPECT_GT(axes.seen.at(genome::ParameterId::cirrus_bearing_deg),
-              2.9 * axes.seen.at(genome::ParameterId::star_band_deg));
+    EXPECT_GT(std::abs(axes.axes[0].at(*genome::parameter_named("cirrus.bearing_deg"))), 0.8);
+    EXPECT_GT(axes.seen.at(*genome::parameter_named("cirrus.bearing_deg")),
+              2.9 * axes.seen.at(*genome::parameter_named("star.band_deg")));
     const std::string json = to_json(axes, Aspect::Sky);
     const DetailAxes read = detail_axes_from(json, "axes", Aspect::Sky);
     EXPECT_EQ(to_json(read, Aspect::Sky), json);

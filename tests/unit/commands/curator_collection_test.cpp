@@ -35,7 +35,7 @@ class ACollection : public testing::Test {
     static std::string field(std::uint64_t n) { return "show." + staff::id_of_landscape(code(n)); }
 
     tests::TemporaryFolder folder_;
-    CollectionPlaces places_{folder_ / "bred", folder_ / "collection"};
+    CollectionPlaces places_{folder_ / "bred", folder_ / "collection", folder_ / "guests"};
 };
 
 TEST_F(ACollection, OffersEachOnceAndKeepsWhatIsChosen) {
@@ -59,6 +59,35 @@ TEST_F(ACollection, OffersEachOnceAndKeepsWhatIsChosen) {
     EXPECT_EQ(offered().size(), 2U);
     EXPECT_EQ(offered()[0].picture, "") << "it can be chosen without its picture too";
     EXPECT_THROW(choose({{field(1), "sold"}}), base::InputError);
+}
+
+TEST_F(ACollection, OffersWhatOtherExhibitsShareAndKeepsWhereItIsFrom) {
+    bred(1);
+    staff::keep_guest(places_.guests, code(2), "hall-2");
+    staff::keep_landscape(folder_ / "there", mesh::Image(4, 4, 4), code(2), 1);
+    const std::string id = staff::id_of_landscape(code(2));
+    staff::keep_picture_of_guest(places_.guests, code(2), tests::contents_of(folder_ / ("there/" + id + ".png")));
+    EXPECT_FALSE(std::filesystem::exists(places_.guests / (id + ".foreign")));
+    ASSERT_EQ(offered().size(), 2U);
+    EXPECT_EQ(offered()[1].label, "Landscape 2, from hall-2");
+    EXPECT_EQ(offered()[1].options[0].label, "not shown");
+    EXPECT_NE(offered()[1].picture, "");
+    EXPECT_TRUE(choose({{field(2), "favourite"}}));
+    std::filesystem::remove_all(places_.guests);
+    EXPECT_EQ(offered()[0].label, "Landscape 1, from hall-2") << "though hall-2 shares it no more";
+    EXPECT_TRUE(landscape_picture(places_, id));
+    folder_.write("quadrat.toml", "[fleet]\ntakes = \"all\"\n");
+    EXPECT_TRUE(choose({{field(2), "hidden"}}));
+    EXPECT_EQ(offered()[1].options[0].label, "shown in turn");
+    EXPECT_THAT(now().attract.hidden, testing::ElementsAre(code(2)));
+}
+
+TEST_F(ACollection, LeavesAGuestWithoutAPictureThatIsNone) {
+    staff::keep_guest(places_.guests, code(2), "hall-2");
+    EXPECT_THROW(staff::keep_picture_of_guest(places_.guests, code(2), "\x89PNG\r\n\x1a\n, it says"), base::InputError);
+    ASSERT_EQ(offered().size(), 1U);
+    EXPECT_EQ(offered()[0].picture, "");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(places_.guests), {}), 1);
 }
 
 TEST_F(ACollection, HasNoPictureOfWhatIsNoLandscape) {

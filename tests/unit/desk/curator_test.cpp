@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The curator's half of the desk: what is shown, what is taken, and by whom.
+#include <set>
+
 #include "unit/desk/desk.hpp"
 
 namespace quadrat::desk {
@@ -23,6 +25,9 @@ TEST_F(ADesk, ShowsACuratorWhatHoldsAndTakesWhatIsSaid) {
         EXPECT_THAT(page, HasSubstr(shown));
     EXPECT_THAT(page, HasSubstr("<img src=\"/curator/landscape/0123.png\""));
     EXPECT_EQ(get("/curator/landscape/0123.png").body, "PNG of it");
+    EXPECT_THAT(page, HasSubstr("<a href=\"/curator/postcard/0123.png\" download>Postcard</a>"));
+    EXPECT_EQ(get("/curator/postcard/0123.png").body, "a card");
+    EXPECT_EQ(get("/curator/postcard/4567.png").status, 404);
     for (const char* path : {"/curator/landscape/4567.png", "/curator/landscape/0123", "/curator/landscape/.png"})
         EXPECT_EQ(get(path).status, 404) << path;
     EXPECT_EQ(get("/curator/nowhere").status, 404);
@@ -63,6 +68,23 @@ TEST_F(ADesk, TakesBackAChangeAndAsksForAPreview) {
     EXPECT_THAT(preview.body, HasSubstr("value=\"now\""));
     EXPECT_THAT(said, ElementsAre("monday=now"));
     EXPECT_EQ(get("/preview.png").status, 503) << "it was not drawn yet";
+}
+
+TEST_F(ADesk, SaysWhyAPreviewIsNotDrawnYet) {
+    log_in();
+    std::set<std::string> said_of_it;
+    for (const auto& [why, words] :
+         std::vector<std::pair<std::string, std::string>>{{"visitor", "Somebody is playing: "},
+                                                          {"dark", "The screen is dark: "},
+                                                          {"soon", "The exhibit draws it in"},
+                                                          {"gone", "No exhibit runs here"}}) {
+        preview_waits = why;
+        const Answer waits = get("/preview.png");
+        EXPECT_EQ(waits.status, 503);
+        EXPECT_THAT(waits.body, testing::StartsWith(words));
+        for (const Texts& language : languages()) said_of_it.insert(language("preview." + why));
+    }
+    EXPECT_EQ(said_of_it.size(), 4 * languages().size()) << "each in each language";
 }
 
 TEST_F(ADesk, TakesALongFormFromACuratorAlone) {

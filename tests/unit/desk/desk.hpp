@@ -76,6 +76,8 @@ class ADesk : public testing::Test {
                              {Entry::Kind::Lines, "others", "Others", "a\nb"}}}};
             form.groups[0].entries[0].can_be_previewed = true;
             form.groups[0].entries[0].picture = "/curator/landscape/0123.png";
+            form.groups[0].entries[0].download = "/curator/postcard/0123.png";
+            form.groups[0].entries[0].download_label = "Postcard";
             return form;
         };
         some.save = [this](const std::string&, const Fields& form, Curator::Deed deed, const std::string& who) {
@@ -90,10 +92,14 @@ class ADesk : public testing::Test {
         some.ask_preview = [this](const Fields& form, const std::string& entry) {
             said.push_back(entry + "=" + form.at(entry));
         };
+        some.postcard = [](const std::string& id) {
+            return id == "0123" ? std::optional<std::string>("a card") : std::nullopt;
+        };
         some.landscape = [](const std::string& id) {
             return id == "0123" ? std::optional<std::string>("PNG of it") : std::nullopt;
         };
         some.preview = [] { return std::optional<std::string>(); };
+        some.why_preview_waits = [this] { return preview_waits; };
         return some;
     }
 
@@ -134,6 +140,7 @@ class ADesk : public testing::Test {
     int dropped = 0;
     std::vector<std::string> notes;
     std::vector<std::string> said;  // by the curator
+    std::string preview_waits = "soon";
     bool changed = true;
     std::string cookie, peer = "10.0.0.7";
     Instant now = std::chrono::hours{1};

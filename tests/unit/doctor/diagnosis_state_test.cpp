@@ -6,7 +6,7 @@
 #include "archive/archive.hpp"
 #include "archive/sqlite.hpp"
 #include "archive/state_lock.hpp"
-#include "kiosk/school.hpp"
+#include "learning/school.hpp"
 #include "support/process.hpp"
 
 namespace quadrat::doctor {
@@ -98,7 +98,7 @@ TEST(DoctorOfState, FindsDamageBesideARunningExhibitAndSaysHowLargeItsLogIs) {
 TEST(Words, ThatAreDamagedAreSetAsideBeforeALessonReplacesThem) {
     const tests::TemporaryFolder state;
     state.write("words.json", "what a curator taught, cut o");
-    kiosk::keep_site_words(state.path(), {});
+    learning::keep_site_words(state.path(), {});
     std::string kept;
     for (const auto& entry : fs::directory_iterator(state.path()))
         if (entry.path().filename().string().starts_with("words.json.damaged-"))

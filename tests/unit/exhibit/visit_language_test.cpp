@@ -47,7 +47,10 @@ TEST(Language, IsLeftByBackAndBySilenceWithoutAVisit) {
     EXPECT_EQ(visitor.screen(), Screen::Attract);
     visitor.press(Choice::A);
     ASSERT_EQ(visitor.screen(), Screen::Language);
-    visitor.wait(speaking(2).patience);
+    EXPECT_FALSE(countdown_s(visitor.state(), visitor.now(), visitor.timings()));
+    visitor.wait(speaking(2).patience - std::chrono::seconds{4});
+    EXPECT_EQ(countdown_s(visitor.state(), visitor.now(), visitor.timings()), 4) << "it warns";
+    visitor.wait(std::chrono::seconds{4});
     EXPECT_EQ(visitor.screen(), Screen::Attract);
     EXPECT_EQ(visitor.wished<EndVisit>(), nullptr);
     EXPECT_EQ(visitor.wished<BeginVisit>(), nullptr);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/seed.hpp"
+#include "exhibit/family.hpp"
 #include "exhibit/visit.hpp"
 
 namespace quadrat::exhibit {
@@ -20,9 +21,11 @@ struct Moment {
 
 Event random_event(base::RandomStream& chance, int generation) {
     const auto button = static_cast<Choice>(chance.below(5));
-    switch (chance.below(10)) {
+    switch (chance.below(11)) {
         case 0:
             return Tick{};
+        case 10:
+            return Believed{chance.below(2) == 0, chance.below(2) == 0};
         case 4:
             return Grew{};
         case 5:
@@ -56,7 +59,8 @@ void expect_consistent(const State& state, const Timings& timings) {
             ASSERT_EQ(state.answers[aspect].has_value(), aspect < state.question) << "every question before this one";
         }
     }
-    if (state.screen == Screen::Attract || state.screen == Screen::Finale || state.screen == Screen::Describe) {
+    if (state.screen == Screen::Attract || state.screen == Screen::Finale || state.screen == Screen::Describe ||
+        state.screen == Screen::Family) {
         ASSERT_EQ(state.answers, genome::Pick{});
         ASSERT_FALSE(state.held);
     }
@@ -65,7 +69,18 @@ void expect_consistent(const State& state, const Timings& timings) {
         ASSERT_TRUE(state.past_answers.empty());
     }
     ASSERT_GE(state.rounds, 0);
-    ASSERT_LE(state.rounds, timings.rounds);
+    // Who goes on from the Finale may go on for long.
+    ASSERT_LE(state.rounds, timings.finale_asks ? static_cast<int>(kMostFamily) : timings.rounds + timings.rounds_more);
+    ASSERT_LE(state.family.size(), kMostFamily + static_cast<std::size_t>(timings.rounds + timings.rounds_more));
+    if (!state.family.empty()) {
+        ASSERT_LT(state.here, static_cast<int>(state.family.size()));
+        ASSERT_LT(state.walked, static_cast<int>(state.family.size()));
+        ASSERT_EQ(picks_to(state.family, state.here), state.past_answers);
+        ASSERT_EQ(state.family.front().parent, -1);
+    }
+    ASSERT_EQ(state.family.empty(),
+              timings.asking == Asking::Sliders || state.screen == Screen::Attract || state.screen == Screen::Language);
+    ASSERT_TRUE(timings.finale_asks || state.screen != Screen::Family);
     const bool slides = timings.asking == Asking::Sliders;
     ASSERT_EQ(state.past_answers.size(), slides ? 0 : static_cast<std::size_t>(state.rounds));
     ASSERT_EQ(state.rounds, slides ? state.turns / 3 : state.rounds);
@@ -94,7 +109,8 @@ int count_of_generations(const std::vector<Wish>& wishes) {
     for (const Wish& wish : wishes)
         count += std::holds_alternative<PrepareVisit>(wish) || std::holds_alternative<GrowNext>(wish) ||
                  std::holds_alternative<UndoRound>(wish) || std::holds_alternative<GrowFinale>(wish) ||
-                 std::holds_alternative<TurnSlider>(wish) || std::holds_alternative<UndoTurn>(wish);
+                 std::holds_alternative<TurnSlider>(wish) || std::holds_alternative<UndoTurn>(wish) ||
+                 std::holds_alternative<ReturnTo>(wish) || std::holds_alternative<BreedOn>(wish);
     return count;
 }
 
@@ -125,6 +141,12 @@ Timings timings_of(std::uint64_t seed) {
     timings.describe_words = static_cast<int>(seed % 4);
     timings.describe_every = static_cast<int>(1 + seed % 2);
     timings.languages = seed % 3 == 0 ? 7 : 0;
+    timings.finale_asks = seed % 3 != 1;
+    timings.can_print = seed % 4 == 1;
+    timings.can_breed_on = seed % 3 == 2;
+    timings.rounds_early = static_cast<int>(seed % 3);
+    timings.rounds_more = static_cast<int>(seed % 2);
+    timings.turns = TakingTurns::Found;
     return timings;
 }
 
@@ -136,7 +158,7 @@ TEST_P(AnyVisit, OfAHundredThousandEventsStaysConsistentAndAcknowledgesEveryPres
     base::RandomStream chance(base::Seed{GetParam()});
     Instant now{0};
     State state = opening(now).state;
-    std::array<int, 8> seen{};
+    std::array<int, 9> seen{};
     for (int i = 0; i < 100'000; ++i) {
         now += random_pause(chance);
         const Event event = random_event(chance, state.generation);
@@ -155,6 +177,8 @@ TEST_P(AnyVisit, OfAHundredThousandEventsStaysConsistentAndAcknowledgesEveryPres
         EXPECT_GT(seen.at(static_cast<std::size_t>(Screen::Describe)), 10);
     }
     EXPECT_EQ(seen.at(static_cast<std::size_t>(Screen::Language)) > 10, timings.languages > 1);
+    EXPECT_EQ(seen.at(static_cast<std::size_t>(Screen::Family)) > 10,
+              timings.finale_asks && timings.asking == Asking::Picks);
 }
 
 TEST_P(AnyVisit, DoesNotChangeWhileTimeStandsStill) {

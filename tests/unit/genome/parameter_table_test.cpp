@@ -9,6 +9,7 @@
 #include <string>
 
 #include "genome/bit_genome.hpp"
+#include "genome/parameter_ids.hpp"
 
 namespace quadrat::genome {
 namespace {

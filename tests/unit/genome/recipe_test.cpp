@@ -84,7 +84,7 @@ TEST(Recipe, TakesTheDefaultOfAParameterThatIsLeftOut) {
             "sky":"ffffffffffffffff"},"camera":"0000000000000004","parameters":{"tree.type":2}})",
         "test");
     ParameterValues expected;
-    expected.set(ParameterId::tree_type, 2);
+    expected.set(*parameter_named("tree.type"), 2);
     EXPECT_EQ(recipe.values, expected);
     EXPECT_EQ(recipe.seeds[Aspect::Sky].value, ~std::uint64_t{0});
     EXPECT_EQ(recipe.flight.value, 4U);

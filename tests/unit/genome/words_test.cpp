@@ -58,6 +58,28 @@ TEST(Speech, SaysTheTwoStrongestWordsOfEachAspect) {
               "trockenes Land; sehr hohe und vereinzelte Bäume; gewöhnlicher Himmel");
 }
 
+TEST(Speech, TellsApartByEarWhatItWouldDescribeAlike) {
+    std::array<std::optional<Description>, 4> four;
+    for (auto& one : four) {
+        one.emplace();
+        one->set(WordId::wet, 0.9F);
+        one->set(WordId::narrow, -0.5F);
+    }
+    const Language& english = language("en");
+    EXPECT_EQ(english.describe_among(four, 0, Aspect::Land), english.describe(*four[0], Aspect::Land))
+        << "no difference";
+    four[1].reset();
+    four[2]->set(WordId::wet, -0.9F);
+    four[0]->set(WordId::mountainous, 0.1F);
+    four[3]->set(WordId::mountainous, -0.2F);
+    four[3]->set(WordId::cold, 0.1F);
+    const std::string alike = english.describe(*four[0], Aspect::Land);
+    ASSERT_EQ(english.describe(*four[3], Aspect::Land), alike);
+    EXPECT_EQ(english.describe_among(four, 0, Aspect::Land), alike + ", rather mountainous");
+    EXPECT_EQ(english.describe_among(four, 3, Aspect::Land), alike + ", rather flat");
+    EXPECT_EQ(english.describe_among(four, 2, Aspect::Land), english.describe(*four[2], Aspect::Land));
+}
+
 TEST(Speech, SaysWhatChanged) {
     Description later = evening();
     later.set(WordId::tall, -0.2F);
@@ -67,20 +89,22 @@ TEST(Speech, SaysWhatChanged) {
 }
 
 ParameterShares only(ParameterId id, float share) {
-    ParameterShares moved{};
+    ParameterShares moved(parameter_table().size());
     moved[static_cast<std::size_t>(id)] = share;
     return moved;
 }
 
 TEST(Speech, SaysTheOneDetailThatMovedMost) {
-    ParameterShares moved = only(ParameterId::tree_crown_width, 0.2F);
-    moved[static_cast<std::size_t>(ParameterId::flower_share)] = -0.1F;
+    ParameterShares moved = only(*parameter_named("tree.crown_width"), 0.2F);
+    moved[static_cast<std::size_t>(*parameter_named("flower.share"))] = -0.1F;
     EXPECT_EQ(language("en").detail(moved, Aspect::Trees), "wider crowns");
     EXPECT_EQ(language("de").detail(moved, Aspect::Trees), "breitere Kronen");
     EXPECT_EQ(language("en").detail(moved, Aspect::Land), "");
-    EXPECT_EQ(language("en").detail(only(ParameterId::flower_share, -0.1F), Aspect::Trees), "fewer flowers");
-    EXPECT_EQ(language("en").detail(only(ParameterId::flower_share, -0.02F), Aspect::Trees), "") << "nobody sees it";
-    EXPECT_EQ(language("en").detail(only(ParameterId::tree_fruit_m, 0.9F), Aspect::Trees), "") << "nobody names it";
+    EXPECT_EQ(language("en").detail(only(*parameter_named("flower.share"), -0.1F), Aspect::Trees), "fewer flowers");
+    EXPECT_EQ(language("en").detail(only(*parameter_named("flower.share"), -0.02F), Aspect::Trees), "")
+        << "nobody sees it";
+    EXPECT_EQ(language("en").detail(only(*parameter_named("tree.fruit_m"), 0.9F), Aspect::Trees), "")
+        << "nobody names it";
 }
 
 TEST(Speech, KnowsEveryDetailInEveryLanguageInItsOwnWords) {

@@ -7,6 +7,7 @@
 
 #include "firmware-io/merged_buttons.hpp"
 #include "kiosk/run_loop.hpp"
+#include "staff/caretaker.hpp"
 #include "support/process.hpp"
 #include "tempo/flight_log.hpp"
 
@@ -74,7 +75,7 @@ std::string figures_with(const tempo::GovernorOptions& governing) {
     SlowScreen screen(clock, 100, stop);
     staff::Caretaker caretaker({configuration, {}, folder.path(), folder.path(), ladder, screen});
     RunLoopParts parts{configuration, clock, screen, panel, buttons, show, tempo};
-    parts.caretaker = &caretaker;
+    parts.attendant = &caretaker;
     parts.stop = &stop;
     run_loop(parts);
     caretaker.step_figures();

@@ -6,6 +6,8 @@
 namespace quadrat::kiosk {
 namespace {
 
+using learning::options_of_visit;
+
 site::Configuration configured(const char* toml) { return site::configuration_from(toml, "site.toml"); }
 
 TEST(ConfiguredShow, HasTheSitesTimes) {

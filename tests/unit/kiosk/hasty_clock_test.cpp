@@ -69,7 +69,7 @@ TEST(HastyClock, FramesThatLeaveRoomAreSeenToLeaveIt) {
     firmware_io::MergedButtons buttons{{}};
     staff::Panel panel(buttons);
     std::atomic<bool> stop{false};
-    PromptScreen screen(4000, stop, [&] { return show.is_growing(); });
+    PromptScreen screen(4000, stop, [&] { return show.programme().is_growing(); });
     FastClock clock(screen);
     tempo::GovernorOptions options;
     options.start = 0.2F;

@@ -116,7 +116,7 @@ Latencies measure(firmware_io::ButtonSource& buttons, const std::function<void(b
         stop = closed == kPresses && opened == kPresses;
     };
     const auto seen = [&](base::Instant polled, base::Instant shown) {
-        if (!waiting || show.last_press_at() < *waiting - kPeriod) return;
+        if (!waiting || !show.last_press() || show.last_press()->at < *waiting - kPeriod) return;
         latencies.frame.push_back(shown - *waiting);
         if (is_lit() != lamp_before) latencies.lamp.push_back(polled - *waiting);
         waiting.reset();

@@ -44,7 +44,7 @@ class ASwitchboard : public testing::Test {
     void wait(base::Instant time) {
         for (const base::Instant until = now_ + time; now_ < until; now_ += 20ms) {
             show_->finish_growing();
-            if (show_->waiting_for_upload() != nullptr) show_->uploaded(now_);
+            if (show_->programme().waiting_for_upload() != nullptr) show_->uploaded(now_);
             show_->happen(exhibit::Tick{}, now_);
             board_->look(now_);
         }

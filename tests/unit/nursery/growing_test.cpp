@@ -19,11 +19,16 @@ std::vector<genome::Candidate> candidates(std::uint64_t seed) {
     return all;
 }
 
+std::vector<Want> awaited(const Landscapes& landscapes) {
+    return wants_for(landscapes, Stage::FirstLight, Urgency::Awaited);
+}
+
 Scenes grown_by(int threads, std::uint64_t seed) {
-    Grower grower({threads, kCoarse});
-    grower.order({candidates(seed), base::Seed{seed}});
-    grower.wait();
-    return *grower.take();
+    Nursery nursery({threads, kCoarse});
+    const Landscapes four = landscapes_of(candidates(seed), base::Seed{seed});
+    nursery.want(awaited(four));
+    nursery.wait();
+    return nursery.find(four)->scenes;
 }
 
 bool are_same(const scene::Scene& a, const scene::Scene& b) {
@@ -52,48 +57,61 @@ TEST(Threads, GrowingInTheBackgroundEqualsGrowingAtOnce) {
         EXPECT_TRUE(are_same(*background[i], *grow(genome::recipe_of(all[i], base::Seed{9}), kCoarse)));
 }
 
-TEST(Threads, AnOrderReplacesTheOneBeforeAndHeadStartsAreShared) {
-    Grower grower({2, kCoarse});
-    const auto first = candidates(1);
-    grower.begin([&] { return HeadStart{{first, base::Seed{1}}, {genome::Aspect::Trees}, {}}; });
-    while (grower.stock().kept < first.size()) std::this_thread::yield();
-    grower.order({candidates(2), base::Seed{2}});
-    grower.order({first, base::Seed{1}});
-    grower.wait();
-    EXPECT_TRUE(grower.is_ready());
-    EXPECT_EQ(grower.progress(), 1.0F);
-    const auto scenes = grower.take();
-    ASSERT_TRUE(scenes.has_value());
-    EXPECT_TRUE(are_same(*scenes->front(), *grow(genome::recipe_of(first.front(), base::Seed{1}), kCoarse)));
-    EXPECT_FALSE(grower.take().has_value());
+TEST(Threads, WhatIsAwaitedReplacesWhatWasAndWhatWasForeseenIsShared) {
+    Nursery nursery({2, kCoarse});
+    const Landscapes first = landscapes_of(candidates(1), base::Seed{1});
+    nursery.foresee([&] {
+        auto wants = wants_for(first, Stage::Aspects, Urgency::Coming);
+        for (Want& want : wants) want.known = {{true, false, false}};
+        return wants;
+    });
+    while (nursery.stock().kept < first.size()) std::this_thread::yield();
+    const Landscapes others = landscapes_of(candidates(2), base::Seed{2});
+    nursery.want(awaited(others));
+    nursery.want(awaited(first));
+    nursery.wait();
+    EXPECT_EQ(nursery.progress(), 1.0F);
+    EXPECT_FALSE(nursery.find(others)) << "nobody wants them any more";
+    const auto lit = nursery.find(first);
+    ASSERT_TRUE(lit);
+    EXPECT_TRUE(
+        are_same(*lit->scenes.front(), *grow(genome::recipe_of(first.front()->candidate, base::Seed{1}), kCoarse)));
+    nursery.want({});
+    EXPECT_FALSE(nursery.find(first));
     // The same four again share what they are made of.
-    grower.order({first, base::Seed{77}});
-    grower.wait();
-    EXPECT_EQ(grower.take()->front()->land.get(), scenes->front()->land.get());
+    const Landscapes again = landscapes_of(candidates(1), base::Seed{77});
+    nursery.want(awaited(again));
+    nursery.wait();
+    EXPECT_EQ(nursery.find(again)->scenes.front()->land.get(), lit->scenes.front()->land.get());
 }
 
 TEST(Threads, WhatIsGrownAndNeverComposedDoesNotPileUp) {
-    Grower grower({2, kCoarse});
+    Nursery nursery({2, kCoarse});
     std::size_t most = 0;
     for (std::uint64_t i = 0; i < 12; ++i) {
-        grower.begin([&] { return HeadStart{{candidates(i), base::Seed{i}}, {genome::Aspect::Sky}, {}}; });
-        while (grower.stock().is_busy) std::this_thread::yield();
-        most = std::max(most, grower.stock().kept);
+        nursery.foresee([i] {
+            auto wants = wants_for(landscapes_of(candidates(i), base::Seed{i}), Stage::Aspects, Urgency::Coming);
+            for (Want& want : wants) want.known = {{false, false, true}};
+            return wants;
+        });
+        while (nursery.stock().is_busy) std::this_thread::yield();
+        most = std::max(most, nursery.stock().kept);
     }
-    EXPECT_LE(most, 2 * genome::kCandidates * genome::kAspects.size());
+    EXPECT_LE(most, Graph::kAspectsKept);
     EXPECT_GE(most, genome::kCandidates * genome::kAspects.size());
     // What was forgotten grows again.
-    const auto first = candidates(0);
-    grower.order({first, base::Seed{3}});
-    grower.wait();
-    EXPECT_TRUE(are_same(*grower.take()->front(), *grow(genome::recipe_of(first.front(), base::Seed{3}), kCoarse)));
+    const Landscapes first = landscapes_of(candidates(0), base::Seed{3});
+    nursery.want(awaited(first));
+    nursery.wait();
+    EXPECT_TRUE(are_same(*nursery.find(first)->scenes.front(),
+                         *grow(genome::recipe_of(first.front()->candidate, base::Seed{3}), kCoarse)));
 }
 
-TEST(Threads, AGrowerThatIsNotWaitedForEndsQuietly) {
+TEST(Threads, ANurseryThatIsNotWaitedForEndsQuietly) {
     for (std::uint64_t i = 0; i < 3; ++i) {
-        Grower grower({2, kCoarse});
-        grower.order({candidates(i), base::Seed{i}});
-        EXPECT_LE(grower.progress(), 1.0F);
+        Nursery nursery({2, kCoarse});
+        nursery.want(awaited(landscapes_of(candidates(i), base::Seed{i})));
+        EXPECT_LE(nursery.progress(), 1.0F);
     }
 }
 

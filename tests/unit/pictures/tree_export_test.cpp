@@ -80,10 +80,11 @@ TEST(TreeExport, ClampsParametersThatNoSceneCanHaveInsteadOfFailing) {
                  R"("parameters":{"tree.height_m":9000,"tree.type":-3,"tree.girth":1.1}})");
     EXPECT_THROW(read_scene((folder / "wild.json").string()), base::InputError);
     const genome::Recipe recipe = read_scene_clamped((folder / "wild.json").string()).scenes.front();
-    using P = genome::ParameterId;
-    EXPECT_EQ(recipe.values[P::tree_height_m], genome::parameter(P::tree_height_m).max);
-    EXPECT_EQ(recipe.values[P::tree_type], genome::parameter(P::tree_type).min);
-    EXPECT_FLOAT_EQ(recipe.values[P::tree_girth], 1.1F);
+    EXPECT_EQ(recipe.values[*genome::parameter_named("tree.height_m")],
+              genome::parameter(*genome::parameter_named("tree.height_m")).max);
+    EXPECT_EQ(recipe.values[*genome::parameter_named("tree.type")],
+              genome::parameter(*genome::parameter_named("tree.type")).min);
+    EXPECT_FLOAT_EQ(recipe.values[*genome::parameter_named("tree.girth")], 1.1F);
     EXPECT_GT(tree_model(recipe, Limbs::AsDrawn).parts.front().mesh.triangle_count(), 100U);
     EXPECT_THROW(read_scene_clamped((folder / "none.json").string()), base::InputError);
 }

@@ -71,6 +71,7 @@ TEST(Closeness, ATreeTenTimesAsLargeAsFarAwayIsDrawnAsClosely) {
     large.height_m *= 10;
     large.radius_m *= 10;
     large.blade_m *= 10;
+    large.trunk_m *= 10;
     for (float& left_out_m : large.wood_left_out_m) left_out_m *= 10;
     for (float px = 2; px < 1500; px *= 1.03F) {
         const Closeness small = closeness(tree(), px, 0.5F);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "render/allowance.hpp"
 #include "scene/camera.hpp"
 
 namespace quadrat::render::passes {
@@ -47,7 +48,8 @@ ViewBlock seen_from(glm::vec3 eye_m) {
 
 CoverSeen seen_at(float alpha, glm::vec3 eye_m = {0, 2, 2}) {
     const ViewBlock view = seen_from(eye_m);
-    return look_at_cover(meadow(), northward(), {&view, nullptr, 700, alpha, 1});
+    const Allowance allowance = allowance_of({alpha}, 1);
+    return look_at_cover(meadow(), northward(), {&view, nullptr, 700, allowance.cover_whole, allowance.cover_reach, 1});
 }
 
 TEST(Cover, PalesIntoTheAirWithDistance) {

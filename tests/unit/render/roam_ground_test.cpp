@@ -45,6 +45,12 @@ scene::Camera over_the_land(float turn) {
     return {{70 * std::sin(turn), 34, 70 * std::cos(turn)}, {20 * std::sin(turn + 2), 0, 20 * std::cos(turn + 2)}, 60};
 }
 
+Allowance allowed(float alpha, std::size_t views = 1) {
+    Detail detail;
+    detail.alpha = alpha;
+    return allowance_of(detail, views);
+}
+
 class RoamGround : public Gpu {
   protected:
     struct Studio {
@@ -143,7 +149,7 @@ TEST_F(RoamGround, NothingMorphsAndWhatIsNearComesFirst) {
     const View view = view_of(studio, over_the_land(0.4F), {0, 0, kSize.x, kSize.y});
     HeldGround held;
     for (const float alpha : {0.2F, 1.0F, 4.0F}) {
-        held.update(view, clip_from_world_of(view), {alpha, 300, 1, 1});
+        held.update(view, clip_from_world_of(view), {allowed(alpha), 300, 1});
         const passes::IndexRange& land = held.land();
         EXPECT_EQ(land.ease, 0) << "less than any distance and error make begin";
         ASSERT_GT(land.near_count, 0U);
@@ -170,9 +176,9 @@ TEST_F(RoamGround, KeepsToItsShareOfTheFramesTriangles) {
     const Studio studio(GroundBy::Roam);
     const View view = view_of(studio, over_the_land(0.4F), {0, 0, kSize.x, kSize.y});
     HeldGround held;
-    held.update(view, clip_from_world_of(view), {1, 5000, 1, 1});
+    held.update(view, clip_from_world_of(view), {allowed(1), 5000, 1});
     const std::size_t whole = held.land().count / 3;
-    held.update(view, clip_from_world_of(view), {1, 5000, 1, 16});
+    held.update(view, clip_from_world_of(view), {allowed(1, 16), 5000, 1});
     EXPECT_LE(held.land().count / 3, 24'000U / 16);
     EXPECT_GT(whole, 2 * held.land().count / 3);
 }
@@ -182,7 +188,7 @@ TEST_F(RoamGround, SortsAllTrianglesByLevelForWires) {
     const Studio studio(GroundBy::Roam);
     const View view = view_of(studio, over_the_land(0.4F), {0, 0, kSize.x, kSize.y});
     HeldGround held;
-    held.update(view, clip_from_world_of(view), {0.3F, 700, 1, 1});
+    held.update(view, clip_from_world_of(view), {allowed(0.3F), 700, 1});
     held.sort_by_level(*studio.scene);
     std::size_t sorted = 0;
     std::size_t coarser = 0;

@@ -143,6 +143,13 @@ TEST(ASpeaker, SpeaksWithTheVoiceThatComesAlong) {
     }
 }
 
+TEST(Readable, LeavesOutWhatIsForEyesAndPausesBetweenThings) {
+    EXPECT_EQ(readable("→ taller, wider crowns · wetter · warmer light"), "taller, wider crowns; wetter; warmer light");
+    EXPECT_EQ(readable("← Back"), "Back");
+    EXPECT_EQ(readable("· a"), "a");
+    EXPECT_EQ(readable("→"), "");
+}
+
 // The mark waits as long as this says: too short, and it runs away from what is being said.
 TEST(SpeakingTime, IsAboutWhatTheVoiceTakes) {
     Speaker speaker("");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sound/surroundings.hpp"
+#include "scene/parameters.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,8 @@
 #include <tuple>
 
 #include "firmware-io/merged_buttons.hpp"
+#include "site/settings.hpp"
+#include "staff/landscapes.hpp"
 #include "support/process.hpp"
 #include "unit/display/named_screen.hpp"
 
@@ -83,6 +85,27 @@ TEST_F(AsksFromAfar, HealthIsOfTheMomentItWasAskedFor) {
     EXPECT_TRUE(comes([&] { return exists("health.json") && !exists(kHealthAsked); }));
 }
 
+TEST_F(AsksFromAfar, APreviewWaitsForWhoPlaysAndSaysSo) {
+    const std::string wish = to_json({"fr", "attract", {{"attract", "Venez"}}});
+    const auto waits = [&] { return exists(kPreviewWaits) && tests::contents_of(folder / kPreviewWaits) == "visitor"; };
+    std::optional<PreviewWish> taken;
+    const auto look = [&](bool has_visitor) {
+        live(20ms, [] {});
+        taken = caretaker.take_preview_wish(has_visitor);
+    };
+    // Another wish while the first waits: whoever asks takes away what was said of the first.
+    for (int asked = 0; asked < 2; ++asked) {
+        std::filesystem::remove(folder / kPreviewWaits);
+        folder.write(kPreviewAsked, wish);
+        EXPECT_TRUE(comes([&] { return look(true), waits(); })) << asked;
+        EXPECT_FALSE(taken);
+    }
+    look(false);
+    ASSERT_TRUE(taken);
+    EXPECT_EQ(taken->language, "fr");
+    EXPECT_TRUE(comes([&] { return !exists(kPreviewWaits); }));
+}
+
 TEST_F(AsksFromAfar, TheLampsAreTestedForAWhileAndThenAreTheVisits) {
     live(2s, [] {});
     EXPECT_EQ(caretaker.lamps(now), std::nullopt);
@@ -92,6 +115,61 @@ TEST_F(AsksFromAfar, TheLampsAreTestedForAWhileAndThenAreTheVisits) {
     EXPECT_EQ(*caretaker.lamps(now), lamp_test(now));
     live(14s, [] {});
     EXPECT_EQ(caretaker.lamps(now), std::nullopt);
+}
+
+// An exhibit beside one that shares.
+class ANeighbour : public testing::Test {
+  protected:
+    // What it shows of others, once it has looked so often as `until` wants.
+    bool comes(Caretaker& caretaker, const std::function<bool()>& until) {
+        const auto begun = std::chrono::steady_clock::now();
+        while (!until() && std::chrono::steady_clock::now() - begun < 60s) {
+            changes += caretaker.look(panel, {}, now += 20ms).follows_settings ? 1 : 0;
+            std::this_thread::sleep_for(1ms);
+        }
+        return until();
+    }
+    CaretakerParts parts(const char* takes) {
+        folder.write("quadrat.toml", std::string("[fleet]\ntakes = \"") + takes + "\"\n");
+        const site::Settings settings = site::settings_for_people(folder / "quadrat.toml", folder.path());
+        configuration = settings.configuration;
+        return {configuration, settings, folder.path(), folder.path(), ladder, screen};
+    }
+    void share(const std::string& code) const { keep_guest(folder / kGuests, code, "hall-2"); }
+
+    const tests::TemporaryFolder folder;
+    site::Configuration configuration;
+    firmware_io::MergedButtons buttons{{}};
+    Panel panel{buttons};
+    Ladder ladder{"", folder.path(), Seconds{0}};
+    tests::NamedScreen screen{"a GPU", "a screen"};
+    base::Instant now = 1s;
+    int changes = 0;
+};
+
+TEST_F(ANeighbour, ShowsLandscapesOfOtherExhibitsWhereTheSiteTakesThem) {
+    Caretaker caretaker(parts("all"));
+    const auto shows = [&](std::size_t count) {
+        return comes(caretaker, [&, count] { return configuration.attract.guests.size() == count; });
+    };
+    share("Q1-AAAA");
+    ASSERT_TRUE(shows(1));
+    share("Q1-BBBB");
+    ASSERT_TRUE(shows(2));
+    EXPECT_THAT(configuration.attract.guests, testing::ElementsAre("Q1-AAAA", "Q1-BBBB"));
+    std::filesystem::remove(folder / kGuests / (id_of_landscape("Q1-AAAA") + ".code"));
+    ASSERT_TRUE(shows(1));
+    EXPECT_EQ(changes, 3) << "whoever shows them is told, and only then";
+}
+
+TEST_F(ANeighbour, DoesNotShowThemBeforeStaffChooseThem) {
+    for (const char* takes : {"nothing", "chosen"}) {
+        Caretaker caretaker(parts(takes));
+        share("Q1-AAAA");
+        changes = 0;
+        ASSERT_TRUE(comes(caretaker, [&] { return changes > 0; }));
+        EXPECT_TRUE(configuration.attract.guests.empty()) << takes;
+    }
 }
 
 }  // namespace

@@ -2,12 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <future>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "pictures/png_picture.hpp"
-#include "staff/errands.hpp"
 #include "staff/keepsakes.hpp"
 #include "staff/service_screen.hpp"
 #include "staff/watch.hpp"
@@ -391,25 +388,6 @@ TEST(ServiceScreen, SaysWhetherThrottlingIsKnown) {
     EXPECT_THAT(lines_of(true), testing::Contains(HasSubstr("THROTTLED")));
     EXPECT_FALSE(nlohmann::json::parse(to_json(Vitals{})).contains("throttled"));
     EXPECT_THAT(to_prometheus(Vitals{}), testing::Not(HasSubstr("quadrat_throttled")));
-}
-
-TEST(Errands, NeverKeepTheirSenderWaitingAndAreRefusedWhenTooManyWait) {
-    Errands errands;
-    std::promise<void> disk;
-    const auto answers = disk.get_future().share();
-    std::atomic<int> done{0};
-    int taken = 0;
-    const auto begun = std::chrono::steady_clock::now();
-    for (int i = 0; i < 100; ++i)
-        taken += errands.send([&, answers] {
-            answers.wait();
-            ++done;
-        });
-    EXPECT_LT(std::chrono::steady_clock::now() - begun, 1s);
-    EXPECT_LT(taken, 40);
-    EXPECT_GE(taken, 8);
-    disk.set_value();
-    while (done < taken) std::this_thread::yield();
 }
 
 TEST(Keepsakes, AreFewAndSeldomAndTheOldestGoes) {

@@ -3,18 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include "genome/scene_code.hpp"
 #include "genome/speech.hpp"
 #include "render/lettering.hpp"
-#include "stage/easel.hpp"
-#include "stage/stage.hpp"
+#include "unit/stage/legible_stage.hpp"
 
 namespace quadrat::stage {
 namespace {
 
 using namespace std::chrono_literals;
-
-constexpr std::array kSizes{TextSize::Normal, TextSize::Large, TextSize::Largest};
-constexpr std::array kSizeNames{"normal", "large", "largest"};
 
 // What an eye sees of a height from three metres, on a screen of 24 inches, by trigonometry.
 double arcmin_of(double px, int height_px) {
@@ -85,60 +82,6 @@ TEST(Legibility, WhiteOnAPlateHasItsContrastOverTheBrightestPicture) {
     EXPECT_GE(contrast(true), 18);
 }
 
-// A stage as large as the smallest screen that exhibits have.
-class ALegibleStage : public testing::Test {
-  protected:
-    static constexpr int kWidth = 1280, kHeight = 720;
-    ALegibleStage() : easel_(kWidth, kHeight), stage_(easel_.renderer(), configuration_) {
-        const auto scene = nursery::grow(genome::random_recipe(base::Seed{1}), {65, 64, 128});
-        const Shown shown{scene, upload_now(easel_.renderer(), scene)};
-        four_.scenes.assign(4, shown);
-        one_.scenes = {shown};
-        canvas_ = easel_.display().begin_frame();
-    }
-    render::Frame frame(exhibit::Screen screen, base::Instant now = 10s) {
-        state_.screen = screen;
-        const bool is_four =
-            screen == exhibit::Screen::Ask || screen == exhibit::Screen::Breed || screen == exhibit::Screen::StillThere;
-        StageView view{state_, timings_, is_four ? four_ : one_, flash_, 0.5F, now, caption_};
-        view.asked = asked_ ? &*asked_ : nullptr;
-        view.scanned = scanned_ ? &*scanned_ : nullptr;
-        return stage_.frame(view, canvas_);
-    }
-    void expect_within(const render::Frame& drawn, const std::string& what) {
-        for (const render::Sign& sign : drawn.signs) {
-            EXPECT_GE(sign.place.x, 0) << what;
-            EXPECT_GE(sign.place.y, 0) << what;
-            EXPECT_LE(sign.place.x + sign.place.width, kWidth) << what;
-            EXPECT_LE(sign.place.y + sign.place.height, kHeight) << what;
-        }
-    }
-    // Each word on the ground that it was given: the last plain rectangle before it that is filled.
-    void expect_words_on_their_ground(const render::Frame& drawn, const std::string& what) {
-        const render::Sign* ground = nullptr;
-        for (const render::Sign& sign : drawn.signs) {
-            if (!sign.texture && sign.border_px == 0 && sign.colour.a < 1 && sign.colour.r < 0.5F) ground = &sign;
-            if (!sign.texture || ground == nullptr) continue;
-            EXPECT_GE(sign.place.x, ground->place.x) << what;
-            EXPECT_GE(sign.place.y, ground->place.y) << what;
-            EXPECT_LE(sign.place.x + sign.place.width, ground->place.x + ground->place.width) << what;
-            EXPECT_LE(sign.place.y + sign.place.height, ground->place.y + ground->place.height) << what;
-        }
-    }
-
-    site::Configuration configuration_;
-    Easel easel_;
-    Stage stage_;
-    display::Canvas canvas_;
-    exhibit::State state_;
-    exhibit::Timings timings_;
-    Cast four_, one_;
-    std::optional<Flash> flash_;
-    std::string caption_;
-    std::optional<Asked> asked_;
-    std::optional<Scanned> scanned_;
-};
-
 TEST_F(ALegibleStage, HasRoomForEveryPromptOfEveryLanguageAtEverySize) {
     using exhibit::Screen;
     for (const std::string_view code : genome::language_codes())
@@ -163,6 +106,48 @@ TEST_F(ALegibleStage, HasRoomForEveryPromptOfEveryLanguageAtEverySize) {
                     if (screen != Screen::Ask) expect_words_on_their_ground(drawn, what);
                 }
             }
+}
+
+// Each prompt where it stands in a visit: what has no room on its line is broken, and then made smaller, but not so
+// small that it would not be read from three metres.
+TEST_F(ALegibleStage, WritesNothingMuchSmallerThanItShouldBeInAnyLanguage) {
+    using exhibit::Screen;
+    timings_.can_print = timings_.can_breed_on = true;
+    take_home_ = "https://museum.example/quadrat/#" + genome::code_of(genome::Recipe{});
+    state_.family = family_of(6);
+    state_.here = 6;
+    const std::array screens{Screen::Attract,    Screen::Language, Screen::Ask,   Screen::Breed,
+                             Screen::StillThere, Screen::Finale,   Screen::Family};
+    for (const std::string_view code : genome::language_codes())
+        for (std::size_t size = 0; size < kSizes.size(); ++size) {
+            configuration_.look.size = kSizeNames[size];
+            configuration_.visit.language = std::string(code);
+            caption_ = genome::language(code).describe(genome::Description{});
+            const Spoken spoken(configuration_);
+            stage_.writer().forget_tightest();
+            for (const Screen screen : screens)
+                for (const char* hint : {"", "invite.one", "invite.two", "hold.one", "hold.two", "scan.one",
+                                         "scan.step", "scan.two", "scan.rest", "hear.again"}) {
+                    const bool is_invited = std::string_view(hint).starts_with("invite.");
+                    if (is_invited != (screen == Screen::Attract) && *hint != 0) continue;
+                    state_.screen = screen;
+                    state_.walked = screen == Screen::Family ? 1 : 6;
+                    state_.finale_asks = screen == Screen::Finale;
+                    state_.is_printed = *hint == 0;
+                    asked_ = asked_of(state_, timings_, spoken, std::nullopt);
+                    scanned_ = *hint == 0 ? std::nullopt : std::optional(Scanned{{}, hint, !is_invited});
+                    for (const genome::Aspect aspect : genome::kAspects) {
+                        state_.question = aspect;
+                        expect_within(frame(screen, screen == Screen::Attract ? 9700ms : 3s), std::string(code));
+                        if (screen != Screen::Ask) break;
+                    }
+                }
+            // Than what stands below a question of normal size, but for an eighth.
+            const float smallest = 0.875F * capitals_arcmin(Letters::Below, TextSize::Normal) /
+                                   capitals_arcmin(Letters::Below, kSizes[size]);
+            EXPECT_GE(stage_.writer().tightest().share, smallest)
+                << code << " " << kSizeNames[size] << ": " << stage_.writer().tightest().utf8;
+        }
 }
 
 TEST_F(ALegibleStage, HasRoomForTheLabelsOfEveryWordBelowTheirQuestionAtEverySize) {
@@ -226,6 +211,130 @@ TEST_F(ALegibleStage, KeepsTheSliderApartFromAllElseAtEverySize) {
             }
 }
 
+TEST_F(ALegibleStage, HasRoomForWhatAFinaleOffersInEveryLanguageAtEverySize) {
+    using exhibit::Screen;
+    timings_.can_print = true;
+    state_.finale_asks = true;
+    state_.family = family_of(6);
+    state_.here = 6;
+    for (const std::string_view code : genome::language_codes())
+        for (const char* size : kSizeNames)
+            for (const Screen screen : {Screen::Finale, Screen::Family})
+                for (const int walked : {0, 1, 4, 6, 8}) {
+                    configuration_.look.size = size;
+                    configuration_.visit.language = std::string(code);
+                    Spoken spoken(configuration_);
+                    state_.screen = screen;
+                    state_.walked = walked;
+                    state_.is_printed = walked == 4;
+                    asked_ = asked_of(state_, timings_, spoken, std::nullopt);
+                    ASSERT_TRUE(asked_);
+                    caption_ = genome::language(code).describe(genome::Description{});
+                    const render::Frame drawn = frame(screen);
+                    const std::string what = std::string(code) + " " + size + " " + std::to_string(walked);
+                    expect_within(drawn, what);
+                    if (screen == Screen::Family) continue;
+                    expect_words_on_their_ground(drawn, what);
+                    const std::vector<render::Rect> grounds = grounds_of(drawn);
+                    ASSERT_EQ(grounds.size(), 5U) << what << ": a statement, four labels";
+                    for (std::size_t i = 0; i < grounds.size(); ++i)
+                        for (std::size_t j = 0; j < i; ++j) EXPECT_TRUE(are_apart(grounds[i], grounds[j])) << what;
+                }
+}
+
+// The large card is where it was walked to, and no card lies on another, whatever the tree.
+TEST_F(ALegibleStage, DrawsAFamilyTreeOfWhichNoCardLiesOnAnother) {
+    state_.finale_asks = true;
+    for (const int rounds : {1, 3, 8, 20})
+        for (int walked = 0; walked <= rounds + 2; ++walked) {
+            state_.family = family_of(rounds);
+            state_.here = rounds;
+            state_.walked = walked;
+            state_.screen = exhibit::Screen::Family;
+            asked_ = asked_of(state_, timings_, Spoken(configuration_), std::nullopt);
+            const render::Frame drawn = frame(exhibit::Screen::Family);
+            std::vector<render::Rect> cards;
+            for (const render::Sign& sign : drawn.signs)
+                if (!sign.texture && sign.colour.a == 1 && sign.colour.b > 0.11F && sign.colour.b < 0.13F)
+                    cards.push_back(sign.place);
+            ASSERT_GE(cards.size(), 1U);
+            EXPECT_LE(cards.size(), state_.family.size());
+            for (std::size_t i = 0; i < cards.size(); ++i) {
+                EXPECT_LE(cards[i].width, cards.back().width) << "the last is the large one";
+                for (std::size_t j = 0; j < i; ++j)
+                    EXPECT_TRUE(are_apart(cards[i], cards[j])) << rounds << " " << walked;
+            }
+            if (rounds <= 8) {
+                EXPECT_GE(cards.size(), static_cast<std::size_t>(rounds)) << walked;
+            }
+        }
+}
+
+TEST_F(ALegibleStage, ShowsTheFamilyTreeApartFromAllWordsAtEverySizeWithBackToo) {
+    state_.screen = exhibit::Screen::Family;
+    state_.finale_asks = true;
+    state_.family = family_of(5);
+    state_.here = 5;
+    state_.walked = 1;
+    asked_ = asked_of(state_, timings_, Spoken(configuration_), std::nullopt);
+    caption_ = genome::language("en").describe(genome::Description{});
+    for (const char* size : kSizeNames)
+        for (const bool offers_back : {false, true}) {
+            configuration_.look.size = size;
+            scanned_ = Scanned{exhibit::Choice::Back, "scan.one", offers_back};
+            const render::Frame drawn = frame(exhibit::Screen::Family);
+            expect_within(drawn, size);
+            std::vector<render::Rect> grounds = grounds_of(drawn), cards;
+            for (const render::Sign& sign : drawn.signs)
+                if (!sign.texture && sign.colour.a == 1 && sign.colour.b > 0.11F && sign.colour.b < 0.13F)
+                    cards.push_back(sign.place);
+            ASSERT_GE(cards.size(), 3U) << size;
+            EXPECT_GT(cards.back().height, kHeight / 5) << size << ": the large one";
+            // What was chosen lies on grounds within it.
+            std::erase_if(grounds, [&](const render::Rect& ground) {
+                return ground.y >= cards.back().y && ground.y + ground.height <= cards.back().y + cards.back().height &&
+                       ground.x >= cards.back().x && ground.x + ground.width <= cards.back().x + cards.back().width;
+            });
+            const auto labels = std::ranges::count_if(asked_->labels, [](const auto& label) { return !label.empty(); });
+            EXPECT_EQ(std::ssize(grounds), labels + (offers_back ? 2 : 1)) << "the plate, the labels, Back";
+            for (const render::Rect& card : cards)
+                for (const render::Rect& ground : grounds) EXPECT_TRUE(are_apart(card, ground)) << size;
+            for (std::size_t i = 0; i < grounds.size(); ++i)
+                for (std::size_t j = 0; j < i; ++j) EXPECT_TRUE(are_apart(grounds[i], grounds[j])) << size;
+        }
+}
+
+TEST_F(ALegibleStage, OffersToBreedOnAndToTakeTurnsInEveryLanguageAtEverySize) {
+    using exhibit::Screen;
+    for (const std::string_view code : genome::language_codes())
+        for (const char* size : kSizeNames) {
+            configuration_.look.size = size;
+            configuration_.visit.language = std::string(code);
+            const std::string what = std::string(code) + " " + size;
+            timings_ = {};
+            const std::size_t without = frame(Screen::Attract, 3s).signs.size();
+            timings_.can_breed_on = true;
+            const render::Frame attract = frame(Screen::Attract, 3s);
+            EXPECT_EQ(attract.signs.size(), without + 3) << what;
+            expect_within(attract, what);
+            expect_words_on_their_ground(attract, what);
+            const std::vector<render::Rect> grounds = grounds_of(attract);
+            ASSERT_EQ(grounds.size(), 2U);
+            EXPECT_TRUE(are_apart(grounds[0], grounds[1])) << what;
+            timings_ = {};
+            state_.rounds = 1;
+            const std::size_t alone = frame(Screen::Ask).signs.size();
+            timings_.turns = exhibit::TakingTurns::Always;
+            const render::Frame group = frame(Screen::Ask);
+            EXPECT_EQ(group.signs.size(), alone + 4) << "three people on a ground";
+            state_.rounds = 0;
+            const render::Frame first = frame(Screen::Ask);
+            EXPECT_EQ(first.signs.size(), group.signs.size() + 1) << "and, at first, what to do";
+            expect_within(first, what);
+            expect_within(group, what);
+        }
+}
+
 TEST_F(ALegibleStage, HasRoomForTheGhostThatShowsHowItIsPlayedInEveryLanguageAtEverySize) {
     for (const std::string_view code : genome::language_codes())
         for (const char* size : kSizeNames)
@@ -239,24 +348,6 @@ TEST_F(ALegibleStage, HasRoomForTheGhostThatShowsHowItIsPlayedInEveryLanguageAtE
                 expect_within(drawn, std::string(code) + " " + size + " " + motion);
                 expect_words_on_their_ground(drawn, std::string(code) + " " + size + " " + motion);
             }
-}
-
-TEST_F(ALegibleStage, SaysWithPictogramsWhatItSaysInWordsOrSaysItWithThemAlone) {
-    using exhibit::Screen;
-    state_.past_answers = {genome::Pick{}};
-    for (const char* size : kSizeNames)
-        for (const Screen screen : {Screen::Attract, Screen::Ask, Screen::Breed, Screen::StillThere, Screen::Finale}) {
-            configuration_.look.size = size;
-            configuration_.look.pictograms = "none";
-            const render::Frame words = frame(screen);
-            configuration_.look.pictograms = "beside";
-            const render::Frame beside = frame(screen);
-            configuration_.look.pictograms = "alone";
-            const render::Frame alone = frame(screen);
-            EXPECT_EQ(beside.signs.size(), words.signs.size() + 1) << size;
-            EXPECT_LE(alone.signs.size(), beside.signs.size());
-            for (const render::Frame* drawn : {&words, &beside, &alone}) expect_within(*drawn, size);
-        }
 }
 
 // Of each aspect that was judged its pictogram and the badge of the button, which come from its quarter to the middle.

@@ -7,6 +7,7 @@
 #include "pictures/picture.hpp"
 #include "render/code_picture.hpp"
 #include "stage/easel.hpp"
+#include "stage/spoken.hpp"
 #include "stage/stage.hpp"
 #include "support/process.hpp"
 
@@ -39,6 +40,8 @@ class Finale : public testing::TestWithParam<Screen> {
     render::Frame frame() {
         StageView view{state_, timings_, cast_, flash_, 0, 10s, caption_};
         view.take_home = take_home_;
+        view.language = configuration_.visit.language;
+        view.asked = asked_ ? &*asked_ : nullptr;
         return stage_.frame(view, easel_.display().begin_frame());
     }
     mesh::Image drawn() {
@@ -56,6 +59,7 @@ class Finale : public testing::TestWithParam<Screen> {
     std::optional<Flash> flash_;
     std::string caption_ = genome::language("en").describe(genome::Description{});
     std::string take_home_;
+    std::optional<Asked> asked_;
 };
 INSTANTIATE_TEST_SUITE_P(Sizes, Finale, testing::Values(Screen{1280, 720}, Screen{1920, 1080}, Screen{2560, 1440}));
 
@@ -72,8 +76,40 @@ TEST_P(Finale, HasACodeThatZbarReadsAtEverySizeOfText) {
                 EXPECT_LE(sign.place.x + sign.place.width, GetParam().width) << size;
                 EXPECT_LE(sign.place.y + sign.place.height, GetParam().height) << size;
             }
-            EXPECT_GT(f.signs[f.signs.size() - 2].place.height, GetParam().height / 36) << "what it is for is read too";
+            EXPECT_GT(f.signs.back().place.height, GetParam().height / 36) << "what it is for is read too";
             EXPECT_EQ(read_by_zbar(drawn()), take_home_ + "\n") << size << " " << language;
+        }
+}
+
+// With its four labels, which leave the less room the larger they are.
+TEST_P(Finale, HasACodeThatZbarReadsWhereItAsksToo) {
+    take_home_ = "https://museum.example/quadrat/#" + genome::code_of(genome::random_recipe(base::Seed{7}));
+    timings_.can_print = true;
+    state_.finale_asks = true;
+    state_.family = {{-1, {}, true}, {0, {}, false}};
+    state_.here = 1;
+    for (const char* size : {"normal", "large", "largest"})
+        for (const char* language : {"en", "ar", "el"}) {
+            configuration_.look.size = size;
+            configuration_.visit.language = language;
+            asked_ = asked_of(state_, timings_, Spoken(configuration_), std::nullopt);
+            ASSERT_TRUE(asked_);
+            EXPECT_EQ(read_by_zbar(drawn()), take_home_ + "\n") << size << " " << language;
+            std::vector<render::Rect> grounds;
+            for (const render::Sign& sign : frame().signs) {
+                EXPECT_GE(sign.place.x, 0) << size << " " << language;
+                EXPECT_LE(sign.place.x + sign.place.width, GetParam().width) << size << " " << language;
+                if (!sign.texture && sign.border_px == 0 && sign.colour.a < 1 && sign.colour.r < 0.5F)
+                    grounds.push_back(sign.place);
+            }
+            ASSERT_EQ(grounds.size(), 6U) << "a statement, the code, four labels";
+            for (std::size_t i = 0; i < grounds.size(); ++i)
+                for (std::size_t j = 0; j < i; ++j)
+                    EXPECT_TRUE(grounds[i].x + grounds[i].width <= grounds[j].x ||
+                                grounds[j].x + grounds[j].width <= grounds[i].x ||
+                                grounds[i].y + grounds[i].height <= grounds[j].y ||
+                                grounds[j].y + grounds[j].height <= grounds[i].y)
+                        << size << " " << language;
         }
 }
 

@@ -21,14 +21,18 @@ class TheatreTest : public render::Gpu {
     }
 
     // As many frames as it takes. What works in the background has only what others leave of the processors.
-    void prepare_until(const nursery::Prospect& prospect, std::size_t ahead) {
+    void bring_until(const OnGpu::Wanted& wanted, std::size_t scenes) {
         const auto began = std::chrono::steady_clock::now();
-        const Theatre::Haste frame{1U << 22U, [] { return true; }, 1};
-        while (theatre_.scenes_ahead() < ahead &&
+        const OnGpu::Haste frame{1U << 22U, [] { return true; }};
+        while (theatre_.on_gpu().size() < scenes &&
                std::chrono::steady_clock::now() - began < std::chrono::seconds{120}) {
-            theatre_.prepare_ahead(prospect, frame);
+            theatre_.on_gpu().bring(wanted, frame);
             std::this_thread::sleep_for(std::chrono::milliseconds{1});
         }
+        EXPECT_EQ(theatre_.on_gpu().size(), scenes);
+    }
+    void bring_nothing(const OnGpu::Wanted& wanted) {
+        theatre_.on_gpu().bring(wanted, OnGpu::Haste{1, [] { return false; }});
     }
 
     site::Configuration configuration_;
@@ -37,19 +41,32 @@ class TheatreTest : public render::Gpu {
 };
 
 TEST_F(TheatreTest, WhatIsAheadIsThereAtOnce) {
-    prepare_until({{}, {scenes_[0], scenes_[1]}}, 2);
-    EXPECT_EQ(theatre_.scenes_ahead(), 2U);
-    const Theatre::Haste none{0, [] { return false; }, 1};
-    EXPECT_TRUE(theatre_.prepare(nursery::Act{{scenes_[1], scenes_[0]}, {}, 1, {}}, none));
-    EXPECT_FALSE(theatre_.prepare(nursery::Act{{scenes_[0], scenes_[2]}, {}, 2, {}}, none));
+    bring_until({{}, {}, {{}, {scenes_[0], scenes_[1]}}}, 2);
+    bring_nothing({{{{scenes_[1], scenes_[0]}, true}}});
+    EXPECT_TRUE(theatre_.has({{scenes_[1], scenes_[0]}, {}, 1, {}}));
+    EXPECT_FALSE(theatre_.has({{scenes_[0], scenes_[2]}, {}, 2, {}}));
 }
 
 TEST_F(TheatreTest, WhatIsLitMeanwhileHoldsNothingBackWhereverItComes) {
     // Begun, and as many as are worked out at once.
-    theatre_.prepare_ahead({{}, {scenes_.begin(), scenes_.begin() + 4}}, {1, [] { return false; }, 1});
-    nursery::Scenes others_first(scenes_.rbegin(), scenes_.rend());
-    prepare_until({{}, others_first}, scenes_.size());
-    EXPECT_EQ(theatre_.scenes_ahead(), scenes_.size());
+    bring_nothing({{}, {}, {{}, {scenes_.begin(), scenes_.begin() + 4}}});
+    bring_until({{}, {}, {{}, {scenes_.rbegin(), scenes_.rend()}}}, scenes_.size());
+}
+
+TEST_F(TheatreTest, OneBatchIsWholeBeforeTheNextBegins) {
+    const OnGpu::Wanted wanted{{{{scenes_[0], scenes_[1]}}, {{scenes_[2], scenes_[3]}, true}}};
+    bring_until(wanted, 1);
+    EXPECT_FALSE(theatre_.has({{scenes_[2]}, {}, 1, {}}));
+    bring_until(wanted, 4);
+    EXPECT_TRUE(theatre_.has({{scenes_[0], scenes_[1], scenes_[2], scenes_[3]}, {}, 1, {}}));
+}
+
+TEST_F(TheatreTest, WhatIsHeldStaysAndIsNotBrought) {
+    bring_until({{{{scenes_[0]}}}}, 1);
+    bring_nothing({{}, {scenes_[0], scenes_[1]}});
+    EXPECT_EQ(theatre_.on_gpu().size(), 1U);
+    bring_nothing({});
+    EXPECT_EQ(theatre_.on_gpu().size(), 0U);
 }
 
 TEST_F(TheatreTest, DrawsTheGroundByWhatTheSiteDecidesAndThePictureSaysSo) {
@@ -59,7 +76,8 @@ TEST_F(TheatreTest, DrawsTheGroundByWhatTheSiteDecidesAndThePictureSaysSo) {
         configuration.picture.ground = ground;
         Theatre theatre(configuration);
         theatre.enter(canvas_);
-        EXPECT_TRUE(theatre.prepare(act, Theatre::Haste::everything()));
+        theatre.on_gpu().bring({{{act.scenes}}}, OnGpu::Haste::everything());
+        EXPECT_TRUE(theatre.has(act));
         const pictures::Picture picture = picture_of(act, canvas_, configuration);
         EXPECT_EQ(picture.ground, render::ground_named(ground));
         return theatre.photograph(act, picture, canvas_);
@@ -69,9 +87,9 @@ TEST_F(TheatreTest, DrawsTheGroundByWhatTheSiteDecidesAndThePictureSaysSo) {
 }
 
 TEST_F(TheatreTest, WhatIsNoLongerAheadIsFreed) {
-    prepare_until({{}, {scenes_[0], scenes_[1]}}, 2);
-    theatre_.prepare_ahead({{}, {scenes_[1]}}, {1, [] { return false; }, 1});
-    EXPECT_EQ(theatre_.scenes_ahead(), 1U);
+    bring_until({{}, {}, {{}, {scenes_[0], scenes_[1]}}}, 2);
+    bring_nothing({{}, {}, {{}, {scenes_[1]}}});
+    EXPECT_EQ(theatre_.on_gpu().size(), 1U);
 }
 
 }  // namespace

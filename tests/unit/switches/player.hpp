@@ -60,7 +60,14 @@ class Player {
         hear(exhibit::Tick{});
     }
     Player& hear(const Event& event) {
-        Step step = next(state_, event, {visit_, can_go_back()}, now_, options_);
+        return take(next(state_, event, {visit_, can_go_back(), Instant{0}, exhibit::meant_by(visit_, timings())}, now_,
+                         options_));
+    }
+    Player& let_go() { return take(switches::let_go(state_)); }
+    void pass(Instant time) { now_ += time; }
+
+  private:
+    Player& take(Step step) {
         state_ = std::move(step.state);
         for (const exhibit::Event& one : step.events) {
             told.push_back(one);
@@ -68,9 +75,6 @@ class Player {
         }
         return *this;
     }
-    void pass(Instant time) { now_ += time; }
-
-  private:
     void tell(const exhibit::Event& event) {
         exhibit::Step step = exhibit::next(visit_, event, now_, timings());
         visit_ = std::move(step.state);

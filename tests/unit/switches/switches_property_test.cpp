@@ -93,7 +93,8 @@ TEST_P(AnySwitches, ChangeAtTheirDeadlineAndNotANanosecondBefore) {
         player.pass(milliseconds(chance.below(700)));
         player.tick();
         player.tick();
-        const Beside beside{player.visit(), player.can_go_back()};
+        const Beside beside{player.visit(), player.can_go_back(), Instant{0},
+                            exhibit::meant_by(player.visit(), player.timings())};
         const auto due = next_deadline(player.state(), beside, player.options());
         const Step again = next(player.state(), exhibit::Tick{}, beside, player.now(), player.options());
         ASSERT_TRUE(again.state == player.state() && again.events.empty()) << "while time stands still nothing changes";

@@ -73,6 +73,38 @@ TEST(OneButton, PlaysAWholeVisitWithItsPicksItsBackAndItsDescribe) {
     EXPECT_EQ(player.screen(), Screen::Attract);
 }
 
+TEST(OneButton, IsNotAskedForByAButtonThatIsStuck) {
+    Player player(Options{});
+    player.arrive().down(Choice::C).wait(seconds(10));
+    ASSERT_EQ(player.state().buttons, Buttons::One);
+    ASSERT_EQ(player.timings().patience, exhibit::Timings{}.patience * 3);
+    player.wait(seconds(51)).up(Choice::C);  // as a panel lets go of it for good
+    EXPECT_EQ(player.state().buttons, Buttons::Four);
+    EXPECT_FALSE(player.marked());
+    player.wait(milliseconds(20));
+    EXPECT_EQ(player.screen(), Screen::StillThere) << "nobody has stirred for a minute";
+    player.press(Choice::A).down(Choice::B).wait(seconds(10)).up(Choice::B);
+    EXPECT_EQ(player.state().buttons, Buttons::One) << "who asks lets go";
+}
+
+// What was held was let go for them, as when staff take over; later presses of that button are presses.
+TEST(OneButton, IsStillPlayedWithOnceAHoldWasLetGo) {
+    Player player(Options{});
+    player.arrive().down(Choice::C).wait(seconds(10));
+    player.let_go().wait(seconds(31)).press(Choice::C);
+    EXPECT_EQ(player.state().buttons, Buttons::One);
+}
+
+TEST(OneButton, MayBeAskedForByAHoldThatIsLongerThanNobodys) {
+    Options options;
+    options.hold = kNobodysHold + seconds(5);
+    exhibit::Timings timings;
+    timings.patience = seconds(60);
+    Player player(options, timings);
+    player.arrive().hold(Choice::C, options.hold + seconds(1));
+    EXPECT_EQ(player.state().buttons, Buttons::One);
+}
+
 TEST(OneButton, IsAnyOfThem) {
     for (const Choice button : {Choice::A, Choice::D, Choice::Back}) {
         Player player(with(Buttons::One));
@@ -119,6 +151,24 @@ TEST(OneButton, TheMarkWaitsUntilWhatItMarksHasBeenSaid) {
         EXPECT_EQ(spoken, Instant(seconds(17)) + (*silent - state.marked_since));
         EXPECT_EQ(next_deadline(state, {visit, false, seconds(4)}, options), silent) << "said long ago";
     }
+}
+
+TEST(OneButton, NeverMarksWhatStandsForNothing) {
+    exhibit::Timings speaking = short_visit(1);
+    speaking.languages = 3;
+    Player player(with(Buttons::One), speaking);
+    player.press(Choice::B);
+    ASSERT_EQ(player.screen(), Screen::Language);
+    std::vector<Choice> marked;
+    for (int frames = 0; frames < 600; ++frames) {
+        player.wait(std::chrono::milliseconds(20));
+        if (player.marked() && (marked.empty() || marked.back() != *player.marked()))
+            marked.push_back(*player.marked());
+    }
+    ASSERT_GE(marked.size(), 5U);
+    EXPECT_EQ((std::vector(marked.begin(), marked.begin() + 5)),
+              (std::vector{Choice::A, Choice::B, Choice::C, Choice::A, Choice::B}))
+        << "D is no language";
 }
 
 TEST(OneButton, MarksBackToo) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/sky/cloudscape.hpp"
+#include "scene/sky_parameters.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
+#include <vector>
 
 #include "base/seed.hpp"
 #include "mesh/nearness.hpp"
@@ -10,7 +13,9 @@
 #include "support/manifold.hpp"
 #include "synthesis/trees/crown_fringe.hpp"
 #include "synthesis/trees/crown_mass.hpp"
+#include "synthesis/trees/crown_outline.hpp"
 #include "synthesis/trees/foliage.hpp"
+#include "synthesis/trees/undergrowth.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -109,8 +114,8 @@ TEST(CrownFringe, StandsOffTheMassAndIsGoneWithIt) {
         const bool has_next = level + 1 < masses.size() && masses[level + 1].sprays > 0;
         EXPECT_NEAR(area_of(become), has_next ? covered_m2 : 0, 0.9F * covered_m2) << level;
     }
-    // From far enough no spray shows: a ball that reaches as far as the crown did.
-    EXPECT_EQ(masses.back().mesh.triangle_count(), 8U);
+    // From far enough no spray shows: an outline as wide as the crown was.
+    EXPECT_EQ(masses.back().mesh.triangle_count(), kPlainOutline.triangles());
     EXPECT_EQ(masses.back().sprays, 0U);
     EXPECT_NEAR(std::cbrt(tests::volume_of(masses.back().mesh)), std::cbrt(tests::volume_of(bare.front().mesh)),
                 0.35F * std::cbrt(tests::volume_of(bare.front().mesh)));
@@ -153,6 +158,58 @@ TEST(CrownMass, EndsOnTheNextLevelsSurface) {
         }
         EXPECT_TRUE(masses.back().coarser_m.empty());
     }
+}
+
+// A cone 20 m high and 4 m wide at its foot, with less at its top.
+TEST(CrownMass, OfASpireIsASpireAtItsCoarsest) {
+    scene::Leaves leaves = blades_on_a_ball(9000);
+    for (scene::Leaves::Vertex& v : leaves.vertices) {
+        const glm::vec3 in_ball = (v.site_m - glm::vec3{0, 5, 0}) / 2.0F;
+        const float height = 0.5F + 0.5F * in_ball.y;
+        const float wide_m = 4 * (1 - 0.9F * height) / std::sqrt(std::max(1 - in_ball.y * in_ball.y, 0.05F));
+        v.site_m = {wide_m * in_ball.x, 2 + 20 * height, wide_m * in_ball.z};
+    }
+    auto masses = crown_masses(leaves);
+    ASSERT_FALSE(masses.empty());
+    masses.resize(1);
+    for (const Outline& outline : {kRoundOutline, kPlainOutline}) {
+        add_outline(masses, outline);
+        ASSERT_EQ(masses.back().mesh.triangle_count(), outline.triangles());
+        EXPECT_GT(tests::volume_of(masses.back().mesh), 0.3 * tests::volume_of(masses.front().mesh));
+        // As wide as the crown is at the height of each of its corners.
+        for (const glm::vec3& corner_m : masses.back().mesh.positions_m) {
+            float widest_m = 0;
+            for (const glm::vec3& at_m : masses.front().mesh.positions_m)
+                if (std::abs(at_m.y - corner_m.y) < 2.5F) widest_m = std::max(widest_m, std::hypot(at_m.x, at_m.z));
+            EXPECT_LT(std::hypot(corner_m.x, corner_m.z), 1.05F * widest_m) << corner_m.y;
+        }
+    }
+}
+
+// A bush is a dozen pixels high in most pictures, on bare ground: a smooth ball there is the first thing that is seen.
+TEST(CrownMass, OfABushIsNoBallFarAway) {
+    std::vector<float> uneven;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        const scene::Species bush = shrub({}, base::Seed{seed});
+        std::size_t sprayed = 0;
+        for (const scene::CrownMass& mass : bush.masses) {
+            const std::size_t triangles = mass.mesh.triangle_count();
+            sprayed += triangles < 80 && mass.sprays > 15;
+            if (mass.sprays > 0 || triangles > 40) continue;
+            std::vector<float> off_m;
+            glm::vec3 middle_m{0};
+            for (const glm::vec3& at_m : mass.mesh.positions_m) middle_m += at_m;
+            middle_m /= static_cast<float>(mass.mesh.positions_m.size());
+            for (const glm::vec3& at_m : mass.mesh.positions_m)
+                off_m.push_back(glm::length((at_m - middle_m) * glm::vec3{1, 0, 1}));
+            std::ranges::sort(off_m);
+            off_m.erase(off_m.begin(), off_m.begin() + 2);  // the points above and below
+            uneven.push_back(off_m.back() / off_m.front());
+        }
+        EXPECT_GE(sprayed, 1) << seed;
+    }
+    ASSERT_FALSE(uneven.empty());
+    EXPECT_GT(std::accumulate(uneven.begin(), uneven.end(), 0.0F) / static_cast<float>(uneven.size()), 1.75F);
 }
 
 TEST(CrownMass, IsNotThereWhereTheSkyShinesThrough) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/sky_parameters.hpp"
 #include "synthesis/compose/near_shade.hpp"
 #include "synthesis/grow.hpp"
 
@@ -30,12 +31,29 @@ struct Plain {
         std::ranges::fill(light.ground.bytes, halved_light);
         track.cameras = {{{0, 9, 0}, {0, 4, -10}, 42}};
     }
+    // West of the eye, half of what it sees.
+    void darken_half() {
+        for (int y = 0; y < 32; ++y)
+            for (int x = 0; x < 16; ++x)
+                for (int c = 0; c < 3; ++c) light.ground.pixel(x, y)[c] = 4;
+    }
     float exposure() const { return exposure_for(land, sky, light, track); }
 };
 
 TEST(Exposure, LeavesWhatIsLitAndNotTooBrightAlone) {
-    EXPECT_EQ(Plain(170, 128).exposure(), 1);
-    EXPECT_EQ(Plain(190, 100).exposure(), 1);
+    for (Plain plain : {Plain(170, 128), Plain(190, 100)}) {
+        // All of one shade it would be shown brighter, for the range that brings.
+        EXPECT_GT(plain.exposure(), 1);
+        plain.darken_half();
+        EXPECT_EQ(plain.exposure(), 1);
+    }
+}
+
+// The light end goes up, not past what a picture may be.
+TEST(Exposure, ShowsWhatHasLittleRangeBrighter) {
+    Plain plain(170, 128);
+    EXPECT_LE(std::pow(plain.exposure(), 0.45F), 1.23F);
+    EXPECT_GT(std::pow(plain.exposure(), 0.45F), 1.03F);
 }
 
 TEST(Exposure, OpensForALandInWhichNothingIsLit) {
@@ -60,7 +78,7 @@ TEST(Exposure, StopsDownForSnowInTheSunButNotIntoTheDark) {
 }
 
 TEST(Exposure, NeverRisesWithTheLight) {
-    float before = 1;
+    float before = 2;
     for (const int light : {60, 100, 140, 180, 220, 255}) {
         const float now = Plain(245, static_cast<std::uint8_t>(light)).exposure();
         EXPECT_LE(now, before + 1e-6F) << light;

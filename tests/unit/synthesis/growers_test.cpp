@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "scene/tree_parameters.hpp"
 #include "support/effort.hpp"
 #include "synthesis/land/facets.hpp"
 #include "synthesis/land/patterns.hpp"

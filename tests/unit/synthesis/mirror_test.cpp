@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/compose/mirror.hpp"
+#include "scene/sky_parameters.hpp"
 
 #include <gtest/gtest.h>
 

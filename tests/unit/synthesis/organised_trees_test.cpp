@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "scene/tree_parameters.hpp"
 #include "support/effort.hpp"
 #include "synthesis/compose/neighbours.hpp"
 #include "synthesis/trees/burden.hpp"

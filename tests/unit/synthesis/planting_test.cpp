@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/compose/planting.hpp"
+#include "genome/parameter_ids.hpp"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/task_arena.h>
@@ -216,6 +217,57 @@ TEST(Planting, StandsInPatchesOfSeveralAgesWhereItBurns) {
     EXPECT_GT(old, plants.size() / 8);
     EXPECT_LT(apart / static_cast<double>(pairs), 0.12);
     EXPECT_NE(plants.size(), unburnt);
+}
+
+// How unevenly trees lie: the spread of their numbers in squares of a clearing's size, to the mean.
+double unevenness(const std::vector<scene::Plant>& plants, float side_m) {
+    std::map<std::pair<int, int>, double> counts;
+    const int squares = static_cast<int>(400 / side_m);
+    for (int y = 0; y < squares; ++y)
+        for (int x = 0; x < squares; ++x) counts[{x, y}] = 0;
+    for (const scene::Plant& plant : plants) {
+        const auto square = std::pair{static_cast<int>(std::floor((plant.root_m.x + 200) / side_m)),
+                                      static_cast<int>(std::floor((plant.root_m.z + 200) / side_m))};
+        if (counts.contains(square)) ++counts[square];
+    }
+    double sum = 0;
+    double squared = 0;
+    for (const auto& [square, count] : counts) {
+        sum += count;
+        squared += count * count;
+    }
+    const double mean = sum / static_cast<double>(counts.size());
+    return std::sqrt(squared / static_cast<double>(counts.size()) - mean * mean) / mean;
+}
+
+TEST(Planting, ClearingsThatKeepOthersOffAreEvenlyStrewn) {
+    const scene::Land land = land_of([](float, float) { return 30.0F; });
+    scene::Flora flora = wood_of(tree());
+    flora.stand.grove_m = 45;
+    flora.stand.clearings = 0.4F;
+    const auto by_chance = planted(land, flora);
+    flora.stand.even_clearings = 1;
+    const auto evenly = planted(land, flora);
+    EXPECT_LT(unevenness(evenly, 50), 0.8 * unevenness(by_chance, 50));
+    EXPECT_NEAR(static_cast<double>(evenly.size()) / static_cast<double>(by_chance.size()), 1, 0.35) << "as many";
+}
+
+TEST(Planting, GiantsStandSinglyAmongTheRest) {
+    const scene::Land land = land_of([](float, float) { return 30.0F; });
+    scene::Flora flora = wood_of(tree());
+    flora.stand.grove_m = 60;
+    flora.stand.size_spread = 0.1F;
+    const auto count_giants = [&] {
+        std::vector<glm::vec3> giants;
+        for (const scene::Plant& plant : planted(land, flora))
+            if (plant.scale > 1.55F) giants.push_back(plant.root_m);
+        return giants;
+    };
+    EXPECT_LE(count_giants().size(), 1U) << "a hero at most";
+    flora.stand.giants = 1;
+    const std::vector<glm::vec3> giants = count_giants();
+    EXPECT_GT(giants.size(), 12U);
+    EXPECT_LT(giants.size(), planted(land, flora).size() / 5);
 }
 
 TEST(Planting, TakesAFormForItsKindAndNeverByItself) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/land_parameters.hpp"
 #include "synthesis/grow.hpp"
 
 namespace quadrat::synthesis {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/land/roads.hpp"
+#include "scene/parameters.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,6 +29,7 @@ scene::Land settled(std::uint64_t seed, float road_share, float site_share) {
     p.land.road_share = road_share;
     p.land.site_share = site_share;
     p.land.settle_age = -1;
+    p.land.ledge_share = -1;  // which would stand on the same ground
     return grow_land(p.land, recipe.seeds[genome::Aspect::Land],
                      {.land_samples = 257, .light_px = 64, .albedo_px = 64});
 }
@@ -218,6 +220,7 @@ TEST(Stones, FaceOutwardAndKeepToTheLand) {
         const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
         scene::SceneParameters p = scene::realise(recipe.values);
         p.land.arch_share = 1;
+        p.land.ledge_share = -1;  // masonry is open where it stands in the ground
         const scene::Land land = grow_land(p.land, recipe.seeds[genome::Aspect::Land],
                                            {.land_samples = 257, .light_px = 64, .albedo_px = 64});
         const mesh::Mesh& mesh = land.stone.mesh;

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
+#include "genome/parameter_ids.hpp"
+#include "scene/parameters.hpp"
 #include "support/effort.hpp"
 #include "synthesis/compose/track.hpp"
 #include "unit/synthesis/scenes.hpp"
@@ -221,6 +223,14 @@ genome::ParameterValues a_village() {
     return values;
 }
 
+// Open land, for what only shows on walls between fields and on rock in steps.
+genome::ParameterValues land_with_walls_and_ledges() {
+    genome::ParameterValues values;
+    values.set(genome::ParameterId::wall_share, 0.9F);
+    values.set(genome::ParameterId::ledge_share, 0.9F);
+    return values;
+}
+
 TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
     const base::Seed seed{13};
     const scene::Fineness fineness{.land_samples = 129, .light_px = 64, .albedo_px = 64};
@@ -230,10 +240,14 @@ TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
     const scene::Land land = grow_land(plain.land, seed, fineness);
     const scene::Land village = grow_land(scene::realise(a_village()).land, seed, fineness);
     ASSERT_FALSE(village.settlement.is_empty());
+    const scene::Land walled = grow_land(scene::realise(land_with_walls_and_ledges()).land, seed, fineness);
     const scene::Land fine_land = grow_land(plain.land, seed, finer);
     for (const genome::Parameter& parameter : genome::parameter_table()) {
         const bool is_peoples = parameter.name.starts_with("settle.");
-        genome::ParameterValues values = is_peoples ? a_village() : test_scenes::everything();
+        const bool is_wall = parameter.name.starts_with("wall.") || parameter.name.starts_with("ledge.");
+        genome::ParameterValues values = is_peoples ? a_village()
+                                         : is_wall  ? land_with_walls_and_ledges()
+                                                    : test_scenes::everything();
         const bool is_high = values[parameter.id] > 0.5F * (parameter.min + parameter.max);
         values.set(parameter.id, is_high ? parameter.min : parameter.max);
         const scene::SceneParameters p = scene::realise(values);
@@ -242,8 +256,9 @@ TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
                 EXPECT_FALSE(are_same(grow_trees(p.trees, seed), flora)) << parameter.name;
                 break;
             case genome::Aspect::Land:
-                if (is_peoples) {
-                    EXPECT_FALSE(are_same(grow_land(p.land, seed, fineness), village)) << parameter.name;
+                if (is_peoples || is_wall) {
+                    EXPECT_FALSE(are_same(grow_land(p.land, seed, fineness), is_wall ? walled : village))
+                        << parameter.name;
                     break;
                 }
                 // What only the finest samples show is looked for there.

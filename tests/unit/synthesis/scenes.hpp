@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include "genome/parameter_ids.hpp"
 #include "genome/recipe.hpp"
+#include "scene/parameters.hpp"
 #include "synthesis/grow.hpp"
 
 namespace quadrat::synthesis::test_scenes {

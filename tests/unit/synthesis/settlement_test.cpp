@@ -12,6 +12,7 @@
 #include "scene/parameters.hpp"
 #include "synthesis/compose/track.hpp"
 #include "synthesis/grow.hpp"
+#include "synthesis/houses/fields.hpp"
 #include "synthesis/houses/settle.hpp"
 #include "synthesis/houses/styles.hpp"
 
@@ -294,6 +295,62 @@ TEST(Settlement, HousesAreAsManyAsItsAgeSays) {
     EXPECT_EQ(houses::houses_at(0), 1);
     EXPECT_EQ(houses::houses_at(1), houses::kMostHouses);
     for (float age = 0; age < 1; age += 0.05F) EXPECT_LE(houses::houses_at(age), houses::houses_at(age + 0.05F));
+}
+
+TEST(Settlement, StainsGoOnAcrossATileAndLeaveSomeWallClean) {
+    const mesh::Image& stains = *lands().front().settlement.stains;
+    EXPECT_EQ(lands()[0].settlement.stains, lands()[1].settlement.stains);
+    double sum = 0;
+    double within = 0;  // how much a row differs from the next, and the last from the first
+    double across = 0;
+    for (int x = 0; x < stains.width; ++x) {
+        for (int y = 0; y < stains.height; ++y) sum += *stains.pixel(x, y);
+        within += std::abs(*stains.pixel(x, 40) - *stains.pixel(x, 41));
+        across += std::abs(*stains.pixel(x, 0) - *stains.pixel(x, stains.height - 1));
+    }
+    const double mean = sum / (255.0 * stains.width * stains.height);
+    EXPECT_GT(mean, 0.12);
+    EXPECT_LT(mean, 0.6);
+    EXPECT_LT(across, 3 * within + stains.width);
+}
+
+TEST(Settlement, WhatBoundsAPlotClimbsNoCliff) {
+    int sides = 0;
+    for (const scene::Land& land : lands())
+        for (const scene::Masses& piece : land.settlement.bounds)
+            for (std::size_t i = 0; i < piece.mesh.indices.size(); ++i) {
+                const std::uint32_t a = piece.mesh.indices[i];
+                const std::uint32_t b = piece.mesh.indices[i % 3 == 2 ? i - 2 : i + 1];
+                if (piece.claddings[a] != scene::Cladding::Leaves) continue;
+                const glm::vec2 p{piece.mesh.positions_m[a].x, piece.mesh.positions_m[a].z};
+                const glm::vec2 q{piece.mesh.positions_m[b].x, piece.mesh.positions_m[b].z};
+                const float climb_m = std::abs(scene::ground_height_m(land, p) - scene::ground_height_m(land, q));
+                EXPECT_LT(climb_m, 0.42F * glm::distance(p, q) + 0.8F);  // and across it
+                ++sides;
+            }
+    EXPECT_GT(sides, 500);
+}
+
+TEST(Settlement, NoBrookRunsThroughAField) {
+    int fields = 0;
+    for (int region = 0; region < houses::kRegions; ++region) {
+        const scene::LandParameters p = country(0.5F, region);
+        scene::LandParameters wild = p;
+        wild.settle_age = -1;
+        const base::Seed seed{static_cast<std::uint64_t>(20 + region)};
+        const scene::Land land = grow_land(wild, seed, kCoarse);
+        const houses::Settled settled = houses::settle(land, p, seed);
+        for (const houses::FieldPlot& field : houses::lay_fields(land, settled, p, seed)) {
+            ++fields;
+            glm::vec2 middle{0};
+            for (const glm::vec2 corner : field.outline_m)
+                middle += corner / static_cast<float>(field.outline_m.size());
+            for (const glm::vec2 corner : field.outline_m)
+                for (const float t : {0.2F, 0.4F, 0.6F, 0.8F})
+                    EXPECT_LE(scene::water_depth_m(land, corner + t * (middle - corner)), 0.25F);
+        }
+    }
+    EXPECT_GT(fields, 20);
 }
 
 TEST(Settlement, WildernessHasNone) {

@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "genome/recipe.hpp"
-#include "scene/parameters.hpp"
+#include "scene/sky_parameters.hpp"
 #include "support/effort.hpp"
 #include "synthesis/compose/light.hpp"
 #include "synthesis/compose/openness.hpp"
@@ -182,9 +182,20 @@ TEST(Irradiance, IsExactForWhatTheFirstThreeOrdersHold) {
     }
 }
 
+TEST(Irradiance, LeavesAWallThatLooksAwayFromTheGlowAShareOfTheMean) {
+    scene::Irradiance glow;  // all of it from the east, low
+    for (const float up : {0.0F, 0.1F, 0.2F})
+        glow.add(glm::normalize(glm::vec3{1, up, 0}), glm::vec3{2, 1, 0.2F}, 0.4F);
+    for (const glm::vec4& row : glow.linear())
+        for (int i = 0; i < 12; ++i) {
+            const float turn = 0.5235988F * static_cast<float>(i);
+            EXPECT_GE(glm::dot(row, glm::vec4(std::sin(turn), 0, std::cos(turn), 1)), 0.33F * row.w);
+        }
+}
+
 TEST(Irradiance, AsALinearFormKeepsTheLightFromAboveAndBelow) {
     const genome::Recipe recipe = genome::random_recipe(base::Seed{3});
-    const scene::Sky sky = grow_sky(scene::realise(recipe.values).sky, recipe.seeds[genome::Aspect::Sky]);
+    const scene::Sky sky = grow_sky(scene::realise_sky(recipe.values), recipe.seeds[genome::Aspect::Sky]);
     for (const glm::vec3& n : {glm::vec3{0, 1, 0}, glm::vec3{0, -1, 0}})
         for (std::size_t c = 0; c < 3; ++c) {
             const float exact = sky.ambient.on(n)[static_cast<int>(c)];
@@ -200,7 +211,7 @@ TEST(BakedLight, OfAWhiteGroundIsTheIrradianceOfSunAndSkyWithinTwoPercent) {
     int compared = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
-        const scene::Sky sky = grow_sky(scene::realise(recipe.values).sky, recipe.seeds[genome::Aspect::Sky]);
+        const scene::Sky sky = grow_sky(scene::realise_sky(recipe.values), recipe.seeds[genome::Aspect::Sky]);
         if (sky.is_night) continue;  // the eye opens a night's shadows
         const LandShadow shadow(land, sky.sun_direction);
         const scene::BakedLight baked = bake_light(land, sky_openness(land), sky, {}, {}, shadow, 32);

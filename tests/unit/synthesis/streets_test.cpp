@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "scene/land_parameters.hpp"
 #include "synthesis/houses/bridges.hpp"
 #include "synthesis/houses/network.hpp"
 

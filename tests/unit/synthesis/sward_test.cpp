@@ -8,8 +8,11 @@
 #include <glm/vector_relational.hpp>
 #include <vector>
 
+#include "genome/parameter_table.hpp"
 #include "scene/colour.hpp"
+#include "scene/parameters.hpp"
 #include "synthesis/compose/near_shade.hpp"
+#include "synthesis/grow.hpp"
 
 namespace quadrat::synthesis {
 namespace {
@@ -65,6 +68,20 @@ TEST(Sward, LeavesStonesWhereTheGroundBearsNothing) {
     ASSERT_GT(sward.tufts.size(), 100U);
     EXPECT_TRUE(
         std::ranges::all_of(sward.tufts, [](const scene::Tuft& tuft) { return tuft.kind == scene::CoverKind::Stone; }));
+}
+
+// Of a land of dunes, as its ground is painted.
+TEST(Sward, LeavesSandBare) {
+    scene::SceneParameters p = scene::realise(genome::ParameterValues{});
+    p.land.ground_lushness = -1;
+    const auto sown = [&](float dunes) {
+        p.land.dune_share = dunes;
+        const scene::Land land = grow_land(p.land, base::Seed{5}, {.land_samples = 129});
+        return laid(land).tufts.size();
+    };
+    const std::size_t grass = sown(-1);
+    ASSERT_GT(grass, 1000U);
+    EXPECT_LT(sown(1), grass / 3);
 }
 
 TEST(Sward, KeepsTheTuftsOfACellTogetherKindByKind) {

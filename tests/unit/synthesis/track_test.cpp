@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "genome/recipe.hpp"
-#include "scene/parameters.hpp"
+#include "scene/land_parameters.hpp"
 #include "support/effort.hpp"
 #include "synthesis/compose/view_merit.hpp"
 #include "synthesis/grow.hpp"
@@ -45,13 +45,37 @@ TEST(Outlook, BeforeASlopeIsWalled) {
     EXPECT_LT(view_merit(seen), view_merit(outlook(plain(2), level(12))));
 }
 
+// A barn 24 m long and 10 m high, turned by 30 degrees.
+scene::Land with_barn(glm::vec3 foot_m) {
+    scene::Land land = plain(2);
+    land.settlement.buildings.push_back({{}, {12, 5}, 10, {}});
+    scene::House barn;
+    barn.foot_m = foot_m;
+    barn.yaw_rad = 0.5236F;
+    land.settlement.houses.push_back(barn);
+    return land;
+}
+
+TEST(Outlook, BeforeABarnIsRoofed) {
+    const Outlook seen = outlook(with_barn({0, 2, -16}), level(7));
+    EXPECT_GT(seen.roofed, 0.4F);
+    EXPECT_LT(view_merit(seen), view_merit(outlook(plain(2), level(7))));
+    EXPECT_EQ(outlook(with_barn({0, 2, 16}), level(7)).roofed, 0);   // behind
+    EXPECT_EQ(outlook(with_barn({0, 2, -70}), level(7)).roofed, 0);  // a subject, not a wall
+    EXPECT_LT(outlook(with_barn({14, 2, -20}), level(7)).roofed, 0.9F * seen.roofed);
+    scene::Land hill = with_barn({0, 2, -28});
+    for (int column = 0; column < 129; ++column) hill.height_m.at(column, 62) = 40;  // 16 m before the eye
+    EXPECT_EQ(outlook(hill, level(7)).roofed, 0);
+}
+
 TEST(ViewMerit, LikesNearAndFarAndWater) {
     const Outlook good{.sky = 0.36F, .water = 0.12F, .near = 0.2F, .far = 0.15F};
     for (Outlook worse : {Outlook{.sky = 0.36F, .water = 0.0F, .near = 0.2F, .far = 0.15F},
                           Outlook{.sky = 0.36F, .water = 0.12F, .near = 0.0F, .far = 0.15F},
                           Outlook{.sky = 0.36F, .water = 0.12F, .near = 0.2F, .far = 0.0F},
                           Outlook{.sky = 0.75F, .water = 0.12F, .near = 0.2F, .far = 0.15F},
-                          Outlook{.sky = 0.36F, .water = 0.12F, .near = 0.2F, .far = 0.15F, .walled = 0.4F}})
+                          Outlook{.sky = 0.36F, .water = 0.12F, .near = 0.2F, .far = 0.15F, .walled = 0.4F},
+                          Outlook{.sky = 0.36F, .water = 0.12F, .near = 0.2F, .far = 0.15F, .roofed = 0.4F}})
         EXPECT_LT(view_merit(worse), view_merit(good));
 }
 
@@ -61,7 +85,7 @@ TEST(Flight, ShowsSkyAndLandOverEveryGenome) {
     std::uint64_t with_near = 0;
     for (std::uint64_t seed = 0; seed < seeds; ++seed) {
         const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
-        const scene::Land land = grow_land(scene::realise(recipe.values).land, recipe.seeds[genome::Aspect::Land],
+        const scene::Land land = grow_land(scene::realise_land(recipe.values), recipe.seeds[genome::Aspect::Land],
                                            {.land_samples = 129, .light_px = 64, .albedo_px = 64});
         const scene::Track track = fly(plan_flight(recipe.flight), land, recipe.flight);
         const Outlook seen = outlook(land, track.cameras[track.cameras.size() / 2]);

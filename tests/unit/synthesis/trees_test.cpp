@@ -8,6 +8,7 @@
 
 #include "genome/recipe.hpp"
 #include "mesh/nearness.hpp"
+#include "scene/tree_parameters.hpp"
 #include "support/effort.hpp"
 #include "support/manifold.hpp"
 #include "synthesis/grow.hpp"
@@ -194,7 +195,7 @@ TEST(Trees, OfRandomGenomesHoldTheirBudgets) {
     oneapi::tbb::parallel_for(0, kTrees, [&](int i) {
         const genome::Recipe recipe = genome::random_recipe(base::Seed{static_cast<std::uint64_t>(i)});
         const Rank rank = i % 3 == 0 ? Rank::First : i % 3 == 1 ? Rank::Second : Rank::Third;
-        const Form form = form_of(scene::realise(recipe.values).trees, rank);
+        const Form form = form_of(scene::realise_trees(recipe.values), rank);
         const base::Seed seed = recipe.seeds[genome::Aspect::Trees];
         const TreeSkeleton skeleton = grow_skeleton(form, seed);
         if (skeleton.limbs.empty()) return blame(i, "no limb");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machine/low_priority.hpp"
+#include "base/background_threads.hpp"
 
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -8,7 +8,7 @@
 
 #include <thread>
 
-namespace quadrat::machine {
+namespace quadrat::base {
 namespace {
 
 bool may_raise_to_ten() {
@@ -53,4 +53,4 @@ TEST(BackgroundThreads, WhoeverEntersWhileSomebodyWaitsTakesItsShare) {
 }
 
 }  // namespace
-}  // namespace quadrat::machine
+}  // namespace quadrat::base

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "render/rehearsal.hpp"
+#include "render/renderer.hpp"
+#include "render/view.hpp"
+#include "unit/render/gpu_fixture.hpp"
+
+namespace quadrat::render {
+namespace {
+
+constexpr glm::ivec2 kSize{64, 64};
+constexpr float kShore_m = 60;
+
+// A sea whose mirror was held up in the middle: darkest at the horizon, brighter and brighter upward.
+std::shared_ptr<const scene::Scene> sea() {
+    auto scene = std::make_shared<scene::Scene>(rehearsal_scene());
+    auto land = std::make_shared<scene::Land>(*scene->land);
+    land->height_m.samples.assign(land->height_m.samples.size(), -8.0F);
+    land->fresh_water = {};
+    scene->land = land;
+    scene->mirror.light = mesh::Image(8, 32, 4);
+    for (int row = 0; row < 32; ++row)
+        for (int i = 0; i < 8 * 4; ++i)
+            scene->mirror.light.bytes[static_cast<std::size_t>(row * 8 * 4 + i)] = static_cast<std::uint8_t>(7 * row);
+    scene->mirror.shore_m.fill(kShore_m);
+    return scene;
+}
+
+class MirrorOnWater : public Gpu {};
+
+// Brightness of a row of pixels on average, from the nearest water to the farthest.
+std::vector<float> rows_of(const mesh::Image& picture) {
+    std::vector<float> rows;
+    for (int row = picture.height - 1; row >= 0; --row) {
+        float sum = 0;
+        for (int x = 0; x < picture.width; ++x) sum += static_cast<float>(picture.pixel(x, row)[1]);
+        rows.push_back(sum / static_cast<float>(picture.width));
+    }
+    return rows;
+}
+
+TEST_F(MirrorOnWater, ShowsNoEdgeWhereTheShoreOfItsPictureIs) {
+    Renderer renderer;
+    const auto upload = renderer.begin_upload(sea());
+    while (!upload->advance(std::size_t{1} << 22U)) continue;
+    View view;
+    view.scene = upload->take();
+    view.camera = {{0, 30, 100}, {0, 0, -40}, 30};
+    view.viewport = {0, 0, kSize.x, kSize.y};
+    Frame frame;
+    frame.size = kSize;
+    frame.framebuffer = canvas_.framebuffer;
+    frame.measured = {false, false, false, true, false};
+    frame.views = {view};
+    renderer.draw(frame);
+    const std::vector<float> rows = rows_of(renderer.read_pixels(frame));
+    // Toward the shore what it mirrors is lower and lower, and beyond it no higher again.
+    const auto brightest = std::max_element(rows.begin() + 8, rows.begin() + 40);
+    ASSERT_GT(*brightest, 130);
+    for (auto row = brightest + 1; row < brightest + 20; ++row)
+        EXPECT_LT(*row, *(row - 1) + 0.5F) << row - rows.begin();
+    EXPECT_LT(*(brightest + 20), 0.85F * *brightest);
+}
+
+}  // namespace
+}  // namespace quadrat::render
