@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/file.hpp"
 #include "commands/commands.hpp"
 #include "mesh/model.hpp"
@@ -63,15 +65,15 @@ mesh::Model scene_model(const scene::Scene& scene, bool writes_instances_out) {
 
 int write(const Options& options) {
     const std::string ending = base::ending_of(options.output);
-    const bool is_heights = options.what == "land" && ending != ".obj" && ending != ".glb";
+    const bool is_model = std::ranges::find(mesh::kModelEndings, ending) != mesh::kModelEndings.end();
+    const bool is_heights = options.what == "land" && !is_model;
     if (options.what == "land")
-        base::require_ending(options.output, {".obj", ".glb", ".exr", ".tif", ".tiff"}, "land, or its heights,");
+        base::require_ending(options.output, {".obj", ".glb", ".gltf", ".exr", ".tif", ".tiff"},
+                             "land, or its heights,");
     else
-        base::require_ending(options.output, {".obj", ".glb"}, "a " + options.what);
+        base::require_ending(options.output, {".obj", ".glb", ".gltf"}, "a " + options.what);
     const pictures::Picture picture = pictures::read_scene_clamped(options.scene);
-    const auto in_format = [&](const mesh::Model& model) {
-        return ending == ".obj" ? mesh::to_obj(model) : mesh::to_glb(model);
-    };
+    const auto in_format = [&](const mesh::Model& model) { return mesh::model_file(model, ending); };
     if (options.what == "tree") {  // which needs neither land nor sky
         base::write_file(options.output,
                          in_format(pictures::tree_model(picture.scenes.front(), pictures::limbs_from(options.limbs))));
@@ -95,7 +97,8 @@ void add_export(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("export", "Write a scene's geometry for other tools");
     command->add_option("scene", options->scene, "seed:N, a scene file, or a picture that quadrat wrote")->required();
-    command->add_option("-o,--output", options->output, "NAME.obj or NAME.glb; heights of the land as NAME.exr or .tif")
+    command
+        ->add_option("-o,--output", options->output, "NAME.obj, .glb or .gltf; heights of the land as NAME.exr or .tif")
         ->required();
     command->add_option("--what", options->what, "tree, land or scene")
         ->check(CLI::IsMember({"tree", "land", "scene"}))

@@ -84,8 +84,8 @@ int draw(Options options) {
     }
     if (options.grammar.empty())
         throw base::InputError("facade: name a grammar: a file, or one of quadrat facade --list");
-    if (options.output.empty()) throw base::InputError("facade: -o names what to write, NAME.svg, .obj or .glb");
-    base::require_ending(options.output, {".svg", ".obj", ".glb"}, "a façade");
+    if (options.output.empty()) throw base::InputError("facade: -o names what to write, NAME.svg, .obj, .glb or .gltf");
+    base::require_ending(options.output, {".svg", ".obj", ".glb", ".gltf"}, "a façade");
     if (!options.beside.empty()) options.shape.covered.push_back({{0, 0}, {options.beside[0], options.beside[1]}});
     const FacadeGrammar grammar = grammar_from(options.grammar);
     const std::vector<FacadePanel> panels = derive_facade(grammar, options.shape, base::Seed{options.seed});
@@ -98,7 +98,7 @@ int draw(Options options) {
         return 0;
     }
     const mesh::Model model = facade_model(panels);
-    base::write_file(options.output, ending == ".obj" ? mesh::to_obj(model) : mesh::to_glb(model));
+    base::write_file(options.output, mesh::model_file(model, ending));
     return 0;
 }
 
@@ -109,7 +109,7 @@ void add_facade(CLI::App& app, Action& chosen) {
     CLI::App* command = app.add_subcommand("facade", "Derive a house's front by a split grammar and draw or mesh it");
     command->add_option("grammar", options->grammar, "A grammar file, or the name of a house type that comes along")
         ->default_str("none: needed unless --list is");
-    command->add_option("-o,--output", options->output, "NAME.svg, .obj or .glb")
+    command->add_option("-o,--output", options->output, "NAME.svg, .obj, .glb or .gltf")
         ->default_str("none: needed unless --list is");
     command->add_option("--width", options->shape.width_m, "Metres")
         ->check(CLI::Range(0.5, 200.0))

@@ -149,7 +149,7 @@ int derive_and_draw(const Options& options) {
         throw base::InputError("--chance and --pull are of maps of cells, grammars that begin with map:");
     const std::string ending = base::ending_of(options.output);
     if (!options.output.empty())
-        base::require_ending(options.output, {".txt", ".svg", ".obj", ".glb"}, "a grammar's word");
+        base::require_ending(options.output, {".txt", ".svg", ".obj", ".glb", ".gltf"}, "a grammar's word");
     const Grammar grammar = grammar_from(options.grammar);
     warn_of_contexts(grammar, options.grammar);
     DeriveOptions how;
@@ -176,7 +176,7 @@ int derive_and_draw(const Options& options) {
         return 0;
     }
     const mesh::Model model = model_of(skeleton, options.limbs);
-    base::write_file(options.output, ending == ".obj" ? mesh::to_obj(model) : mesh::to_glb(model));
+    base::write_file(options.output, mesh::model_file(model, ending));
     return 0;
 }
 
@@ -189,7 +189,7 @@ void add_lsystem(CLI::App& app, Action& chosen) {
         ->default_str("none: needed unless --list is");
     command
         ->add_option("-o,--output", options->output,
-                     "NAME.txt, .svg, .obj or .glb; the word on standard output otherwise")
+                     "NAME.txt, .svg, .obj, .glb or .gltf; the word on standard output otherwise")
         ->default_str("standard output");
     command->add_option("--steps", options->steps, "Derivation steps instead of the grammar's own")
         ->check(CLI::Range(0, 10'000))

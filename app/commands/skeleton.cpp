@@ -19,7 +19,7 @@ struct Options {
 
 int roof_over(const Options& options) {
     const bool is_printed = options.output == "-";
-    if (!is_printed) base::require_ending(options.output, {".json", ".svg", ".obj", ".glb"}, "a roof");
+    if (!is_printed) base::require_ending(options.output, {".json", ".svg", ".obj", ".glb", ".gltf"}, "a roof");
     const PlanFile file = plan_from(base::read_text(options.plan, base::kJsonLimits), options.plan);
     mesh::Roof roof;
     try {
@@ -35,7 +35,7 @@ int roof_over(const Options& options) {
         mesh::Model model;
         model.parts.push_back({"roof", mesh::roof_mesh(roof), {0.5F, 0.2F, 0.12F}});
         if (!roof.tops.empty()) model.parts.push_back({"top", mesh::top_mesh(roof), {0.6F, 0.55F, 0.45F}});
-        bytes = ending == ".obj" ? mesh::to_obj(model) : mesh::to_glb(model);
+        bytes = mesh::model_file(model, ending);
     }
     base::print_or_write_file(options.output, bytes);
     return 0;
@@ -53,7 +53,8 @@ void add_skeleton(CLI::App& app, Action& chosen) {
             "\"profiles\": {\"all\": [{\"slope\": 90}, {\"from\": 3, \"slope\": 40}]}, \"height\": end, "
             "\"ambiguity\": \"least\"}; all but outer may be left out")
         ->required();
-    command->add_option("-o,--output", options->output, "NAME.json, .svg, .obj or .glb; -: JSON on standard output")
+    command
+        ->add_option("-o,--output", options->output, "NAME.json, .svg, .obj, .glb or .gltf; -: JSON on standard output")
         ->capture_default_str();
     command->callback([options, &chosen] { chosen = [options] { return roof_over(*options); }; });
 }

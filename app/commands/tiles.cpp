@@ -79,7 +79,8 @@ int make(const Options& options) {
     if (options.example.empty())
         throw base::InputError("tiles: name an example: a file, or one of quadrat tiles --list");
     const std::string ending = base::ending_of(options.output);
-    if (!options.output.empty()) base::require_ending(options.output, {".txt", ".obj", ".glb"}, "a box of tiles");
+    if (!options.output.empty())
+        base::require_ending(options.output, {".txt", ".obj", ".glb", ".gltf"}, "a box of tiles");
     const glm::ivec3 size = size_from(options.size);
     const base::Seed seed{options.seed};
     const Example example = example_from(options);
@@ -95,7 +96,7 @@ int make(const Options& options) {
     const mesh::Model model = model_of(tiles, seed.child("shape"));
     if (model.parts.front().mesh.indices.empty())
         throw base::InputError(fmt::format("{}: there is nothing but air in it", options.example));
-    base::write_file(options.output, ending == ".obj" ? mesh::to_obj(model) : mesh::to_glb(model));
+    base::write_file(options.output, mesh::model_file(model, ending));
     return 0;
 }
 
@@ -107,7 +108,9 @@ void add_tiles(CLI::App& app, Action& chosen) {
         app.add_subcommand("tiles", "Fill a box with tiles as an example has them, and print or mesh it");
     command->add_option("example", options->example, "A file of tiles, or the name of an example that comes along")
         ->default_str("none: needed unless --list is");
-    command->add_option("-o,--output", options->output, "NAME.txt, .obj or .glb; layers on standard output otherwise")
+    command
+        ->add_option("-o,--output", options->output,
+                     "NAME.txt, .obj, .glb or .gltf; layers on standard output otherwise")
         ->default_str("standard output");
     command->add_option("--size", options->size, "EASTxSOUTHxUP, in tiles")->capture_default_str();
     command->add_option("--seed", options->seed, "Of chance")->capture_default_str();

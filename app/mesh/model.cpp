@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront OBJ as commonly read, and glTF 2.0 binary (Khronos 2017/2022, sections 3.6, 4.4).
+// Wavefront OBJ as commonly read, and glTF 2.0, binary and as text (Khronos 2017/2022, sections 3.6, 4.4).
 #include "mesh/model.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -120,6 +121,21 @@ void append_chunk(std::string& out, std::string chunk, std::string_view kind, ch
     out.append(head, sizeof head).append(kind).append(chunk);
 }
 
+// RFC 4648, section 4.
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t here = std::min<std::size_t>(bytes.size() - i, 3);
+        std::uint32_t bits = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            bits = bits << 8U | (k < here ? static_cast<std::uint8_t>(bytes[i + k]) : std::uint8_t{0});
+        for (std::size_t k = 0; k < 4; ++k) text += k <= here ? kLetters[bits >> (18 - 6 * k) & 63U] : '=';
+    }
+    return text;
+}
+
 std::string joined(const std::vector<std::string>& items) { return fmt::format("{}", fmt::join(items, ",")); }
 
 }  // namespace
@@ -134,8 +150,11 @@ std::string to_obj(const Model& model) {
     return out;
 }
 
-std::string to_glb(const Model& model) {
-    Glb glb;
+namespace {
+
+// Fills glb; uri: of its binary part, as a member of the buffer, or nothing.
+template <typename Uri>
+std::string gltf_json(const Model& model, Glb& glb, const Uri& uri) {
     std::vector<std::string> meshes;
     std::vector<std::string> materials;
     std::vector<std::string> nodes;
@@ -159,15 +178,35 @@ std::string to_glb(const Model& model) {
                         mesh_of[placed.part], placed.at_m.x, placed.at_m.y, placed.at_m.z, std::sin(placed.yaw_rad / 2),
                         std::cos(placed.yaw_rad / 2), placed.scale, placed.scale, placed.scale));
     }
-    const std::string json = fmt::format(
-        R"({{"asset":{{"version":"2.0","generator":"quadrat"}},"scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{}],"meshes":[{}],"materials":[{}],"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})",
-        joined(roots), joined(nodes), joined(meshes), joined(materials), glb.accessors, glb.views, glb.binary.size());
+    return fmt::format(
+        R"({{"asset":{{"version":"2.0","generator":"quadrat"}},"scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{}],"meshes":[{}],"materials":[{}],"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}{}}}]}})",
+        joined(roots), joined(nodes), joined(meshes), joined(materials), glb.accessors, glb.views, glb.binary.size(),
+        uri(glb.binary));
+}
+
+}  // namespace
+
+std::string to_glb(const Model& model) {
+    Glb glb;
+    const std::string json = gltf_json(model, glb, [](const std::string&) { return std::string(); });
     std::string chunks;
     append_chunk(chunks, json, "JSON", ' ');
     append_chunk(chunks, glb.binary, std::string_view("BIN\0", 4), '\0');
     const std::uint32_t head[3] = {0x46546C67U, 2U, static_cast<std::uint32_t>(chunks.size() + sizeof head)};
     std::string out(reinterpret_cast<const char*>(head), sizeof head);
     return out + chunks;
+}
+
+std::string to_gltf(const Model& model) {
+    Glb glb;
+    return gltf_json(model, glb, [](const std::string& binary) {
+        return fmt::format(R"(,"uri":"data:application/octet-stream;base64,{}")", base64(binary));
+    });
+}
+
+std::string model_file(const Model& model, std::string_view ending) {
+    assert(std::ranges::find(kModelEndings, ending) != kModelEndings.end());
+    return ending == ".obj" ? to_obj(model) : ending == ".glb" ? to_glb(model) : to_gltf(model);
 }
 
 }  // namespace quadrat::mesh

@@ -24,7 +24,7 @@ TEST(Skeleton, RoofsAPlanInEveryFormat) {
     const json roof = json::parse(printed.out);
     EXPECT_EQ(roof["faces"].size(), 6U);
     for (const json& face : roof["faces"]) EXPECT_GE(face["vertices"].size(), 3U);
-    for (const std::string name : {"roof.json", "roof.svg", "roof.obj", "roof.glb"})
+    for (const std::string name : {"roof.json", "roof.svg", "roof.obj", "roof.glb", "roof.gltf"})
         EXPECT_TRUE(succeeds(run(program({"skeleton", "plan.json", "-o", name}), folder))) << name;
     EXPECT_EQ(contents_of(folder / "roof.json"), printed.out);
     EXPECT_EQ(count_of(contents_of(folder / "roof.svg"), "<path"), 4U) << "two of six faces stand upright";

@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
 namespace quadrat::mesh {
 namespace {
 
@@ -26,6 +29,34 @@ TEST(Model, ColoursOfAnObjAreSrgbAndItsHeadSaysSo) {
 
 TEST(Model, ColoursOfAGlbAreLinear) {
     EXPECT_THAT(to_glb(grey_triangle()), HasSubstr("\"baseColorFactor\":[0.2140411,1,0,1]"));
+}
+
+TEST(Model, AsTextHoldsTheBytesThatTheBinaryFormHolds) {
+    const std::string text = to_gltf(grey_triangle());
+    const nlohmann::json gltf = nlohmann::json::parse(text);
+    const std::string uri = gltf["buffers"][0]["uri"];
+    constexpr std::string_view kHead = "data:application/octet-stream;base64,";
+    ASSERT_EQ(uri.substr(0, kHead.size()), kHead);
+    const std::string_view encoded = std::string_view(uri).substr(kHead.size());
+    // RFC 4648 backwards.
+    std::string bytes;
+    constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::uint32_t bits = 0;
+    int held = 0;
+    for (const char c : encoded) {
+        if (c == '=') break;
+        bits = bits << 6U | static_cast<std::uint32_t>(kLetters.find(c));
+        if ((held += 6) >= 8) bytes += static_cast<char>(bits >> static_cast<unsigned>(held -= 8) & 255U);
+    }
+    EXPECT_EQ(bytes.size(), gltf["buffers"][0]["byteLength"]);
+    EXPECT_EQ(encoded.size() % 4, 0U);
+    EXPECT_THAT(to_glb(grey_triangle()), HasSubstr(bytes)) << "the same, as a chunk";
+}
+
+TEST(Model, IsWrittenAsItsFileIsNamed) {
+    EXPECT_EQ(model_file(grey_triangle(), ".obj"), to_obj(grey_triangle()));
+    EXPECT_EQ(model_file(grey_triangle(), ".glb").substr(0, 4), "glTF");
+    EXPECT_EQ(model_file(grey_triangle(), ".gltf").front(), '{');
 }
 
 }  // namespace
