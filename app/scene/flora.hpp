@@ -121,6 +121,7 @@ struct Stand {
     float fires = 0;           // how often it has burnt: 0 never, then patches of several ages, to 1
     float even_clearings = 0;  // how far clearings keep one another off, 0 to 1
     float giants = 0;          // how far single trees outgrow all others, 0 to 1
+    float rings = 0;           // of the ground, where mushrooms come up in rings
     friend bool operator==(const Stand&, const Stand&) = default;
 };
 

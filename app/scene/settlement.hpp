@@ -55,7 +55,7 @@ struct House {
 };
 
 // What people have planted by their houses; which of a flora's kinds it is follows from that.
-enum class Bedded : std::uint8_t { FruitTree, Bush, Flower, Vegetable };
+enum class Bedded : std::uint8_t { FruitTree, Bush, Flower, Vegetable, Topiary };
 struct GardenPlant {
     glm::vec2 at_m{0};
     Bedded what = Bedded::FruitTree;

@@ -3,13 +3,19 @@
 // Asked for: 40 ms for a tree of 5,000 buds, 250 ms for a stand.
 #include <benchmark/benchmark.h>
 
+#include "scene/land_parameters.hpp"
+#include "synthesis/houses/styles.hpp"
+#include "synthesis/noise/fairy_rings.hpp"
 #include "synthesis/trees/colonisation.hpp"
 #include "synthesis/trees/self_organising.hpp"
+#include "synthesis/trees/topiary.hpp"
+#include "synthesis/trees/year.hpp"
 
 namespace {
 
 using namespace quadrat;
 using namespace quadrat::synthesis::trees;
+namespace houses = quadrat::synthesis::houses;
 
 // Grows until it has so many.
 SelfOrganisation of_buds(std::size_t buds) {
@@ -54,5 +60,37 @@ void space_colonisation_of_as_many_limbs(benchmark::State& state) {
     count_limbs(state, grown);
 }
 BENCHMARK(space_colonisation_of_as_many_limbs)->Arg(1000)->Arg(3000)->Arg(6000)->Unit(benchmark::kMillisecond);
+
+// Argument: hundredths of a year.
+void a_year_of_buds(benchmark::State& state) {
+    const Year year{0.01F * static_cast<float>(state.range(0)), 1, 0.3F};
+    std::vector<Organ> organs;
+    for (auto _ : state) organs = organs_in(year);
+    state.counters["buds"] = static_cast<double>(organs.size());
+}
+BENCHMARK(a_year_of_buds)->Arg(0)->Arg(67)->Arg(100)->Unit(benchmark::kMillisecond);
+
+void a_clipped_tree(benchmark::State& state) {
+    TreeSkeleton grown;
+    for (auto _ : state) grown = clipped_skeleton({}, base::Seed{1});
+    count_limbs(state, grown);
+}
+BENCHMARK(a_clipped_tree)->Unit(benchmark::kMillisecond);
+
+// A house with climbers and the same without: Argument: hundredths of it that are overgrown.
+void a_house_with_climbers(benchmark::State& state) {
+    houses::Design design = houses::Stock({}, base::Seed{1}).draw(houses::Use::Dwelling, base::Seed{2}).design;
+    design.overgrown = 0.01F * static_cast<float>(state.range(0));
+    scene::Building building;
+    for (auto _ : state) building = houses::build(design, base::Seed{3});
+    state.counters["triangles"] = static_cast<double>(building.levels.front().mesh.indices.size() / 3);
+}
+BENCHMARK(a_house_with_climbers)->Arg(0)->Arg(100)->Unit(benchmark::kMillisecond);
+
+void fairy_rings(benchmark::State& state) {
+    mesh::Field field;
+    for (auto _ : state) field = quadrat::synthesis::noise::fairy_rings({}, base::Seed{1}, 96);
+}
+BENCHMARK(fairy_rings)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -19,6 +19,8 @@ using scene::Bedded;
 constexpr std::size_t kMostGardens = 48;
 constexpr float kOrchardsSeen_m = 260;
 constexpr float kBedsSeen_m = 75;
+constexpr float kClippedSeen_m = 180;
+constexpr float kClipped_m = 1.8F;  // of clipped trees, in the mean; how high they are is the flora's to say
 constexpr float kOffWalls_m = 0.8F;
 constexpr float kOffLanes_m = 0.9F;
 constexpr float kBetweenTrees_m = 4.4F;
@@ -38,6 +40,7 @@ class Gardener {
         if (random_.unit_f() < 0.15F + 0.7F * gardens) plant_rows(-side, to);
         if (random_.unit_f() < 0.2F + 0.75F * gardens) plant_bed(side, to);
         if (random_.unit_f() < 0.5F * gardens) plant_bushes(-side, to);
+        if (random_.unit_f() < 0.2F + 0.8F * gardens) plant_topiary(to);
     }
 
   private:
@@ -88,6 +91,15 @@ class Gardener {
     void plant_bushes(float side, std::vector<scene::GardenPlant>& to) {
         for (float z = -half_m_.y + 0.8F; z < half_m_.y - 0.8F; z += 1.7F)
             add(place(side * (half_m_.x + 1.3F), z), Bedded::Bush, random_.between(0.7F, 1.3F), to);
+    }
+
+    // In pairs along the way to the door.
+    void plant_topiary(std::vector<scene::GardenPlant>& to) {
+        const float height_m = random_.between(1.3F, 2.3F);
+        const int pairs = 1 + static_cast<int>(random_.below(3));
+        for (int i = 0; i < pairs; ++i)
+            for (const float side : {-1.0F, 1.0F})
+                add(place(1.7F * side, half_m_.y + 1.3F + 2.2F * static_cast<float>(i)), Bedded::Topiary, height_m, to);
     }
 
     bool is_free(glm::vec2 at, float room_m) const {
@@ -157,6 +169,7 @@ std::size_t kind_for(const scene::Flora& flora, Bedded what) {
     if (what == Bedded::FruitTree)  // the roundest crown
         return best_of(scene::Storey::Tree, [](const scene::Species& s) { return s.crown_radius_m / s.height_m; });
     if (what == Bedded::Bush) return best_of(scene::Storey::Shrub, [](const scene::Species& s) { return s.share; });
+    if (what == Bedded::Topiary) return first_named("topiary");
     const std::size_t named = first_named(what == Bedded::Flower ? "flower" : "fern");
     if (named < none) return named;
     return best_of(scene::Storey::Herb, [](const scene::Species& s) { return -s.height_m; });
@@ -173,16 +186,17 @@ Gardened gardens_in_sight(const scene::Land& land, const scene::Flora& flora, co
         const View view = sight.view_of(plant.at_m);
         const bool is_tree = plant.what == Bedded::FruitTree;
         if (kind >= flora.species.size() || view.along_m <= 0) continue;
-        if (view.to_way_m > (is_tree ? kOrchardsSeen_m : kBedsSeen_m)) continue;
+        const bool is_clipped = plant.what == Bedded::Topiary;
+        if (view.to_way_m > (is_tree ? kOrchardsSeen_m : is_clipped ? kClippedSeen_m : kBedsSeen_m)) continue;
         if (sight.is_in_the_way(plant.at_m, is_tree ? 2.0F : 0.3F)) continue;
         Candidate c;
         c.at_m = plant.at_m;
         c.mark = 0;
         c.species = static_cast<std::uint32_t>(kind);
-        c.scale = plant.height_m / std::max(flora.species[kind].height_m, 0.05F);
+        c.scale = plant.height_m / (is_clipped ? kClipped_m : std::max(flora.species[kind].height_m, 0.05F));
         if (is_tree)
             add(seen.trees, c, budget.trees);
-        else if (plant.what == Bedded::Bush)
+        else if (plant.what == Bedded::Bush || is_clipped)
             add(seen.shrubs, c, budget.undergrowth / 5);
         else
             add(seen.herbs, c, budget.undergrowth);

@@ -12,6 +12,7 @@
 #include "synthesis/compose/competition.hpp"
 #include "synthesis/compose/kinds_of_plants.hpp"
 #include "synthesis/noise/automaton.hpp"
+#include "synthesis/noise/fairy_rings.hpp"
 #include "synthesis/noise/gradient.hpp"
 #include "synthesis/noise/lateral_inhibition.hpp"
 
@@ -67,6 +68,22 @@ class EvenMap {
     static constexpr int kSide = 64;
     float sample_m_;
     mesh::Field ranks_;
+};
+
+// Where a fungus in the ground bears mushrooms: rings, over and over.
+class RingMap {
+  public:
+    explicit RingMap(base::Seed seed) : fungus_(noise::fairy_rings({}, seed, kSide)) {}
+    bool has_any(glm::vec2 at_m) const {
+        const auto wrapped = [](float v) { return ((static_cast<int>(std::floor(v)) % kSide) + kSide) % kSide; };
+        return fungus_.at(wrapped(at_m.x / kSample_m), wrapped(at_m.y / kSample_m)) > kBears;
+    }
+
+  private:
+    static constexpr int kSide = 96;
+    static constexpr float kSample_m = 0.3F;
+    static constexpr float kBears = 0.12F;
+    mesh::Field fungus_;
 };
 
 // How far ground is from being a clearing, spread as noise is: by chance, or as far from others as they keep it.

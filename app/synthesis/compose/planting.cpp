@@ -15,12 +15,14 @@
 #include <glm/trigonometric.hpp>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "synthesis/compose/clearing.hpp"
 #include "synthesis/compose/competition.hpp"
 #include "synthesis/compose/gardens.hpp"
 #include "synthesis/compose/kinds_of_plants.hpp"
 #include "synthesis/compose/lookups.hpp"
+#include "synthesis/compose/most_seen.hpp"
 #include "synthesis/compose/neighbours.hpp"
 #include "synthesis/compose/site.hpp"
 #include "synthesis/compose/storeys.hpp"
@@ -32,6 +34,8 @@ constexpr float kBare = 0.05F;  // of the years to an old forest
 constexpr float kHalfGrown = 0.45F;
 constexpr float kGiant = 0.95F;        // of the ranks about a giant's middle
 constexpr float kWidestAside = 1.15F;  // of the view, that undergrowth is planted for
+constexpr float kRingsSeen_m = 45;
+constexpr float kRingRoom_m = 0.4F;  // of a group of mushrooms
 
 class Planter {
   public:
@@ -57,7 +61,7 @@ class Planter {
         if (!kinds_.trees.empty()) {
             trees = grow_trees();
             const std::size_t set = gardens.trees.size() + 3;
-            keep_most_seen(trees, budget_.trees - std::min(budget_.trees, set));
+            keep_most_seen(sight_, trees, budget_.trees - std::min(budget_.trees, set));
             frame_view(trees);
             set_hero(trees);
             make_way(trees, gardens.trees, kOrchardRoom_m);
@@ -66,12 +70,14 @@ class Planter {
         const Shade shade(flora_, trees, half_m_);
         const Near near(trees, half_m_);
         std::vector<Candidate> shrubs = grow_shrubs(near, shade);
-        keep_most_seen(shrubs, budget_.undergrowth / 5);
+        keep_most_seen(sight_, shrubs, budget_.undergrowth / 5);
         std::vector<Candidate> herbs = grow_herbs(near, shade);
         make_way(shrubs, gardens.shrubs, kBedRoom_m);
-        keep_most_seen(herbs,
+        keep_most_seen(sight_, herbs,
                        budget_.undergrowth - std::min(budget_.undergrowth, shrubs.size() + gardens.herbs.size()));
         make_way(herbs, gardens.herbs, kBedRoom_m);
+        const std::vector<Candidate> rings = grow_rings(near);
+        herbs.insert(herbs.end(), rings.begin(), rings.end());
         std::vector<scene::Plant> plants(trees.size() + shrubs.size() + herbs.size());
         std::size_t first = 0;
         for (const auto* storey : {&trees, &shrubs, &herbs}) {
@@ -183,28 +189,6 @@ class Planter {
             return std::max({trunks, (0.36F - 0.22F * thin) * crowns, (0.4F - 0.2F * thin) * flora_.spacing_m});
         if (a.is_young) return std::max({trunks, 0.42F * crowns, 0.32F * flora_.spacing_m});
         return std::max({trunks, (0.34F + 0.16F * thin) * crowns, 0.55F * flora_.spacing_m});
-    }
-
-    // Keeps the plants that matter most to the picture: near ones, in view, then the rest by chance.
-    void keep_most_seen(std::vector<Candidate>& plants, std::size_t most) const {
-        if (plants.size() <= most) return;
-        std::vector<std::pair<float, std::size_t>> order;
-        order.reserve(plants.size());
-        for (std::size_t i = 0; i < plants.size(); ++i) {
-            const View view = sight_.view_of(plants[i].at_m);
-            const bool is_seen = view.along_m > 0 && view.aside < 1.0F;
-            const float far = view.to_way_m / 260.0F;
-            const float chance = plants[i].mark - std::floor(plants[i].mark);
-            order.emplace_back(chance * (1.0F + far * far) + (is_seen ? 0.0F : 0.8F + 0.01F * view.to_way_m), i);
-        }
-        std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(most), order.end());
-        std::vector<std::size_t> kept;
-        for (std::size_t i = 0; i < most; ++i) kept.push_back(order[i].second);
-        std::sort(kept.begin(), kept.end());
-        std::vector<Candidate> fewer;
-        fewer.reserve(most);
-        for (const std::size_t i : kept) fewer.push_back(plants[i]);
-        plants = std::move(fewer);
     }
 
     // Of a tree that is set for the picture's sake: the first species, but for the one whose zone this is.
@@ -405,6 +389,36 @@ class Planter {
                     [this](const Candidate&, const Candidate&) { return 0.5F * budget_.herb_m; });
         std::erase_if(herbs, [&](const Candidate& c) { return !is_clear_of_trunks(near.around(c.at_m), c); });
         return herbs;
+    }
+
+    // Mushrooms, where a fungus in the ground has got to.
+    std::vector<Candidate> grow_rings(const Near& near) {
+        const auto kind = std::ranges::find(flora_.species, std::string_view("mushroom"), &scene::Species::name);
+        if (flora_.stand.rings <= 0 || kind == flora_.species.end()) return {};
+        glm::vec2 low;
+        glm::vec2 high;
+        const float reach_m = std::min(budget_.reach_m, kRingsSeen_m);
+        window(reach_m, low, high);
+        const Sight::Region region = sight_.region(kWidestAside, reach_m);
+        const auto may = [&region](glm::vec2 at) { return region.may_hold(at); };
+        const RingMap rings(seed_.child("rings"));
+        const NoiseMap places(seed_.child("ring places"), low, high, 30, 2);
+        const float least = quantile(1 - 0.9F * flora_.stand.rings);
+        const auto draw = [&](Candidate& c, base::RandomStream& random) {
+            if (!rings.has_any(c.at_m) || places.at(c.at_m) < least || !ground_.is_on_land(c.at_m)) return;
+            const View view = sight_.view_of(c.at_m);
+            if (view.along_m < 1.0F || view.aside > kWidestAside || view.to_way_m > reach_m) return;
+            if (!ground_.is_free(c.at_m, 0.1F)) return;
+            c.species = static_cast<std::uint32_t>(kind - flora_.species.begin());
+            c.scale = random.between(0.7F, 1.4F);
+            c.mark = random.unit_f();
+        };
+        std::vector<Candidate> found =
+            compete(draw_candidates(low, high, kRingRoom_m, seed_.child("mushrooms"), may, draw), kRingRoom_m,
+                    [](const Candidate&, const Candidate&) { return 0.6F * kRingRoom_m; });
+        std::erase_if(found, [&](const Candidate& c) { return !is_clear_of_trunks(near.around(c.at_m), c); });
+        keep_most_seen(sight_, found, budget_.undergrowth / 10);
+        return found;
     }
 
     const scene::Land& land_;

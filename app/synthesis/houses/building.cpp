@@ -90,6 +90,7 @@ scene::Building build(const Design& design, base::Seed seed) {
     add_dormers(building, design, seed);
     add_lean_tos(building, design);
     if (design.tower_m > 0) add_tower(building, design, seed);
+    add_climbers(building, design, seed.child("climbers"));
     return building;
 }
 

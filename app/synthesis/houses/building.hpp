@@ -54,8 +54,10 @@ struct Design {
     int chimneys = 1;
     int dormers = 0;  // along the front, where its roof slopes to it
     std::vector<LeanTo> lean_tos;
-    double tower_m = 0;  // of a chapel's, over its front; 0: none
-    float wear = 0;      // 0 as new to 1: stained walls, moss on the roof, shutters that are gone
+    double tower_m = 0;    // of a chapel's, over its front; 0: none
+    float wear = 0;        // 0 as new to 1: stained walls, moss on the roof, shutters that are gone
+    float overgrown = 0;   // by climbers, how far: 0 to 1
+    float redness = 0.2F;  // chance that they are red
 };
 
 inline constexpr double kTowerHalf_m = 1.7;

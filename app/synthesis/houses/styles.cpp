@@ -38,7 +38,7 @@ int region_of(const scene::LandParameters& p) {
 class Designer {
   public:
     Designer(const scene::LandParameters& p, const Region& region, base::Seed own)
-        : p_(p), region_(region), random_(own) {}
+        : p_(p), region_(region), random_(own), overgrown_(overgrown(p, own.child("climbers"))) {}
 
     Design of(Use use) {
         Design d = usual();
@@ -102,7 +102,14 @@ class Designer {
         const float chimneys = region_.chimneys * (region_.chimneys > 0 ? p_.settle_chimneys : 1);
         d.chimneys = static_cast<int>(chimneys + random_.unit_f());
         d.wall_m = region_.wall_m;
+        d.overgrown = overgrown_;
+        d.redness = p_.climber_redness;
         return d;
+    }
+
+    static float overgrown(const scene::LandParameters& p, base::Seed seed) {
+        base::RandomStream random{seed};
+        return random.unit_f() < p.climber_share ? (0.2F + 0.8F * p.climber_height) * random.between(0.7F, 1.0F) : 0.0F;
     }
 
     // Each is kept as its people can.
@@ -264,6 +271,7 @@ class Designer {
     const scene::LandParameters& p_;
     const Region& region_;
     base::RandomStream random_;
+    float overgrown_;
 };
 
 }  // namespace

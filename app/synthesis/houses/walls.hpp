@@ -17,6 +17,9 @@ struct Side {
     std::vector<FacadeShape::Covered> covered;
     bool is_front = true;  // only there are doors
 };
+// Climbers up a finished building's walls, as far as it is overgrown; they leave windows and doors free.
+void add_climbers(scene::Building& to, const Design& design, base::Seed seed);
+
 void add_side(scene::Building& to, const Design& design, const Side& side, base::Seed seed);
 
 }  // namespace quadrat::synthesis::houses

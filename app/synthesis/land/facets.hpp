@@ -62,6 +62,9 @@ void add_field_walls(Stones& stones, const StoneGround& ground, const scene::Lan
 void add_rock_ledges(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, const Strata& strata,
                      base::Seed seed);
 
+// Climbers up the rock that stands by itself, by climber_share; none above the snow.
+void add_rock_climbers(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, base::Seed seed);
+
 // Arches by arch_share.
 void add_arches(Stones& stones, const StoneGround& ground, const scene::LandParameters& p, const Strata& strata,
                 base::Seed seed);

@@ -203,6 +203,7 @@ Stones make_stones(const StoneGround& ground, const scene::LandParameters& p, ba
         add_rock_ledges(stones, ground, p, strata, seed.child("ledges"));
     else
         add_standing_stones(stones, ground.land, strata, seed.child("ring"));
+    if (p.climber_share > 0) add_rock_climbers(stones, ground, p, seed.child("climbers"));
     return stones;
 }
 

@@ -112,8 +112,9 @@ std::vector<Place> shuffled_places(const TreeSkeleton& skeleton, const FoliageOp
         const Site& site = skeleton.sites[at];
         const glm::vec3 way = any_direction(random);
         const glm::vec3 off = options.scatter_m * (1 - 0.55F * options.clumping) * random.unit_f() * way;
-        places.push_back({site.organ == Organ::Leaf ? site.at_m + off : site.at_m + 0.5F * off, &site,
-                          skeleton.limbs[site.limb].nodes[site.node].sway});
+        const bool is_leaf = site.organ != Organ::Flower && site.organ != Organ::Fruit;
+        places.push_back(
+            {site.at_m + (is_leaf ? 1.0F : 0.5F) * off, &site, skeleton.limbs[site.limb].nodes[site.node].sway});
     }
     base::RandomStream random{seed.child("shuffle")};
     for (std::size_t i = places.size(); i > 1; --i)
@@ -137,12 +138,17 @@ glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise) {
 // Colours of a crown, mixed once: a blade picks one.
 class Palette {
   public:
-    explicit Palette(const LeafColours& c) : colours_(c) {
+    explicit Palette(const LeafColours& c)
+        : colours_(c), young_(scene::mix_colours(scene::shifted_colour(c.leaf, 1.22F, 1.1F), kSpring, 0.3F)) {
         for (std::size_t i = 0; i < kSteps; ++i) {
             const float t = static_cast<float>(i) / static_cast<float>(kSteps - 1);
             green_[i] = scene::mix_colours(c.leaf, c.second, t);
             turned_[i] = scene::mix_colours(scene::mix_colours(c.leaf, c.turned, 0.75F),
                                             scene::shifted_colour(c.turned, 1.08F), t);
+            // Through a whole crown that turns: some still half green, some gold, some as far as it goes.
+            turning_[i] = t < 0.5F
+                              ? scene::mix_colours(c.leaf, scene::mix_colours(c.turned, kGold, 0.6F), 0.45F + t)
+                              : scene::mix_colours(scene::mix_colours(c.turned, kGold, 0.55F), c.turned, 2 * t - 1);
         }
     }
     glm::vec3 pick(const Site& site, float out, base::RandomStream& random) const {
@@ -151,18 +157,29 @@ class Palette {
         const float when = random.unit_f();
         if (site.organ == Organ::Flower) return colours_.blossom * light;
         if (site.organ == Organ::Fruit) return colours_.fruit * light;
+        if (site.organ == Organ::YoungLeaf) return young_ * light;
+        const float varied = 1 + 1.2F * colours_.variety * (light - 1);
+        if (site.organ == Organ::TurnedLeaf) return turning_[step_at(lean)] * varied;
         const bool has_turned = when * (1.25F - 0.35F * std::min(out, 1.0F)) < colours_.autumn;
         const float t = has_turned ? lean : lean * lean * (0.35F + colours_.variety);
-        const auto i = static_cast<std::size_t>(std::clamp(t, 0.0F, 1.0F) * static_cast<float>(kSteps - 1) + 0.5F);
-        return (has_turned ? turned_[i] : green_[i]) * (1 + 1.2F * colours_.variety * (light - 1));
+        return (has_turned ? turned_ : green_)[step_at(t)] * varied;
     }
 
   private:
     static constexpr std::size_t kSteps = 12;
+    static std::size_t step_at(float t) {
+        return static_cast<std::size_t>(std::clamp(t, 0.0F, 1.0F) * static_cast<float>(kSteps - 1) + 0.5F);
+    }
+    static constexpr glm::vec3 kGold{0.68F, 0.38F, 0.03F};
+    static constexpr glm::vec3 kSpring{0.42F, 0.52F, 0.10F};  // the yellow green of leaves that unfold
     const LeafColours& colours_;
+    glm::vec3 young_;
     std::array<glm::vec3, kSteps> green_;
     std::array<glm::vec3, kSteps> turned_;
+    std::array<glm::vec3, kSteps> turning_;
 };
+
+constexpr float kYoung = 0.6F;  // length of a leaf that unfolds, to a grown one's
 
 BladeShape blade_at(const Place& place, const FoliageOptions& o, const glm::vec3& out_unit,
                     base::RandomStream& random) {
@@ -186,10 +203,11 @@ BladeShape blade_at(const Place& place, const FoliageOptions& o, const glm::vec3
     }
     // Blades turn their flat side to the light.
     blade.face = across(0.8F * out_unit + glm::vec3{0, 0.8F, 0} + 0.5F * o.spread * any_direction(random), blade.along);
-    blade.length_m = o.length_m * random.between(0.78F, 1.18F);
-    if (place.site->organ != Organ::Leaf) {
+    const Organ organ = place.site->organ;
+    blade.length_m = (organ == Organ::YoungLeaf ? kYoung : 1.0F) * o.length_m * random.between(0.78F, 1.18F);
+    if (organ == Organ::Flower || organ == Organ::Fruit) {
         blade.is_disc = true;
-        blade.length_m = (place.site->organ == Organ::Flower ? o.flower_m : o.fruit_m) * random.between(0.85F, 1.2F);
+        blade.length_m = (organ == Organ::Flower ? o.flower_m : o.fruit_m) * random.between(0.85F, 1.2F);
         blade.half_width_m = 0.5F * blade.length_m;
         blade.fold_m = 0.3F * blade.half_width_m;
         blade.face = unit_or(out_unit + 0.5F * chance + glm::vec3{0, 0.35F, 0}, glm::vec3{0, 1, 0});
@@ -272,6 +290,10 @@ void set_organs(TreeSkeleton& skeleton, float blossom, float fruit, base::Seed s
     }
 }
 
+LeafShape shape_of(const FoliageOptions& o) {
+    return o.inhibition > 0 ? spray_shape(o.kind, o.inhibition) : spray_shape(o.kind);
+}
+
 scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& options, base::Seed seed) {
     scene::Leaves leaves;
     if (skeleton.sites.empty() || options.blades == 0) return leaves;
@@ -279,17 +301,18 @@ scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& o
     const std::vector<Place> places = shuffled_places(skeleton, options, seed);
     std::vector<glm::vec3> at;
     at.reserve(places.size());
-    for (const Place& place : places) at.push_back(place.at_m);
+    for (const Place& place : places)
+        if (place.site->organ != Organ::None) at.push_back(place.at_m);
     const CrownLight light(crown, at);
     const Palette palette(options.colours);
-    const LeafShape shape =
-        options.inhibition > 0 ? spray_shape(options.kind, options.inhibition) : spray_shape(options.kind);
+    const LeafShape shape = shape_of(options);
     leaves.vertices.reserve(shape.outline.size() * places.size());
     leaves.indices.reserve(shape.triangles.size() * places.size());
     leaves.plain_indices.reserve(shape.plain.size() * places.size());
     for (std::size_t i = 0; i < places.size() && leaves.blades < options.blades; ++i) {
         base::RandomStream random{base::Seed{base::hash_of(seed, 2, static_cast<std::int64_t>(i))}};
         const Place& place = places[i];
+        if (place.site->organ == Organ::None) continue;
         const glm::vec3 outward = (place.at_m - crown.middle_m) / crown.half_m;
         const float out = std::min(glm::length(outward), 1.2F);
         const glm::vec3 out_unit = unit_or(outward, {0, 1, 0});

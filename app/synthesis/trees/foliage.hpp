@@ -42,6 +42,9 @@ struct FoliageOptions {
 // counted in a coarse grid of blades. Sites of flowers and fruits bear the same blades rounded to discs.
 scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& options, base::Seed seed);
 
+// The shape of all its blades.
+LeafShape shape_of(const FoliageOptions& options);
+
 // Which sites flower or fruit: these shares of them, by chance.
 void set_organs(TreeSkeleton& skeleton, float blossom, float fruit, base::Seed seed);
 

@@ -112,6 +112,8 @@ void set_shared(Form& f, const scene::TreeParameters& p) {
     f.leaf_inhibition = p.tree_leaf_inhibition;
     f.fruit = festive(p.tree_fruit);
     f.fruit_m = p.tree_fruit_m;
+    f.season = p.tree_season;
+    f.climbers = std::max(2 * p.tree_climbers - 1, 0.0F);
     f.bark_kind = choice(p.tree_bark_kind, 4);
     f.bark_depth = p.tree_bark_depth;
     f.bark_tile_m = p.tree_bark_tile_m;
@@ -165,13 +167,30 @@ glm::vec3 blossom_colour(float hue) {
     return between({0xF4EEE6, 0xEFB9C6, 0xD0463E, 0xE8853A, 0xF0CB50, 0x9A7CC0}, hue);
 }
 
+glm::vec3 cap_colour(float hue) { return between({0xE8DFCB, 0xCBA87C, 0xB98A56, 0xD9B36A, 0xC8723A, 0xB23A2A}, hue); }
+
+glm::vec3 turned_colour(float red) {
+    return between({0xE2BE48, 0xE0A83C, 0xD88A34, 0xC8662E, 0xB0442C, 0x8E3030}, red);
+}
+
+Year year_of(const Form& f) {
+    constexpr float kNeedlesShed = 0.1F;
+    const Kind& k = kind(f.habit);
+    Year year;
+    year.season = f.season;
+    year.sheds = k.is_rosette ? 0 : f.leaf == LeafKind::Needles ? std::min(k.sheds, kNeedlesShed) : k.sheds;
+    if (k.blossom > 0) year.flowers = std::max(k.spring_blossom, k.blossom * f.blossom);
+    return year;
+}
+
 Wear wear_of(const scene::TreeParameters& p) {
     const Dress& d = kDresses[choice(p.tree_palette, 10)];
     const auto colour = [](std::uint32_t hex) { return scene::linear_from_srgb_hex(hex); };
     const auto leaf = [&](std::uint32_t hex) { return scene::shifted_colour(colour(hex), 1, p.tree_leaf_chroma); };
     const glm::vec3 dry = scene::linear_from_srgb_hex(0xC2AE72);
+    const float dryness = std::clamp(p.grass_dryness + meadow_in(p.tree_season).dryness, 0.0F, 1.0F);
     return {leaf(d.leaf), leaf(d.second), warmer(colour(d.bark), p.tree_bark_warmth),
-            scene::mix_colours(colour(d.grass), dry, 0.85F * p.grass_dryness), colour(d.blossom)};
+            scene::mix_colours(colour(d.grass), dry, 0.85F * dryness), colour(d.blossom)};
 }
 
 Form form_of(const scene::TreeParameters& p, Rank rank) {
@@ -199,7 +218,7 @@ Form form_of(const scene::TreeParameters& p, Rank rank) {
     f.colours.leaf = dress(wear.leaf);
     f.colours.second = dress(wear.second);
     f.colours.variety = p.tree_leaf_variety;
-    f.colours.turned = between({0xE2BE48, 0xE0A83C, 0xD88A34, 0xC8662E, 0xB0442C, 0x8E3030}, p.tree_autumn_red);
+    f.colours.turned = turned_colour(p.tree_autumn_red);
     f.colours.autumn = festive(own.autumn);
     f.colours.blossom = blossom_colour(p.tree_blossom_hue);
     f.colours.fruit = fruit_colour(p.tree_fruit_hue);

@@ -14,6 +14,7 @@
 #include "synthesis/trees/self_organising.hpp"
 #include "synthesis/trees/skeleton.hpp"
 #include "synthesis/trees/weber_penn.hpp"
+#include "synthesis/trees/year.hpp"
 
 namespace quadrat::synthesis::trees {
 
@@ -56,6 +57,8 @@ struct Kind {
     std::optional<LeafKind> own_leaf{};  // that the gene cannot change
     float droop = 0;                     // of leaves, besides the gene's
     float blossom = 0.75F;               // share of sites at most; 0: neither blossom nor fruit
+    float spring_blossom = 0;            // of its buds, in spring, whatever the gene
+    float sheds = 1;                     // of its leaves, in winter: 0 evergreen to 1
     Tint leaf_tint{};
     Tint bark_tint{};
     std::optional<Bark> own_bark{};  // that the gene cannot change
@@ -110,6 +113,8 @@ struct Form {
     float leaf_inhibition = 0.6F;
     float blossom = 0;
     float fruit = 0;
+    float season = kMidsummer;
+    float climbers = 0;  // how far up its trunk, 0 to 1
     float fruit_m = 0.14F;
     int bark_kind = 0;
     float bark_depth = 0.55F;
@@ -129,6 +134,15 @@ Wear wear_of(const scene::TreeParameters& parameters);
 
 // White, pink, red, orange, yellow, violet by 0 to 1. Linear.
 glm::vec3 blossom_colour(float hue);
+
+// Of mushrooms: white, ochre, gold, red by 0 to 1. Linear.
+glm::vec3 cap_colour(float hue);
+
+// Of leaves that have turned, yellow to red by 0 to 1. Linear.
+glm::vec3 turned_colour(float red);
+
+// A tree's year: needles stay, whatever bears them.
+Year year_of(const Form& form);
 
 // A grown skeleton in metres: root at the origin, no limb under the ground but the roots' ends, which reach into it by
 // less than the trunk's radius.

@@ -42,7 +42,7 @@ float GrowingTree::chance(int index, int what) const {
     return 2 * base::unit_of(base::hash_of(seed_, index, what)) - 1;
 }
 
-void GrowingTree::sense(const ShadowGrid& grid) {
+void GrowingTree::sense(const voxels::ShadowGrid& grid) {
     living_buds_ = 0;
     // Salt, frost and drought come with the wind (de Reffye et al. 1988: buds die by chance and by where they stand).
     const auto alive_in_wind = [this](const glm::vec3& heading) {
@@ -78,7 +78,7 @@ void GrowingTree::sum_up() {
     }
 }
 
-void GrowingTree::shed(int year, std::vector<ShadowGrid::Change>& changes) {
+void GrowingTree::shed(int year, std::vector<voxels::ShadowGrid::Change>& changes) {
     bool has_fallen = false;
     for (Internode& node : nodes_) {
         if (node.is_gone) continue;
@@ -134,7 +134,7 @@ std::vector<GrowingTree::Shoot> GrowingTree::share(int year) {
     return shoots;
 }
 
-glm::vec3 GrowingTree::next_heading(const Internode& from, const Shoot& shoot, const ShadowGrid& grid) const {
+glm::vec3 GrowingTree::next_heading(const Internode& from, const Shoot& shoot, const voxels::ShadowGrid& grid) const {
     const int order = from.order + (shoot.bud >= 0);
     const int index = static_cast<int>(nodes_.size());
     glm::vec3 to_light = grid.way_to_light(from.end + 0.5F * shoot.heading);
@@ -166,7 +166,8 @@ void GrowingTree::bear_buds(int index) {
     }
 }
 
-void GrowingTree::grow(const Shoot& shoot, const ShadowGrid& grid, int year, std::vector<ShadowGrid::Change>& changes) {
+void GrowingTree::grow(const Shoot& shoot, const voxels::ShadowGrid& grid, int year,
+                       std::vector<voxels::ShadowGrid::Change>& changes) {
     const int count = std::min(static_cast<int>(shoot.flow), p_.longest_shoot);
     const float length = std::min(shoot.flow / static_cast<float>(count), 1.4F);
     Shoot next = shoot;
@@ -194,7 +195,7 @@ void GrowingTree::grow(const Shoot& shoot, const ShadowGrid& grid, int year, std
     }
 }
 
-void GrowingTree::live(const ShadowGrid& grid, int year, std::vector<ShadowGrid::Change>& changes) {
+void GrowingTree::live(const voxels::ShadowGrid& grid, int year, std::vector<voxels::ShadowGrid::Change>& changes) {
     sum_up();
     shed(year, changes);
     if (living_buds_ >= p_.most_buds) return;

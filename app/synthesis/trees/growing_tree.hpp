@@ -13,8 +13,8 @@ class GrowingTree {
     GrowingTree(const SelfOrganisation& parameters, const Seedling& seedling, base::Seed seed);
 
     // A year, in this order. The grid stands still in both; live adds to changes what has grown and what has fallen.
-    void sense(const ShadowGrid& grid);
-    void live(const ShadowGrid& grid, int year, std::vector<ShadowGrid::Change>& changes);
+    void sense(const voxels::ShadowGrid& grid);
+    void live(const voxels::ShadowGrid& grid, int year, std::vector<voxels::ShadowGrid::Change>& changes);
 
     TreeSkeleton skeleton() const;  // about its own root
     std::size_t living_buds() const { return living_buds_; }
@@ -47,11 +47,12 @@ class GrowingTree {
         float flow;
     };
     void sum_up();
-    void shed(int year, std::vector<ShadowGrid::Change>& changes);
+    void shed(int year, std::vector<voxels::ShadowGrid::Change>& changes);
     std::vector<Shoot> share(int year);
-    void grow(const Shoot& shoot, const ShadowGrid& grid, int year, std::vector<ShadowGrid::Change>& changes);
+    void grow(const Shoot& shoot, const voxels::ShadowGrid& grid, int year,
+              std::vector<voxels::ShadowGrid::Change>& changes);
     void bear_buds(int index);
-    glm::vec3 next_heading(const Internode& from, const Shoot& shoot, const ShadowGrid& grid) const;
+    glm::vec3 next_heading(const Internode& from, const Shoot& shoot, const voxels::ShadowGrid& grid) const;
     float chance(int index, int what) const;  // -1 to 1
 
     const SelfOrganisation& p_;

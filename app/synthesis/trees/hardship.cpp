@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "synthesis/trees/prune.hpp"
-#include "synthesis/trees/shadow_grid.hpp"
+#include "synthesis/voxels/shadow_grid.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -22,11 +22,11 @@ std::vector<float> lights_of(const TreeSkeleton& skeleton) {
     constexpr float kHeight = 40;   // internodes
     constexpr float kCrown = 2500;  // sites, as which all of them count
     const float each = kCrown / static_cast<float>(std::max<std::size_t>(skeleton.sites.size(), 1));
-    ShadowGrid::Shade shade;
+    voxels::ShadowGrid::Shade shade;
     shade.a = 0.2F * std::min(each, 3.0F);
     shade.far = 0.01F * each;
-    ShadowGrid grid(shade, {-40, 0, -40}, {80, 56, 80});
-    std::vector<ShadowGrid::Change> leaves;
+    voxels::ShadowGrid grid(shade, {-40, 0, -40}, {80, 56, 80});
+    std::vector<voxels::ShadowGrid::Change> leaves;
     for (const Site& site : skeleton.sites) leaves.push_back({kHeight * site.at_m, true});
     grid.apply(leaves);
     std::vector<float> lights;

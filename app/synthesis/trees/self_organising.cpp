@@ -18,7 +18,7 @@ namespace {
 constexpr float kReach = 30;  // internodes, that a crown may reach to the side
 constexpr int kHighest = 64;
 
-ShadowGrid grid_about(std::span<const Seedling> seedlings, const ShadowGrid::Shade& shade) {
+voxels::ShadowGrid grid_about(std::span<const Seedling> seedlings, const voxels::ShadowGrid::Shade& shade) {
     glm::vec2 low{0};
     glm::vec2 high{0};
     for (const Seedling& seedling : seedlings) {
@@ -28,19 +28,19 @@ ShadowGrid grid_about(std::span<const Seedling> seedlings, const ShadowGrid::Sha
     low -= kReach;
     high += kReach;
     const glm::vec2 size = glm::ceil(high - low);
-    return ShadowGrid(shade, {low.x, 0, low.y}, {static_cast<int>(size.x), kHighest, static_cast<int>(size.y)});
+    return voxels::ShadowGrid(shade, {low.x, 0, low.y}, {static_cast<int>(size.x), kHighest, static_cast<int>(size.y)});
 }
 
 }  // namespace
 
 std::vector<TreeSkeleton> grow_together(const SelfOrganisation& p, std::span<const Seedling> seedlings,
                                         base::Seed seed) {
-    ShadowGrid grid = grid_about(seedlings, p.shade);
+    voxels::ShadowGrid grid = grid_about(seedlings, p.shade);
     std::vector<GrowingTree> trees;
     trees.reserve(seedlings.size());
     for (std::size_t i = 0; i < seedlings.size(); ++i) trees.emplace_back(p, seedlings[i], seed.child(i));
-    std::vector<std::vector<ShadowGrid::Change>> changes(trees.size());
-    std::vector<ShadowGrid::Change> all;
+    std::vector<std::vector<voxels::ShadowGrid::Change>> changes(trees.size());
+    std::vector<voxels::ShadowGrid::Change> all;
     for (int year = 0; year < p.years; ++year) {
         const auto live = [&](std::size_t i) {
             changes[i].clear();

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/seed.hpp"
-#include "synthesis/trees/shadow_grid.hpp"
 #include "synthesis/trees/skeleton.hpp"
+#include "synthesis/voxels/shadow_grid.hpp"
 
 namespace quadrat::synthesis::trees {
 
@@ -19,7 +19,7 @@ struct SelfOrganisation {
         0.55F;  // λ of the extended Borchert-Honda model, 0 to 1: what a leader gets before its laterals
     float apical_old = 0.47F;
     float vigour = 2.2F;  // α: internodes that the light of one bud makes in a year
-    ShadowGrid::Shade shade{};
+    voxels::ShadowGrid::Shade shade{};
     float shedding = 0.12F;  // a limb falls that gets less light than this an internode
     float branch_angle_deg = 50;
     float divergence_deg = 137.5F;

@@ -20,7 +20,7 @@ struct Limb {
     int parent_node = 0;
 };
 
-enum class Organ : std::uint8_t { Leaf, Flower, Fruit };
+enum class Organ : std::uint8_t { Leaf, Flower, Fruit, YoungLeaf, TurnedLeaf, None };
 
 // Where something may stand: a frame on a twig.
 struct Site {

@@ -9,6 +9,7 @@
 #include "synthesis/trees/crown_mass.hpp"
 #include "synthesis/trees/inhibition.hpp"
 #include "synthesis/trees/leaf_picture.hpp"
+#include "synthesis/trees/overgrown.hpp"
 #include "synthesis/trees/wood_levels.hpp"
 
 namespace quadrat::synthesis::trees {
@@ -38,10 +39,12 @@ FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
     o.droop = f.leaf_droop + k.droop;
     o.spread = k.spread;
     o.outward = k.outward;
-    o.flower_m = std::max(0.55F * o.length_m, 0.16F);
+    // Before the leaves come, clusters of flowers are all that there is of a crown.
+    const float before_leaves = std::clamp(1 - 5 * f.season, 0.0F, 1.0F);
+    o.flower_m = std::max(0.55F * o.length_m, 0.16F) * (1 + 0.4F * before_leaves);
     o.fruit_m = f.fruit_m;
     o.colours = f.colours;
-    const auto most = kMostLeafTriangles * 3 / shape.triangles.size();
+    const std::size_t most = kMostLeafTriangles * 3 / shape.triangles.size();
     if (k.is_rosette) {
         o.length_m = 0.30F * species.height_m * std::sqrt(6.0F / std::max(species.height_m, 6.0F)) *
                      (0.6F + 0.9F * f.leaf_length_m);
@@ -86,24 +89,39 @@ std::vector<scene::CrownMass> masses_of(const scene::Leaves& leaves) {
     return masses.empty() || masses.front().share < kEnough ? crown_masses(leaves, kThinCrown) : masses;
 }
 
+std::size_t most_blades(const Form& f) { return kMostLeafTriangles * 3 / spray_shape(f.leaf).triangles.size(); }
+
+// Up the trunk; not on what has no bark to hold on to, nor in needles, whose leaves would be needles too.
+scene::Leaves climber_on(const Form& f, const scene::Species& species, const FoliageOptions& foliage, base::Seed seed) {
+    const bool is_bare = f.leaf == LeafKind::Needles || f.leaf == LeafKind::Spines || kind(f.habit).is_rosette;
+    if (f.climbers <= 0 || is_bare) return {};
+    const float high_m = (0.15F + 0.5F * f.climbers) * species.height_m;
+    const auto most = static_cast<std::size_t>(60 + 200 * f.climbers);
+    return climber_leaves(species.wood.front(), species.trunk_radius_m, high_m, shape_of(foliage), most, seed);
+}
+
 scene::Species species_of(TreeSkeleton skeleton, const Form& f, base::Seed seed) {
     const Kind& k = kind(f.habit);
     if (k.blossom > 0) set_organs(skeleton, k.blossom * f.blossom, 0.2F * f.fruit, seed.child("organs"));
+    const float bareness = std::max(f.bareness, pass_year(skeleton, year_of(f), seed.child("year")));
     scene::Species species;
     species.name = k.name;
     species.height_m = skeleton.high_m.y;
     species.crown_radius_m = k.is_rosette ? 0.28F * skeleton.high_m.y : crown_radius(skeleton);
     species.trunk_radius_m = skeleton.limbs.front().nodes.front().radius_m * (f.stems > 1 ? 2.2F : 1.0F);
-    species.wood = wood_levels(skeleton, k.is_rosette ? 0 : f.bareness);
-    const FoliageOptions foliage = foliage_of(f, species);
+    species.wood = wood_levels(skeleton, k.is_rosette ? 0 : bareness);
+    FoliageOptions foliage = foliage_of(f, species);
+    const scene::Leaves climber = climber_on(f, species, foliage, seed.child("climber"));
+    foliage.blades = std::min(foliage.blades, most_blades(f) - climber.blades);
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
     const bool has_spines = k.own_leaf == LeafKind::Spines;  // its limbs are what is seen of it
     if (!k.is_rosette && !has_spines) species.masses = masses_of(species.leaves);
     add_fringe(species.masses);
     if (species.leaves.blades > 0 && !has_spines) add_spindle(species.wood, species.height_m, species.trunk_radius_m);
     set_coarser(species.wood, species.trunk_radius_m);
+    mix_in(species.leaves, climber);
     // Twigs are all the crown that a bare tree has: they are left out later.
-    for (scene::Wood& wood : species.wood) wood.left_out_m *= 1 + 2.5F * f.bareness;
+    for (scene::Wood& wood : species.wood) wood.left_out_m *= 1 + 2.5F * bareness;
     if (k.is_rosette) {
         species.crown_radius_m = std::max(species.crown_radius_m, 0.8F * foliage.length_m);
         species.height_m += 0.3F * foliage.length_m;

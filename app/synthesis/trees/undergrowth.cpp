@@ -280,9 +280,52 @@ scene::Species flower(const FlowerOptions& o, base::Seed seed) {
     return species;
 }
 
+scene::Species mushrooms(const MushroomOptions& o, base::Seed seed) {
+    scene::Species species = herb("mushroom", o.height_m, 0.6F * o.height_m);
+    species.density = species.share = 0;
+    base::RandomStream random{seed};
+    const glm::vec3 stem_colour = scene::linear_from_srgb_hex(0xE6DECB);
+    constexpr int kBodies = 4;
+    const LeafShape& shape = leaf_shape(LeafKind::Lance);
+    for (int i = 0; i < kBodies; ++i) {
+        const glm::vec2 foot = floret(i + 1, 0.42F * o.height_m);
+        const glm::vec3 out = flat_direction(random.between(0, kTurn_rad));
+        const float high_m = o.height_m * random.between(0.5F, 1.0F);
+        BladeShape stem;
+        stem.site_m = {foot.x, 0, foot.y};
+        stem.along = glm::normalize(glm::vec3{0, 1, 0} + 0.12F * out);
+        stem.face = glm::normalize(out - glm::dot(out, stem.along) * stem.along);
+        stem.length_m = 1.05F * high_m;
+        stem.half_width_m = 0.12F * high_m;
+        stem.fold_m = 0.05F * high_m;
+        const std::size_t first = species.leaves.vertices.size();
+        add_blade(species.leaves, shape, stem, vertex_of(stem_colour, stem.face, 0.7F, 0.8F));
+        // Two discs: the rim, and the crown of the cap over it.
+        for (const bool is_rim : {true, false}) {
+            BladeShape cap;
+            cap.site_m = stem.site_m + (is_rim ? 0.92F : 1.06F) * high_m * stem.along;
+            cap.along = stem.face;
+            cap.face = stem.along;
+            cap.is_disc = true;
+            cap.half_width_m = (is_rim ? 0.5F : 0.31F) * high_m;
+            cap.fold_m = 0.24F * high_m;
+            add_blade(species.leaves, shape, cap,
+                      vertex_of(scene::shifted_colour(o.cap, is_rim ? 0.92F : 1.06F), stem.along, 0.8F, 1.0F));
+        }
+        // From afar a few blades are enlarged about their sites: a mushroom stays whole if they are all its foot.
+        for (std::size_t v = first; v < species.leaves.vertices.size(); ++v) {
+            scene::Leaves::Vertex& vertex = species.leaves.vertices[v];
+            vertex.corner_m += vertex.site_m - stem.site_m;
+            vertex.site_m = stem.site_m;
+        }
+    }
+    return species;
+}
+
 scene::Species shrub(const ShrubOptions& o, base::Seed seed) {
     TreeSkeleton skeleton = shrub_skeleton(o, seed);
     set_organs(skeleton, 0.8F * o.blossoms, 0, seed.child("organs"));
+    pass_year(skeleton, o.year, seed.child("year"));
     scene::Species species;
     species.name = "shrub";
     species.storey = scene::Storey::Shrub;
@@ -308,6 +351,7 @@ scene::Species shrub(const ShrubOptions& o, base::Seed seed) {
     foliage.colours.leaf = o.leaf;
     foliage.colours.second = o.second;
     foliage.colours.blossom = o.blossom;
+    foliage.colours.turned = o.turned;
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
     species.masses = crown_masses(species.leaves, kThinCrown);
     add_fringe(species.masses);

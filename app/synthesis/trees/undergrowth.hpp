@@ -4,6 +4,7 @@
 
 #include "base/seed.hpp"
 #include "scene/flora.hpp"
+#include "synthesis/trees/year.hpp"
 
 namespace quadrat::synthesis::trees {
 
@@ -25,6 +26,12 @@ struct FlowerOptions {
 };
 scene::Species flower(const FlowerOptions& options, base::Seed seed);
 
+struct MushroomOptions {
+    glm::vec3 cap{0.5F, 0.3F, 0.1F};
+    float height_m = 0.24F;
+};
+scene::Species mushrooms(const MushroomOptions& options, base::Seed seed);  // a few, of one kind; they stand in rings
+
 struct ShrubOptions {
     glm::vec3 leaf{0.1F, 0.2F, 0.05F};
     glm::vec3 second{0.15F, 0.2F, 0.05F};
@@ -33,7 +40,9 @@ struct ShrubOptions {
     float height_m = 1.4F;
     float width = 1;
     float leaf_m = 0.2F;
-    float blossoms = 0;  // of its twigs
+    float blossoms = 0;                   // of its twigs
+    glm::vec3 turned{0.5F, 0.2F, 0.03F};  // its leaves in autumn
+    Year year;
 };
 scene::Species shrub(const ShrubOptions& options, base::Seed seed);
 

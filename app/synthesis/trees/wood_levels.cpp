@@ -15,6 +15,7 @@
 
 #include "mesh/nearness.hpp"
 #include "synthesis/trees/limb_mesh.hpp"
+#include "synthesis/trees/species.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -171,6 +172,13 @@ std::vector<scene::Wood> wood_levels(const TreeSkeleton& skeleton, float barenes
     smooth.most_nodes = nodes(kTwigNodes) + 4 * skeleton.limbs.front().nodes.size();
     smooth.twig_sides = 3;
     std::vector<scene::Wood> levels{mesh_meta_tubes(skeleton, smooth)};
+    // Limbs that are all long need more triangles a node.
+    while (levels.front().mesh.triangle_count() > kMostWoodTriangles) {
+        const float room =
+            static_cast<float>(kMostWoodTriangles) / static_cast<float>(levels.front().mesh.triangle_count());
+        smooth.most_nodes = static_cast<std::size_t>(0.95F * room * static_cast<float>(smooth.most_nodes));
+        levels.front() = mesh_meta_tubes(skeleton, smooth);
+    }
     const std::size_t trunk = skeleton.limbs.front().nodes.size();
     const float thickness_m = 2 * skeleton.limbs.front().nodes.front().radius_m;
     struct Level {

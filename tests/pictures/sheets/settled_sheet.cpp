@@ -4,7 +4,7 @@
 //     by.height=HEIGHT,
 //         by.seed=N, by.seconds=N, by.over=M and by.away=M: from so far south of the settlement and so high over it;
 //         by.bearing=DEGREES: rather from there than from the south; by.last=N: of what stands about it, the N-th from
-//         the end instead: bridges and fords are last
+//         the end instead: bridges and fords are last; by.clipped=N: the N-th of the clipped trees, from 1
 #include <fmt/core.h>
 
 #include <cmath>
@@ -46,8 +46,20 @@ float taken(Values& values, const char* name, float otherwise) {
     return value;
 }
 
-glm::vec3 middle_of(const scene::Settlement& settlement, std::size_t last) {
+struct Stand {
+    float away_m = 0, over_m = 12, bearing_deg = 0;
+    std::size_t last = 0;
+    std::size_t clipped = 0;
+};
+
+glm::vec3 middle_of(const scene::Land& land, const Stand& stand) {
+    const scene::Settlement& settlement = land.settlement;
+    const std::size_t last = stand.last;
     glm::vec3 middle{0};
+    std::size_t clipped = 0;
+    for (const scene::GardenPlant& plant : settlement.gardens)
+        if (plant.what == scene::Bedded::Topiary && ++clipped == stand.clipped)
+            return {plant.at_m.x, scene::ground_height_m(land, plant.at_m) - 2, plant.at_m.y};
     if (last > 0 && last <= settlement.bounds.size()) {
         const std::vector<glm::vec3>& places = settlement.bounds[settlement.bounds.size() - last].mesh.positions_m;
         for (const glm::vec3& at : places) middle += at / static_cast<float>(places.size());
@@ -58,13 +70,8 @@ glm::vec3 middle_of(const scene::Settlement& settlement, std::size_t last) {
     return middle;
 }
 
-struct Stand {
-    float away_m = 0, over_m = 12, bearing_deg = 0;
-    std::size_t last = 0;
-};
-
 scene::Camera camera_by(const scene::Land& land, const Stand& stand) {
-    const glm::vec3 middle = middle_of(land.settlement, stand.last);
+    const glm::vec3 middle = middle_of(land, stand);
     const float turn = stand.bearing_deg * 0.0174533F;
     glm::vec3 eye = middle + stand.away_m * glm::vec3{-std::sin(turn), 0, std::cos(turn)};
     eye.y = std::max({scene::ground_height_m(land, {eye.x, eye.z}) + 1.7F, 2.5F, middle.y + stand.over_m});
@@ -86,7 +93,8 @@ int main(int argc, char** argv) {
     picture.seconds = taken(extra, "by.seconds", 12);
     const base::Seed seed{static_cast<std::uint64_t>(taken(extra, "by.seed", 4))};
     const Stand stand{taken(extra, "by.away", 0), taken(extra, "by.over", 12), taken(extra, "by.bearing", 0),
-                      static_cast<std::size_t>(taken(extra, "by.last", 0))};
+                      static_cast<std::size_t>(taken(extra, "by.last", 0)),
+                      static_cast<std::size_t>(taken(extra, "by.clipped", 0))};
     genome::Recipe recipe;
     take(recipe, genome::Aspect::Land, rest[0]);
     take(recipe, genome::Aspect::Trees, rest[1]);

@@ -86,6 +86,23 @@ TEST(Gardens, BedsAreLaidOutAsFloretsAre) {
     EXPECT_GT(turned, static_cast<int>(flowers.size()) / 2);
 }
 
+TEST(Gardens, HaveClippedTreesInPairsWhereTheFloraHasThem) {
+    std::vector<scene::GardenPlant> clipped;
+    for (const scene::GardenPlant& plant : village(1).settlement.gardens)
+        if (plant.what == Bedded::Topiary) clipped.push_back(plant);
+    ASSERT_GT(clipped.size(), 10U);
+    int paired = 0;
+    for (std::size_t i = 0; i + 1 < clipped.size(); ++i)
+        paired += std::abs(glm::distance(clipped[i].at_m, clipped[i + 1].at_m) - 3.4F) < 0.01F &&
+                  clipped[i].height_m == clipped[i + 1].height_m;
+    EXPECT_GT(paired, static_cast<int>(clipped.size()) / 3);
+    scene::Flora flora;
+    flora.species.resize(2);
+    EXPECT_EQ(kind_for(flora, Bedded::Topiary), 2U) << "none";
+    flora.species[1].name = "topiary";
+    EXPECT_EQ(kind_for(flora, Bedded::Topiary), 1U);
+}
+
 scene::Species kind(const char* name, scene::Storey storey, float height_m, float crown_m) {
     scene::Species species;
     species.name = name;

@@ -30,10 +30,10 @@ SelfOrganisation of_years(int years) {
     return p;
 }
 
-ShadowGrid grid() { return ShadowGrid({}, {-20, 0, -20}, {40, 40, 40}); }
+voxels::ShadowGrid grid() { return voxels::ShadowGrid({}, {-20, 0, -20}, {40, 40, 40}); }
 
-std::vector<ShadowGrid::Change> crown(const glm::vec3& middle, float radius, std::uint64_t seed) {
-    std::vector<ShadowGrid::Change> leaves;
+std::vector<voxels::ShadowGrid::Change> crown(const glm::vec3& middle, float radius, std::uint64_t seed) {
+    std::vector<voxels::ShadowGrid::Change> leaves;
     base::RandomStream random{base::Seed{seed}};
     for (int i = 0; i < 300; ++i) {
         const glm::vec3 way = glm::normalize(glm::vec3{random.normal(), random.normal(), random.normal()});
@@ -43,9 +43,9 @@ std::vector<ShadowGrid::Change> crown(const glm::vec3& middle, float radius, std
 }
 
 TEST(ShadowGrid, GivesNoBudMoreLightForANeighbour) {
-    ShadowGrid before = grid();
+    voxels::ShadowGrid before = grid();
     before.apply(crown({-4, 16, 0}, 6, 1));
-    ShadowGrid after = before;
+    voxels::ShadowGrid after = before;
     after.apply(crown({5, 18, 2}, 6, 2));
     int darker = 0;
     base::RandomStream random{base::Seed{3}};
@@ -58,12 +58,12 @@ TEST(ShadowGrid, GivesNoBudMoreLightForANeighbour) {
 }
 
 TEST(ShadowGrid, IsAsItWasWhenWhatGrewHasFallen) {
-    ShadowGrid changed = grid();
-    const ShadowGrid bare = changed;
-    std::vector<ShadowGrid::Change> leaves = crown({3, 12, -2}, 8, 4);
+    voxels::ShadowGrid changed = grid();
+    const voxels::ShadowGrid bare = changed;
+    std::vector<voxels::ShadowGrid::Change> leaves = crown({3, 12, -2}, 8, 4);
     changed.apply(leaves);
     std::ranges::reverse(leaves);
-    for (ShadowGrid::Change& leaf : leaves) leaf.is_new = false;
+    for (voxels::ShadowGrid::Change& leaf : leaves) leaf.is_new = false;
     changed.apply(leaves);
     for (int x = -19; x < 20; ++x)
         for (int y = 0; y < 40; ++y)
@@ -72,9 +72,9 @@ TEST(ShadowGrid, IsAsItWasWhenWhatGrewHasFallen) {
 }
 
 TEST(ShadowGrid, IsDarkUnderARoofAndLitBesideACrown) {
-    ShadowGrid one = grid();
+    voxels::ShadowGrid one = grid();
     one.apply(crown({0, 24, 0}, 7, 5));
-    ShadowGrid roof = grid();
+    voxels::ShadowGrid roof = grid();
     for (int x = -12; x <= 12; x += 8)
         for (int z = -12; z <= 12; z += 8) roof.apply(crown({x, 24, z}, 7, 5));
     const glm::vec3 low{9, 6, 0};

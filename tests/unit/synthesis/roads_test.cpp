@@ -220,7 +220,8 @@ TEST(Stones, FaceOutwardAndKeepToTheLand) {
         const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
         scene::SceneParameters p = scene::realise(recipe.values);
         p.land.arch_share = 1;
-        p.land.ledge_share = -1;  // masonry is open where it stands in the ground
+        p.land.ledge_share = -1;   // masonry is open where it stands in the ground,
+        p.land.climber_share = 0;  // and leaves are open all around
         const scene::Land land = grow_land(p.land, recipe.seeds[genome::Aspect::Land],
                                            {.land_samples = 257, .light_px = 64, .albedo_px = 64});
         const mesh::Mesh& mesh = land.stone.mesh;

@@ -220,6 +220,15 @@ genome::ParameterValues a_village() {
     genome::ParameterValues values;
     values.set(genome::ParameterId::settle_age, 0.5F);
     values.set(genome::ParameterId::settle_fields, 0.4F);
+    values.set(genome::ParameterId::climber_share, 0.6F);
+    return values;
+}
+
+// With what grows only where it is asked for.
+genome::ParameterValues all_plants() {
+    genome::ParameterValues values = test_scenes::everything();
+    values.set(genome::ParameterId::mushroom_rings, 0.9F);
+    values.set(genome::ParameterId::topiary_shape, 2);
     return values;
 }
 
@@ -235,7 +244,7 @@ TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
     const base::Seed seed{13};
     const scene::Fineness fineness{.land_samples = 129, .light_px = 64, .albedo_px = 64};
     const scene::Fineness finer{.land_samples = 257, .light_px = 64, .albedo_px = 64};
-    const scene::SceneParameters plain = scene::realise(test_scenes::everything());
+    const scene::SceneParameters plain = scene::realise(all_plants());
     const scene::Flora flora = grow_trees(plain.trees, seed);
     const scene::Land land = grow_land(plain.land, seed, fineness);
     const scene::Land village = grow_land(scene::realise(a_village()).land, seed, fineness);
@@ -243,11 +252,11 @@ TEST(Scene, ChangesWithEachOfTheParametersOfItsAspect) {
     const scene::Land walled = grow_land(scene::realise(land_with_walls_and_ledges()).land, seed, fineness);
     const scene::Land fine_land = grow_land(plain.land, seed, finer);
     for (const genome::Parameter& parameter : genome::parameter_table()) {
-        const bool is_peoples = parameter.name.starts_with("settle.");
+        const bool is_peoples = parameter.name.starts_with("settle.") || parameter.name.starts_with("climber.");
         const bool is_wall = parameter.name.starts_with("wall.") || parameter.name.starts_with("ledge.");
         genome::ParameterValues values = is_peoples ? a_village()
                                          : is_wall  ? land_with_walls_and_ledges()
-                                                    : test_scenes::everything();
+                                                    : all_plants();
         const bool is_high = values[parameter.id] > 0.5F * (parameter.min + parameter.max);
         values.set(parameter.id, is_high ? parameter.min : parameter.max);
         const scene::SceneParameters p = scene::realise(values);

@@ -2,7 +2,7 @@
 // The shadow propagation of Palubicki et al., "Self-organizing tree models for image synthesis" (SIGGRAPH 2009). Ours
 // counts in whole numbers and goes layer by layer, so that threads share no cell. Its pyramids are short, for a cell of
 // the air under a lone tree has light from the side; a coarse grid adds what a roof of crowns keeps from the ground.
-#include "synthesis/trees/shadow_grid.hpp"
+#include "synthesis/voxels/shadow_grid.hpp"
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -11,7 +11,7 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 
-namespace quadrat::synthesis::trees {
+namespace quadrat::synthesis::voxels {
 namespace {
 
 constexpr int kBlock = 4;  // cells
@@ -171,4 +171,4 @@ void ShadowGrid::apply(std::span<const Change> changes) {
     oneapi::tbb::parallel_for(0, cells_.y, [&](int y) { shade_layer(y, changes); });
 }
 
-}  // namespace quadrat::synthesis::trees
+}  // namespace quadrat::synthesis::voxels

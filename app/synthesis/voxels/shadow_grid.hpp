@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace quadrat::synthesis::trees {
+namespace quadrat::synthesis::voxels {
 
 // How dark what grows makes the air below it, in cells of one internode (Palubicki et al. 2009, section 4.1): a leafy
 // internode in cell (I, J, K) adds Δs = a b^-q to the cells (I ± p, J − q, K ± p), p ≤ q ≤ q_max. Whole numbers, so
@@ -64,4 +64,4 @@ class ShadowGrid {
     std::vector<float> roof_;           // a block: internodes over it, those beside as they are seen from it
 };
 
-}  // namespace quadrat::synthesis::trees
+}  // namespace quadrat::synthesis::voxels
