@@ -56,6 +56,7 @@ std::vector<genome::Aspect> locked_in(const site::Configuration& configuration) 
 
 nursery::Chosen chosen_by(const site::Configuration& configuration) {
     nursery::Chosen chosen;
+    chosen.shows_year = configuration.attract.has_year;
     // As this program writes it: an older one wrote the same landscape in another code.
     for (const std::string& code : configuration.attract.hidden)
         chosen.hidden.push_back(genome::code_of(genome::recipe_of_code(code, "attract.hidden")));

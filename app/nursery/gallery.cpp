@@ -7,6 +7,7 @@
 
 #include "base/log.hpp"
 #include "genome/scene_code.hpp"
+#include "genome/season.hpp"
 
 namespace quadrat::nursery {
 
@@ -44,6 +45,8 @@ void Gallery::plan() {
     for (std::size_t i = 0; i < chosen_.favourites.size(); ++i)
         add_recipe(chosen_.favourites[(turn_ + i) % chosen_.favourites.size()]);
     std::ranges::for_each(collection_.ranked(), add_recipe);
+    if (chosen_.shows_year && !wall_.empty())
+        for (genome::Recipe& season : genome::rest_of_year(wall_.front())) wall_.push_back(std::move(season));
 }
 
 // What hung before need not grow again, as far as the order allows.

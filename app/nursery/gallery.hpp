@@ -17,6 +17,7 @@ namespace quadrat::nursery {
 struct Chosen {
     std::vector<genome::Recipe> favourites;  // hang in turn, whoever bred since
     std::vector<std::string> hidden;         // by their codes (genome/scene_code.hpp): never hang
+    bool shows_year = false;                 // the first that hangs comes in its other seasons too, one after the other
     friend bool operator==(const Chosen&, const Chosen&) = default;
 };
 
@@ -28,12 +29,13 @@ struct Birth {
 };
 
 // What hangs in Attract: the newest that visitors bred, then what staff chose, then the worthiest of the collection. No
-// two are alike, as far as their words are known.
+// two are alike, as far as their words are known. Last, where it is wished, the rest of the first one's year: its own
+// season comes next.
 // During a visit twice four landscapes need their room: then the newest alone stays, which costs nothing as the last
 // finale, and the others are grown again when nobody waits.
 class Gallery {
   public:
-    static constexpr std::size_t kMost = 3;                               // hang at once
+    static constexpr std::size_t kMost = 3;                               // hang at once, besides seasons
     static constexpr base::Instant kShownFor = std::chrono::seconds{24};  // then the next of them
 
     void hang(const Act& finale, const Birth& birth = {});  // whose first landscape is the newest now

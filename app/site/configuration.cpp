@@ -157,6 +157,7 @@ void read_attract(Reader& reader, Configuration::Attract& attract) {
     read("favourites", attract.favourites, Configuration::Attract::kMostFavourites);
     read("hidden", attract.hidden, Configuration::Attract::kMostHidden);
     reader.read("attract", "breed_on", attract.breeds_on);
+    reader.read("attract", "year", attract.has_year);
 }
 
 void read_postcard(Reader& reader, Configuration::Postcard& postcard, const LettersWithoutFont& without_font) {

@@ -136,6 +136,7 @@ struct Configuration {
         std::vector<std::string> favourites;  // shown in turn, besides the newest
         std::vector<std::string> hidden;      // never shown again
         bool breeds_on = true;                // button D breeds on from what is shown
+        bool has_year = true;                 // the newest is shown in all four seasons
         bool is_wall = false;                 // nobody plays; no setting: quadrat run --gallery
         std::vector<std::string> guests;      // of other exhibits; said by no file of settings, but by who takes them
         friend bool operator==(const Attract&, const Attract&) = default;

@@ -45,6 +45,17 @@ float fading(const StageView& view) {
     return 1 - smooth((is_attract ? std::fmod(on_stage, kAttractSceneSeconds) : on_stage) / kCalmFadeSeconds);
 }
 
+// For a moment, where one landscape of several takes another's place in Attract: seasons pass over the same land
+// without a jump.
+float dip(const StageView& view) {
+    constexpr float kDipSeconds = 0.7F;
+    const float on_stage = seconds_of(view.now - view.cast.arrived);
+    const bool changes = view.state.screen == exhibit::Screen::Attract && view.cast.scenes.size() > 1;
+    if (!changes || on_stage < 0.5F * kAttractSceneSeconds) return 0;
+    const float since = std::fmod(on_stage, kAttractSceneSeconds);
+    return 1 - smooth(std::min(since, kAttractSceneSeconds - since) / kDipSeconds);
+}
+
 std::optional<std::size_t> marked_quarter(const StageView& view) {
     if (view.scanned == nullptr || !view.scanned->marked || *view.scanned->marked == exhibit::Choice::Back)
         return std::nullopt;
@@ -148,7 +159,7 @@ void Stage::add_views(render::Frame& frame, const StageView& view) {
         one.camera = scene::camera_at(shown.scene->track, look.is_calm ? 0 : on_stage);
         one.viewport = place;
         one.growth = look.is_calm ? 1 : std::clamp(on_stage / kGrowInSeconds, 0.0F, 1.0F);
-        one.dim = std::max(dimming(view, look), look.is_calm ? fading(view) : 0);
+        one.dim = std::max(dimming(view, look), look.is_calm ? fading(view) : dip(view));
         frame.views.push_back(std::move(one));
     };
     if (shows_four(view)) {

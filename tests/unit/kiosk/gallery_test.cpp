@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "genome/scene_code.hpp"
+#include "genome/season.hpp"
 #include "kiosk/show.hpp"
 #include "support/process.hpp"
 
@@ -89,6 +90,27 @@ TEST(Gallery, HangsWhatStaffChoseBesideTheNewestAndInTurn) {
     chosen.favourites.clear();
     gallery.choose(chosen);
     EXPECT_EQ(gallery.act().scenes, bred.scenes);
+}
+
+TEST(Gallery, LetsAYearPassOverTheFirst) {
+    nursery::Gallery gallery;
+    gallery.choose({.favourites = {}, .hidden = {}, .shows_year = true});
+    EXPECT_FALSE(gallery.missing()) << "of nothing there are no seasons";
+    const nursery::Act first = finale(1), second = finale(2);
+    gallery.hang(first);
+    gallery.hang(second);
+    const auto rest = genome::rest_of_year(second.recipes[0]);
+    for (const genome::Recipe& season : rest) {
+        ASSERT_EQ(gallery.missing(), season) << "behind what visitors bred";
+        gallery.bring_back(season, std::make_shared<const scene::Scene>());
+    }
+    EXPECT_FALSE(gallery.missing());
+    EXPECT_EQ(gallery.act().scenes.size(), 5U);
+    EXPECT_EQ(gallery.recipes()[1], first.recipes[0]);
+    gallery.make_room();
+    EXPECT_EQ(gallery.act().scenes, second.scenes) << "a visitor's landscapes need the room";
+    gallery.choose({});
+    EXPECT_EQ(*gallery.missing(), first.recipes[0]);
 }
 
 TEST(Gallery, NeverHangsWhatStaffHideAndShowsWhatCameBefore) {
@@ -184,7 +206,10 @@ TEST_F(Visits, MakeRoomAndWhatTheyBredGrowsAgainAfterThem) {
             if (genome::code_of(recipe) != newest) due.push_back(genome::code_of(recipe));
         ASSERT_EQ(due.size(), visit + 1) << "none is like another";
         due.resize(std::min(due.size(), nursery::Gallery::kMost));
-        ASSERT_EQ(show_->on_stage().scenes.size(), due.size());
+        const auto rest = genome::rest_of_year(show_->recipes_on_stage()[0]);
+        ASSERT_EQ(show_->on_stage().scenes.size(), due.size() + rest.size());
+        for (std::size_t i = 0; i < rest.size(); ++i)
+            EXPECT_EQ(show_->recipes_on_stage()[due.size() + i], rest[i]) << "then the rest of the newest one's year";
         for (std::size_t i = 0; i < due.size(); ++i) {
             ASSERT_EQ(genome::code_of(show_->recipes_on_stage()[i]), due[i]) << "the newest, then the worthiest";
             const scene::Scene& shown = *show_->on_stage().scenes[i];
@@ -207,11 +232,12 @@ TEST_F(Visits, AreNotKeptWaitingByWhatGrowsForTheGallery) {
         now_ += 10ms;
         show_->happen(exhibit::Tick{}, now_);
     }
-    ASSERT_LT(gallery().scenes.size(), nursery::Gallery::kMost) << "not all are back yet";
+    constexpr std::size_t kAll = nursery::Gallery::kMost + 3;  // with the newest one's other seasons
+    ASSERT_LT(gallery().scenes.size(), kAll) << "not all are back yet";
     ASSERT_TRUE(show_->programme().is_growing());
     const auto bred = play();
     settle();
-    ASSERT_EQ(show_->on_stage().scenes.size(), nursery::Gallery::kMost);
+    ASSERT_EQ(show_->on_stage().scenes.size(), kAll);
     EXPECT_EQ(show_->on_stage().scenes[0]->light.ground, bred->light.ground);
 }
 

@@ -393,6 +393,18 @@ TEST_F(ALegibleStage, HighContrastOutlinesWhatWordsStandOn) {
     EXPECT_EQ(frame(exhibit::Screen::Ask).signs.size(), normal + 1);
 }
 
+TEST_F(ALegibleStage, OneOfSeveralThatHangGivesWayToTheNextThroughTheDark) {
+    using exhibit::Screen;
+    EXPECT_EQ(frame(Screen::Attract, 24s).views[0].dim, 0) << "one alone stays";
+    one_.scenes = {four_.scenes[0], four_.scenes[1]};
+    for (const auto clear : {0s, 2s, 12s, 22s, 26s, 36s}) EXPECT_EQ(frame(Screen::Attract, clear).views[0].dim, 0);
+    EXPECT_GT(frame(Screen::Attract, 23'900ms).views[0].dim, 0.9F);
+    EXPECT_GT(frame(Screen::Attract, 24'100ms).views[0].dim, 0.9F);
+    EXPECT_NE(frame(Screen::Attract, 23'900ms).views[0].camera.eye_m,
+              frame(Screen::Attract, 24'100ms).views[0].camera.eye_m)
+        << "the flight goes on";
+}
+
 TEST_F(ALegibleStage, InCalmNothingFliesAndNothingGrowsIn) {
     using exhibit::Screen;
     for (const Screen screen : {Screen::Ask, Screen::Attract, Screen::Finale, Screen::Breed}) {
