@@ -2,6 +2,7 @@
 #include "synthesis/voxels/climber.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <glm/common.hpp>
@@ -15,6 +16,7 @@ namespace {
 
 constexpr float kOff_m = 0.03F;  // a shoot lies on its hold
 constexpr int kTries = 9;        // of a step
+constexpr std::size_t kLeavesAtOnce = 32;
 
 struct Tip {
     int node;
@@ -63,8 +65,12 @@ class Growth {
     void add(const Tendril& tendril) {
         tips_.push_back({static_cast<int>(shoots_.size()), tendril.way});
         taken(tendril.at_m) = true;
-        const ShadowGrid::Change leaf{(tendril.at_m - around_.low_m()) / around_.cell_m(), true};
-        light_.apply({&leaf, 1});
+        // Together, as each change raises the grid's whole roof.
+        leaves_.push_back({(tendril.at_m - around_.low_m()) / around_.cell_m(), true});
+        if (leaves_.size() >= kLeavesAtOnce) {
+            light_.apply(leaves_);
+            leaves_.clear();
+        }
         shoots_.push_back(tendril);
     }
 
@@ -116,6 +122,7 @@ class Growth {
     const Climber& climber_;
     base::RandomStream random_;
     ShadowGrid light_;
+    std::vector<ShadowGrid::Change> leaves_;  // that it does not know yet
     std::vector<bool> taken_;
     std::vector<Tendril> shoots_;
     std::deque<Tip> tips_;
@@ -152,14 +159,21 @@ void Surroundings::add_face(const glm::vec3& a, const glm::vec3& b, const glm::v
     const float area2 = glm::length(normal);
     if (area2 < 1.0e-6F) return;
     const glm::vec3 out = normal / area2;
-    // Samples no more than half a cell apart.
-    const float longest = std::max({glm::length(b - a), glm::length(c - a), glm::length(c - b)});
-    const int steps = std::clamp(static_cast<int>(std::ceil(2 * longest / cell_m_)), 1, 400);
-    for (int i = 0; i <= steps; ++i)
-        for (int j = 0; i + j <= steps; ++j) {
-            const float u = static_cast<float>(i) / static_cast<float>(steps);
-            const float v = static_cast<float>(j) / static_cast<float>(steps);
-            const glm::vec3 at_m = a + u * (b - a) + v * (c - a);
+    // Samples no more than half a cell apart, along the two sides that are not the longest: many faces are narrow.
+    std::array<glm::vec3, 3> corner{a, b, c};
+    const float ab = glm::distance(a, b), bc = glm::distance(b, c), ca = glm::distance(c, a);
+    if (ab > bc && ab > ca) corner = {c, a, b};
+    if (ca > ab && ca > bc) corner = {b, c, a};
+    const glm::vec3 one = corner[1] - corner[0], other = corner[2] - corner[0];
+    const auto steps = [this](const glm::vec3& side) {
+        return std::clamp(static_cast<int>(std::ceil(2 * glm::length(side) / cell_m_)), 1, 400);
+    };
+    const int along = steps(one), across = steps(other);
+    for (int i = 0; i <= along; ++i)
+        for (int j = 0; i * across + j * along <= along * across; ++j) {
+            const float u = static_cast<float>(i) / static_cast<float>(along);
+            const float v = static_cast<float>(j) / static_cast<float>(across);
+            const glm::vec3 at_m = corner[0] + u * one + v * other;
             const glm::ivec3 cell = cell_of(at_m);
             if (!is_inside(cell)) continue;
             Kind& there = kinds_[flat(cell)];

@@ -92,6 +92,7 @@ TEST(Year, ChangesATreesLeavesAndNotTheTree) {
 TEST(Year, MovesNoPlantOfALandscape) {
     genome::Recipe recipe = genome::random_recipe(base::Seed{41});
     recipe.values.set(genome::ParameterId::topiary_shape, 0);
+    recipe.values.set(genome::ParameterId::settle_age, -1);
     recipe.values.set(genome::ParameterId::ground_snow_line, 2.5F);
     const auto places = [&](float season) {
         const scene::Scene scene = test_scenes::grow(genome::in_season(recipe, season));
