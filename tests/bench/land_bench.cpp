@@ -8,7 +8,11 @@
 #include "synthesis/land/drainage.hpp"
 #include "synthesis/land/erosion.hpp"
 #include "synthesis/land/field_methods.hpp"
+#include "synthesis/land/overhangs.hpp"
+#include "synthesis/land/tile_examples.hpp"
 #include "synthesis/lsystem/map_lsystem.hpp"
+#include "synthesis/noise/automaton.hpp"
+#include "synthesis/noise/lateral_inhibition.hpp"
 
 namespace {
 
@@ -84,5 +88,34 @@ void a_map_of_cells(benchmark::State& state) {
     state.counters["cells"] = static_cast<double>(cells);
 }
 BENCHMARK(a_map_of_cells)->Arg(8)->Arg(12)->Unit(benchmark::kMillisecond);
+
+BENCHMARK_CAPTURE(field, streams_first, "streams")->Arg(513)->Unit(benchmark::kMillisecond);
+
+void lateral_inhibition(benchmark::State& state) {
+    mesh::Field peaks;
+    for (auto _ : state) peaks = noise::inhibited({}, base::Seed{1}, 64);
+}
+BENCHMARK(lateral_inhibition)->Unit(benchmark::kMillisecond);
+
+void a_forest_that_burns(benchmark::State& state) {
+    mesh::Field ages;
+    for (auto _ : state) ages = noise::forest_ages(static_cast<int>(state.range(0)), 0.5F, base::Seed{1});
+}
+BENCHMARK(a_forest_that_burns)->Arg(64)->Arg(128)->Unit(benchmark::kMillisecond);
+
+void a_box_of_tiles(benchmark::State& state) {
+    const land::TileExample& example = land::tile_examples().front();
+    const noise::Tiles tiles = noise::tiles_from(example.text, std::string(example.name));
+    const auto side = static_cast<int>(state.range(0));
+    noise::Tiles made;
+    for (auto _ : state)
+        made = noise::synthesise(tiles, {side, side, 4}, land::weights_of(example, 0.5F), base::Seed{1});
+}
+BENCHMARK(a_box_of_tiles)->Arg(8)->Arg(16)->Unit(benchmark::kMillisecond);
+
+void a_fin_of_layers(benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(land::weathered_fin({}, base::Seed{1}));
+}
+BENCHMARK(a_fin_of_layers)->Unit(benchmark::kMillisecond);
 
 }  // namespace
