@@ -185,7 +185,8 @@ TEST(Parameters, NearlyAllAreVisibleFromEndToEnd) {
     int asked = 0;
     int seen = 0;
     const auto table = genome::parameter_table();
-    for (std::size_t i = 0; i < table.size(); ++i) {
+    const std::size_t step = table.size() / tests::sample_of(table.size());  // 4: each aspect has its share
+    for (std::size_t i = 0; i < table.size(); i += step) {
         ++asked;
         std::vector<Stand> chosen = is_conditional(table[i]) ? stands_for(table[i]) : std::vector<Stand>{};
         std::vector<Stand>& looked_at = chosen.empty() ? some : chosen;
