@@ -17,6 +17,9 @@ out vec4 over_grain;
 out vec2 grains;
 
 const vec4 kTiles = vec4(vec2(1.0 / 210.0), vec2(1.0 / 690.0));  // 1/m
+// As scene/withering.hpp has it: what is green turns to straw of its lightness.
+const vec3 kStraw = vec3(1.38, 1.04, 0.62);
+
 const float kSoft = 0.32;
 const float kStone = 0.6;
 
@@ -25,8 +28,12 @@ void main() {
     gl_Position = view.clip_from_world * vec4(at_m, 1.0);
     vec3 light =
         view.sunlight.rgb * max(dot(land_normal.xyz, view.to_sun.xyz), 0.0) + ambient_on(land_normal.xyz);
+    vec3 albedo = root_colour * root_colour;
+    vec2 green = clamp((albedo.gg - vec2(0.85, 1.0) * albedo.rb) / max(vec2(0.3, 0.4) * albedo.g, 1e-4), 0.0, 1.0);
+    vec3 straw = dot(albedo, vec3(0.2126, 0.7152, 0.0722)) * kStraw;
+    albedo = mix(albedo, straw, green.x * green.y * view.cloud_place[0].y);
     vec4 haze = haze_at(at_m);
-    bare = encode(root_colour * root_colour * light) * (cloud_light(at_m) * (1.0 - haze.a));
+    bare = encode(albedo * light) * (cloud_light(at_m) * (1.0 - haze.a));
     veil = haze.rgb * haze.a;
     // Turned, so that the two sizes do not line up.
     over_grain = kTiles * vec4(at_m.xz, 0.8 * at_m.x - 0.6 * at_m.z, 0.6 * at_m.x + 0.8 * at_m.z);

@@ -8,6 +8,12 @@
 #include "genome/parameter_rules.hpp"
 
 namespace quadrat::genome {
+namespace {
+
+constexpr int kSummerPalette = 1;  // of tree.palette
+constexpr int kAutumnPalette = 4;
+
+}  // namespace
 
 Recipe in_season(Recipe recipe, float season) {
     constexpr float kFallsBy = 0.6F;  // the snow line, of the highest ground, from summer to winter
@@ -18,6 +24,13 @@ Recipe in_season(Recipe recipe, float season) {
     const float warmer = cold(values[ParameterId::tree_season]) - cold(season);
     values.set(line.id, std::clamp(values[line.id] + kFallsBy * warmer, line.min, line.max));
     values.set(ParameterId::tree_season, season);
+    // Leaves that are bred to be gold or red have turned in autumn: until then they are green.
+    const float turned = std::clamp(3 * season - 1, 0.0F, 1.0F);
+    for (const ParameterId id : {ParameterId::tree_autumn, ParameterId::second_autumn, ParameterId::third_autumn})
+        values.set(id, turned * values[id]);
+    if (turned == 0 && std::lround(values[ParameterId::tree_palette]) == kAutumnPalette)
+        values.set(ParameterId::tree_palette, kSummerPalette);
+    make_consistent(Aspect::Trees, values);
     make_consistent(Aspect::Land, values);
     return recipe;
 }

@@ -17,7 +17,8 @@ struct LightAndAir {
     float side_m = 1;
     float grain_tile_m = 1;
     float houses_sun = 1;
-    float lamps = 0;  // the share of windows that are lit
+    float withered = 0;  // of what is green of the ground, 0 to 1
+    float lamps = 0;     // the share of windows that are lit
 };
 
 LightAndAir light_and_air_of(const scene::Scene& scene);

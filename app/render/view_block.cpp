@@ -97,6 +97,7 @@ LightAndAir light_and_air_of(const scene::Scene& scene) {
     a.side_m = land.side_m();
     a.grain_tile_m = land.detail_tile_m;
     a.houses_sun = scene.houses_sun;
+    a.withered = scene.flora->cover.withered;
     a.lamps = scene::lit_windows(land.settlement, *scene.sky);
     return a;
 }
@@ -124,6 +125,7 @@ passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, f
     b.glare = {sky.glare * kept_shown, 0.20F * sky.bow * kept_shown};
     set_water(b, air, left);
     set_clouds(b, view, left, seconds);
+    b.cloud_place[0].y = air.withered;
     b.cloud_place[1].z = air.houses_sun;
     b.cloud_place[1].w = std::pow(kept(view.dim), 0.45F);
     return b;

@@ -48,6 +48,7 @@ struct Cover {
     float patch_m = 11;                 // across a patch of one kind
     glm::vec3 grass{0.2F, 0.3F, 0.1F};  // linear: what the ground's colour leans toward
     glm::vec3 blossom{0.8F};
+    float withered = 0;  // of what is green of the ground itself, by the season: 0 to 1
     friend bool operator==(const Cover&, const Cover&) = default;
 };
 

@@ -25,9 +25,9 @@ layout(std140, binding = 0) uniform ViewBlock {
     vec4 disc;           // rgb: shown, of the sun's or the moon's; w: radius of its picture
     vec4 glare;          // rgb: shown, about the disc; w: strength of the rainbow, shown
     vec4 cloud_turn[2];  // from metres over the eye for a metre of height to a layer's tile: two columns
-    vec4 cloud_place[2]; // of the lower: x: how far it has drifted, rad; z: darkness of its shadow; of the upper: xy:
-                         // texture coordinate over the eye; z: of the sun, what reaches houses; w: what dimming
-                         // leaves of a lamp
+    vec4 cloud_place[2]; // of the lower: x: how far it has drifted, rad; y: how far the season has withered green
+                         // ground; z: darkness of its shadow; of the upper: xy: texture coordinate over the eye;
+                         // z: of the sun, what reaches houses; w: what dimming leaves of a lamp
     vec4 shadow_turn;    // from metres over the ground to the lower layer's tile along the light: two columns
     vec4 shadow_place;   // xy: texture coordinate of the land's middle at the sea; zw: less for a metre of height
     vec4 cloud_shaded;   // rgb: shown; w: the upper layer's light on the lower one's scale: factor

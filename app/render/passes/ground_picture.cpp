@@ -94,7 +94,8 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const s
                                        shallow_shown(*scene),
                                        0.85F,
                                        &scene->land->height_m,
-                                       scene->land->cell_m};
+                                       scene->land->cell_m,
+                                       scene->flora->cover.withered};
         brush->emplace(sheet, glm::ivec2{shape.width, shape.height});
     });
     gl::add_painting(slices, picture.lit, pool, shape,

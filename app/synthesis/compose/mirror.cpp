@@ -16,6 +16,7 @@
 #include "base/seed.hpp"
 #include "scene/colour.hpp"
 #include "scene/lamps.hpp"
+#include "scene/withering.hpp"
 #include "synthesis/compose/view_rays.hpp"
 
 namespace quadrat::synthesis {
@@ -330,9 +331,9 @@ class Painting {
             return std::min(static_cast<int>(share * static_cast<float>(size)), size - 1);
         };
         const std::uint8_t* lit = baked.pixel(within(u, baked.width), within(v, baked.height));
-        const glm::vec3 albedo =
+        const glm::vec3 own =
             linear(land.albedo.colour(within(u, land.albedo.width()), within(v, land.albedo.height())));
-        return albedo * (glm::vec3{lit[0], lit[1], lit[2]} * (2.0F / 255));
+        return withered(own) * (glm::vec3{lit[0], lit[1], lit[2]} * (2.0F / 255));
     }
     glm::vec3 far_light(glm::vec2 at) const {
         const scene::Land& land = *scene_.land;
@@ -345,7 +346,10 @@ class Painting {
         const std::uint8_t* c = colours.pixel(sample(at.x, colours.width), sample(at.y, colours.height));
         const glm::vec3 normal = scene::ground_normal(land, at);
         const float facing = std::max(glm::dot(normal, scene_.sky->sun_direction), 0.0F);
-        return linear({c[0], c[1], c[2]}) * (scene_.sky->ambient.on(normal) + facing * scene_.sky->sunlight);
+        return withered(linear({c[0], c[1], c[2]})) * (scene_.sky->ambient.on(normal) + facing * scene_.sky->sunlight);
+    }
+    glm::vec3 withered(const glm::vec3& albedo) const {
+        return albedo * scene::withering_of(albedo, scene_.flora->cover.withered);
     }
     static glm::vec3 linear(const glm::u8vec3& encoded) {
         return {scene::linear_from_srgb(static_cast<float>(encoded.r) / 255),

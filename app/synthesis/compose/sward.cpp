@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scene/colour.hpp"
+#include "scene/withering.hpp"
 #include "synthesis/compose/lookups.hpp"
 #include "synthesis/compose/site.hpp"
 
@@ -163,7 +164,8 @@ class Sower {
             tuft.height_m = cover_.height_m * tall;
             tuft.radius_m += 0.25F * cover_.spread;
         }
-        const glm::vec3 own = albedo_at(land_, {tuft.root_m.x, tuft.root_m.z});
+        const glm::vec3 bare = albedo_at(land_, {tuft.root_m.x, tuft.root_m.z});
+        const glm::vec3 own = bare * scene::withering_of(bare, cover_.withered);
         const float light = 0.78F + 0.40F * draw.hue;
         const float yellow = 0.10F * (draw.hue - 0.5F) + 0.35F * patches.kinds;
         const glm::vec3 leaned = scene::mix_colours(own, cover_.grass, kLean);
@@ -207,7 +209,8 @@ scene::Sward lay_sward(const scene::Land& land, const scene::Flora& flora, const
     return Sower(land, flora, flight, seed).sow();
 }
 
-void light_sward(scene::Sward& sward, const scene::Land& land, const scene::BakedLight& light) {
+void light_sward(scene::Sward& sward, const scene::Land& land, const scene::Cover& cover,
+                 const scene::BakedLight& light) {
     if (light.ground.bytes.empty()) return;
     const int side = light.ground.width;
     oneapi::tbb::parallel_for(std::size_t{0}, sward.tufts.size(), [&](std::size_t i) {
@@ -223,7 +226,8 @@ void light_sward(scene::Sward& sward, const scene::Land& land, const scene::Bake
         };
         const glm::vec3 falls =
             glm::mix(glm::mix(lit(0, 0), lit(1, 0), share.x), glm::mix(lit(0, 1), lit(1, 1), share.x), share.y);
-        tuft.sent = albedo_at(land, at_m) * tuft.tint * falls;
+        const glm::vec3 bare = albedo_at(land, at_m);
+        tuft.sent = bare * scene::withering_of(bare, cover.withered) * tuft.tint * falls;
         tuft.lit = scene::luminance(falls);
     });
 }

@@ -14,6 +14,7 @@ namespace quadrat::synthesis {
 scene::Sward lay_sward(const scene::Land& land, const scene::Flora& flora, const FlightPlan& flight, base::Seed seed);
 
 // Each tuft sends what the ground under it does, so that it melts into it.
-void light_sward(scene::Sward& sward, const scene::Land& land, const scene::BakedLight& light);
+void light_sward(scene::Sward& sward, const scene::Land& land, const scene::Cover& cover,
+                 const scene::BakedLight& light);
 
 }  // namespace quadrat::synthesis

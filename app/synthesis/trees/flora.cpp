@@ -131,6 +131,7 @@ scene::Cover cover_of(const scene::TreeParameters& p, const Wear& wear) {
     cover.patch_m = p.herb_patch_m;
     cover.grass = wear.grass;
     cover.blossom = scene::mix_colours(blossom_colour(p.flower_hue), wear.blossom, 0.2F);
+    cover.withered = std::clamp(1.5F * meadow.dryness, 0.0F, 1.0F);
     return cover;
 }
 

@@ -21,6 +21,20 @@ TEST(Season, TheRestOfAYearComesInItsOrder) {
     }
 }
 
+TEST(Season, TurnsLeavesInAutumnAndNotBefore) {
+    Recipe recipe = random_recipe(base::Seed{6});
+    recipe.values.set(P::tree_season, kSeasons[2]);
+    recipe.values.set(P::tree_palette, 4);
+    for (const P id : {P::tree_autumn, P::second_autumn, P::third_autumn}) recipe.values.set(id, 0.8F);
+    for (const float season : {kSeasons[0], kSeasons[1]}) {
+        const Recipe green = in_season(recipe, season);
+        for (const P id : {P::tree_autumn, P::second_autumn, P::third_autumn}) EXPECT_EQ(green.values[id], 0);
+        EXPECT_EQ(green.values[P::tree_palette], 1);
+    }
+    EXPECT_EQ(in_season(recipe, kSeasons[2]).values, recipe.values);
+    EXPECT_EQ(in_season(recipe, kSeasons[3]).values[P::tree_autumn], 0.8F) << "those that still hang";
+}
+
 TEST(Season, ChangesPlantsAndSnowAndNothingElse) {
     Recipe recipe = random_recipe(base::Seed{5});
     recipe.values.set(P::tree_season, kSeasons[1]);

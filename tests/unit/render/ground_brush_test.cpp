@@ -61,6 +61,27 @@ TEST(GroundBrush, IsWhatTheGroundIsMadeOfTimesItsLight) {
     }
 }
 
+TEST(GroundBrush, InAWitheredSeasonPaintsStrawForGrassAndLeavesStone) {
+    const mesh::Image light = grey(4, 100, 0);
+    const mesh::Image level = filled(1, {128, 128});
+    const mesh::Image soft = filled(1, {255, 0});
+    const auto shown = [&](std::initializer_list<std::uint8_t> albedo, float withered) {
+        const scene::GroundColours colours(filled(kSide, albedo));
+        GroundBrush::Sheet sheet{colours, light, soft, level, 3};
+        sheet.withered = withered;
+        const mesh::Image picture = painted(sheet, {kSide, kSide});
+        const std::uint8_t* pixel = picture.pixel(9, 9);
+        return glm::ivec3{pixel[0], pixel[1], pixel[2]};
+    };
+    const glm::ivec3 grass = shown({70, 110, 50, 255}, 0);
+    const glm::ivec3 straw = shown({70, 110, 50, 255}, 1);
+    EXPECT_LT(grass.r, grass.g);
+    EXPECT_GT(straw.r, straw.g);
+    EXPECT_GT(straw.g, straw.b + 20);
+    EXPECT_NEAR(straw.g, grass.g, 0.1 * grass.g) << "of its lightness";
+    EXPECT_EQ(shown({120, 110, 100, 255}, 1), shown({120, 110, 100, 255}, 0));
+}
+
 TEST(GroundBrush, KeepsRowsAndColumns) {
     mesh::Image albedo = filled(kSide, {100, 100, 100, 255});
     for (int y = 4; y < 8; ++y)
