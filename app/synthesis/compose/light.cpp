@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scene/colour.hpp"
+#include "scene/withering.hpp"
 #include "synthesis/compose/crown_shadows.hpp"
 #include "synthesis/compose/stone_shadows.hpp"
 
@@ -93,7 +94,7 @@ namespace {
 // flanks.
 class Bounce {
   public:
-    Bounce(const scene::Land& land, const scene::Sky& sky, const LandShadow& shadow)
+    Bounce(const scene::Land& land, float withered, const scene::Sky& sky, const LandShadow& shadow)
         : sent_(kSide, kSide), per_m_(static_cast<float>(kSide) / land.side_m()) {
         const glm::vec3 ambient = sky.ambient.on({0, 1, 0});
         for_rows(kSide, [&](int y) {
@@ -103,7 +104,8 @@ class Bounce {
                 const float height_m = std::max(scene::ground_height_m(land, at), 0.0F);
                 const float facing = std::max(glm::dot(scene::ground_normal(land, at), sky.sun_direction), 0.0F);
                 const float sun = facing * shadow.sun_at({at.x, height_m + 0.1F, at.y});
-                sent_.at(x, y) = albedo(land, x, y) * (ambient + sun * sky.sunlight) * sky.bounce;
+                const glm::vec3 own = albedo(land, x, y);
+                sent_.at(x, y) = own * scene::withering_of(own, withered) * (ambient + sun * sky.sunlight) * sky.bounce;
             }
         });
     }
@@ -154,7 +156,7 @@ scene::BakedLight bake_light(const scene::Land& land, const mesh::Field& open, c
                              const scene::Flora& flora, std::span<const scene::Plant> plants, const LandShadow& shadow,
                              int side_px) {
     scene::BakedLight light{mesh::Image(side_px, side_px, 4)};
-    const Bounce bounce(land, sky, shadow);
+    const Bounce bounce(land, flora.cover.withered, sky, shadow);
     CrownShade crowns = cast_crowns(land, sky.sun_direction, flora, plants, side_px);
     darken(crowns.sun, cast_stone(land, sky.sun_direction, side_px), 0.94F);
     darken(crowns.sky, cast_stone(land, {0, 1, 0}, side_px), 0.6F);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/trees/bare_twigs.hpp"
 #include "synthesis/trees/bark.hpp"
 #include "synthesis/trees/crown_fringe.hpp"
 #include "synthesis/trees/crown_mass.hpp"
@@ -100,6 +101,13 @@ scene::Leaves climber_on(const Form& f, const scene::Species& species, const Fol
     return climber_leaves(species.wood.front(), species.trunk_radius_m, high_m, shape_of(foliage), most, seed);
 }
 
+// Where leaves have fallen, but for what has needles, whose twigs are never bare.
+scene::Leaves twigs_on(const TreeSkeleton& skeleton, const Form& f, const scene::Species& species, std::size_t most,
+                       base::Seed seed) {
+    if (f.leaf == LeafKind::Needles || f.leaf == LeafKind::Spines || kind(f.habit).is_rosette) return {};
+    return bare_twigs(skeleton, species.crown_radius_m, f.bark, spray_shape(f.leaf), most, seed);
+}
+
 scene::Species species_of(TreeSkeleton skeleton, const Form& f, base::Seed seed) {
     const Kind& k = kind(f.habit);
     if (k.blossom > 0) set_organs(skeleton, k.blossom * f.blossom, 0.2F * f.fruit, seed.child("organs"));
@@ -112,7 +120,8 @@ scene::Species species_of(TreeSkeleton skeleton, const Form& f, base::Seed seed)
     species.wood = wood_levels(skeleton, k.is_rosette ? 0 : bareness);
     FoliageOptions foliage = foliage_of(f, species);
     const scene::Leaves climber = climber_on(f, species, foliage, seed.child("climber"));
-    foliage.blades = std::min(foliage.blades, most_blades(f) - climber.blades);
+    const scene::Leaves twigs = twigs_on(skeleton, f, species, most_blades(f) - climber.blades, seed.child("twigs"));
+    foliage.blades = std::min(foliage.blades, most_blades(f) - climber.blades - twigs.blades);
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
     const bool has_spines = k.own_leaf == LeafKind::Spines;  // its limbs are what is seen of it
     if (!k.is_rosette && !has_spines) species.masses = masses_of(species.leaves);
@@ -120,6 +129,7 @@ scene::Species species_of(TreeSkeleton skeleton, const Form& f, base::Seed seed)
     if (species.leaves.blades > 0 && !has_spines) add_spindle(species.wood, species.height_m, species.trunk_radius_m);
     set_coarser(species.wood, species.trunk_radius_m);
     mix_in(species.leaves, climber);
+    mix_in(species.leaves, twigs);
     // Twigs are all the crown that a bare tree has: they are left out later.
     for (scene::Wood& wood : species.wood) wood.left_out_m *= 1 + 2.5F * bareness;
     if (k.is_rosette) {

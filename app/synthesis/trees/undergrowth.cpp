@@ -8,11 +8,13 @@
 #include <utility>
 
 #include "scene/colour.hpp"
+#include "synthesis/trees/bare_twigs.hpp"
 #include "synthesis/trees/crown_fringe.hpp"
 #include "synthesis/trees/crown_mass.hpp"
 #include "synthesis/trees/foliage.hpp"
 #include "synthesis/trees/leaf_picture.hpp"
 #include "synthesis/trees/limb_mesh.hpp"
+#include "synthesis/trees/overgrown.hpp"
 #include "synthesis/trees/phyllotaxis.hpp"
 #include "synthesis/trees/wood_levels.hpp"
 
@@ -355,11 +357,13 @@ scene::Species shrub(const ShrubOptions& o, base::Seed seed) {
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
     species.masses = crown_masses(species.leaves, kThinCrown);
     add_fringe(species.masses);
+    species.height_m = o.height_m;
+    species.crown_radius_m = 0.55F * o.height_m * (0.4F + 0.6F * o.width);
+    mix_in(species.leaves, bare_twigs(skeleton, species.crown_radius_m, o.bark, shape_of(foliage), foliage.blades / 2,
+                                      seed.child("twigs")));
     species.leaf = leaf_picture(foliage.kind, seed.child("leaf"));
     species.foliage = foliage_picture(foliage.kind, seed.child("leaf"));
     species.bark_colour = o.bark;
-    species.height_m = o.height_m;
-    species.crown_radius_m = 0.55F * o.height_m * (0.4F + 0.6F * o.width);
     species.trunk_radius_m = kStemOfHeight * o.height_m;
     species.treeline_m = 300;
     species.steepest_slope = 0.9F;

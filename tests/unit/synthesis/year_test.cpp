@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "genome/parameter_ids.hpp"
 #include "genome/season.hpp"
@@ -80,7 +81,15 @@ TEST(Year, ChangesATreesLeavesAndNotTheTree) {
         EXPECT_EQ(species.crown_radius_m, summer.crown_radius_m);
         EXPECT_EQ(species.trunk_radius_m, summer.trunk_radius_m);
     }
-    EXPECT_LT(species_in(1).leaves.blades, summer.leaves.blades / 10);
+    const auto area_m2 = [](const scene::Leaves& leaves) {
+        float sum = 0;
+        for (std::size_t i = 0; i + 2 < leaves.indices.size(); i += 3) {
+            const auto corner = [&](std::size_t k) { return leaves.vertices[leaves.indices[i + k]].corner_m; };
+            sum += 0.5F * glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+        }
+        return sum;
+    };
+    EXPECT_LT(area_m2(species_in(1).leaves), 0.15F * area_m2(summer.leaves)) << "twigs are thin";
     const auto redness = [](const scene::Species& species) {
         glm::vec3 sum{0};
         for (const scene::Leaves::Vertex& v : species.leaves.vertices) sum += v.colour;
