@@ -15,7 +15,7 @@ namespace quadrat::mesh {
 namespace {
 
 constexpr double kOneNode = 1.0e-9;  // of the extent
-constexpr double kSameWay = 1.0e-6;  // no farther from a line than that is on it; a plan has nothing so narrow
+constexpr double kSameWay = 1.0e-9;  // no farther from a line than that is on it; a needle of a weighted roof is wider
 constexpr double kLevel = 1.0e-9;    // no higher than that over a node is at it; extents are some hundred
 
 struct Step {
