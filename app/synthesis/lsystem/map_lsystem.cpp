@@ -20,6 +20,18 @@ constexpr std::size_t kWallsACell = 12;  // at most: walls that only cut themsel
 
 float cross(glm::vec2 a, glm::vec2 b) { return a.x * b.y - a.y * b.x; }
 
+// What a cell must have: of less, rounding would decide on which side of a wall it lies.
+float least_area(const Map& map) {
+    constexpr float kOfSquare = 1.0e-6F;
+    glm::vec2 low = map.corners.front();
+    glm::vec2 high = low;
+    for (const glm::vec2 corner : map.corners) {
+        low = glm::min(low, corner);
+        high = glm::max(high, corner);
+    }
+    return kOfSquare * glm::dot(high - low, high - low);
+}
+
 // A wall of the step before: its corners and pieces in the order it runs, and what sprouts at each corner.
 struct Sprout {
     MapProduction::Part part;
@@ -40,7 +52,7 @@ bool do_match(const MapProduction::Part& a, const MapProduction::Part& b) {
 class Step {
   public:
     Step(const MapGrammar& grammar, const Map& before, const MapOptions& options, base::Seed seed)
-        : grammar_(grammar), before_(before), options_(options), seed_(seed) {
+        : grammar_(grammar), before_(before), options_(options), seed_(seed), least_area_(least_area(before)) {
         map_.corners = before.corners;
     }
 
@@ -177,7 +189,7 @@ class Step {
             float twice_area = cross(at(to) - at(i), at(from) - at(i));
             for (std::size_t side = from; side != to; side = (side + 1) % round.sides.size())
                 twice_area += cross(at(side) - at(i), at(side + 1) - at(i));
-            if (twice_area < 1.0e-4F * glm::dot(run, run)) return false;
+            if (twice_area < std::max(1.0e-4F * glm::dot(run, run), 2 * least_area_)) return false;
         }
         for (std::size_t side = 0; side < round.sides.size(); ++side) {
             const glm::vec2 along = at(side + 1) - at(side);
@@ -191,6 +203,7 @@ class Step {
     const Map& before_;
     const MapOptions& options_;
     base::Seed seed_;
+    float least_area_;
     Map map_;
     std::vector<Rewritten> rewritten_;
     std::vector<bool> is_divided_;    // of a cell before
@@ -216,6 +229,7 @@ void pull_walls(Map& map, int rounds) {
         beside[wall.to].push_back(wall.from);
         if (cells_at[i] == 1) is_rim[wall.from] = is_rim[wall.to] = true;
     }
+    const float least = least_area(map);
     for (int round = 0; round < rounds; ++round)
         for (std::size_t i = 0; i < map.corners.size(); ++i) {
             if (is_rim[i] || beside[i].empty()) continue;
@@ -223,7 +237,7 @@ void pull_walls(Map& map, int rounds) {
             glm::vec2 sum{0};
             for (const std::uint32_t other : beside[i]) sum += map.corners[other];
             map.corners[i] = glm::mix(old, sum / static_cast<float>(beside[i].size()), 0.5F);
-            if (std::ranges::any_of(cells_of[i], [&](std::size_t cell) { return map.area(cell) <= 0; }))
+            if (std::ranges::any_of(cells_of[i], [&](std::size_t cell) { return map.area(cell) < least; }))
                 map.corners[i] = old;
         }
 }
