@@ -26,7 +26,7 @@ void main() {
     float width_m = speed_width.w;
     // Never thinner than a pixel; what it would hide less, it lets through.
     float drawn_m = max(width_m, distance_m * streak_wander.z);
-    vec3 along = speed_width.xyz * streak_wander.x;
+    vec3 along = speed_width.xyz * (streak_wander.x * mix(0.6, 1.2, fract(home.y * 23.0)));
     vec3 ahead = ray / distance_m;
     vec3 lengthwise = streak_wander.x > 0.0 ? along : cross(normalize(vec3(ahead.z, 0.0, -ahead.x)), ahead) * drawn_m;
     vec3 sideways = normalize(cross(lengthwise, ahead)) * drawn_m;
@@ -36,6 +36,8 @@ void main() {
     float seen = clamp(distance_m * 0.25 - 0.9, 0.0, 1.0) * clamp(5.0 - 10.0 * edge, 0.0, 1.0);
     // A flake near the eye is out of focus: the larger it is drawn, the fainter.
     float sharp = streak_wander.x > 0.0 ? 1.0 : min(kSharp * distance_m * streak_wander.z / drawn_m, 1.0);
-    drop = vec4(shown_opacity.rgb, shown_opacity.a * seen * sharp * width_m / drawn_m);
+    // Drops of one brightness would read as hatching: few are bright, most are a shimmer.
+    float bright = streak_wander.x > 0.0 ? mix(0.3, 1.0, fract(home.x * 37.0 + home.z * 17.0)) : 1.0;
+    drop = vec4(shown_opacity.rgb, shown_opacity.a * bright * seen * sharp * width_m / drawn_m);
     on_drop = streak_wander.x > 0.0 ? vec2(corner.x, 0.6 * corner.y) : corner;
 }

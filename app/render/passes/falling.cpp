@@ -14,7 +14,7 @@
 namespace quadrat::render::passes {
 namespace {
 
-constexpr std::size_t kDrops = 4200;
+constexpr std::size_t kDrops = 9000;
 
 struct DropCorner {
     glm::vec3 home;

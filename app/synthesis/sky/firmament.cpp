@@ -229,6 +229,17 @@ void gather_ambient(scene::Sky& sky, const Parameters& p, const Lights& lights) 
     sky.ambient.correct_level(level);
 }
 
+// A drop falls at its own speed whatever the wind; strokes that lie flatter than some 30 degrees from upright read as
+// scratches on the picture.
+glm::vec3 rain_speed_m_s(glm::vec2 wind, float slant) {
+    constexpr float kFalls = 9.5F;
+    constexpr float kMost = 0.55F * kFalls;
+    const glm::vec2 drift = (0.25F + 1.1F * slant) * wind;
+    const float speed = glm::length(drift);
+    const float held = speed > 0 ? kMost * std::tanh(speed / kMost) / speed : 0;
+    return {held * drift.x, -kFalls, held * drift.y};
+}
+
 void add_falling(scene::Sky& sky, const Parameters& p) {
     const Falling falls = falling(p);
     if (falls.any() <= 0) return;
@@ -238,14 +249,14 @@ void add_falling(scene::Sky& sky, const Parameters& p) {
     f.amount = 0.25F + 0.75F * falls.any();
     if (falls.rain > 0) {
         f.kind = scene::Precipitation::Kind::Rain;
-        const float drift = 0.25F + 1.1F * p.rain_slant;
-        f.speed_m_s = {drift * wind.x, -9.5F, drift * wind.y};
-        f.width_m = 0.004F;
-        f.streak_s = 0.012F + 0.008F * falls.rain;
-        f.opacity = 0.24F + 0.24F * falls.rain;
+        f.speed_m_s = rain_speed_m_s(wind, p.rain_slant);
+        f.width_m = 0.003F;
+        f.streak_s = 0.012F + 0.005F * falls.rain;
+        f.opacity = 0.26F + 0.2F * falls.rain;
         f.colour = held(1.15F * light, 1.0F);
     } else {
         f.kind = scene::Precipitation::Kind::Snow;
+        f.amount *= 0.5F;
         f.speed_m_s = {0.32F * wind.x, -1.25F, 0.32F * wind.y};
         f.width_m = 0.021F * p.snowfall_flake;
         f.opacity = 0.85F;

@@ -331,6 +331,22 @@ TEST(Sky, HasARainbowOnlyWhereOneCanBe) {
     EXPECT_GT(grow_sky(p, base::Seed{1}).bow, 0.3F);
 }
 
+TEST(Sky, LetsNoRainFallFlatterThanThirtyDegreesFromUpright) {
+    scene::SkyParameters p;
+    p.rain_share = 1;
+    float before = -1;
+    for (const float wind : {0.0F, 4.0F, 12.0F, 40.0F}) {
+        p.cloud_wind_m_s = wind;
+        p.rain_slant = 1;
+        const scene::Precipitation rain = grow_sky(p, base::Seed{1}).precipitation;
+        ASSERT_EQ(rain.kind, scene::Precipitation::Kind::Rain);
+        const float slant = std::hypot(rain.speed_m_s.x, rain.speed_m_s.z) / -rain.speed_m_s.y;
+        EXPECT_LE(slant, 0.58F);
+        EXPECT_GT(slant, before) << "more wind, more slant";
+        before = slant;
+    }
+}
+
 TEST(Sky, ThatIsClosedTakesTheSunAndLeavesTheLight) {
     scene::SkyParameters clear;
     clear.cloud_cover = 0.1F;
