@@ -179,6 +179,18 @@ class Palette {
     std::array<glm::vec3, kSteps> turning_;
 };
 
+// From a spray back to the limb that it grows on, some of it along that.
+glm::vec3 twig_to(const Place& place, const TreeSkeleton& skeleton, float spray_m) {
+    constexpr float kLeast = 0.6F;  // of the spray's length
+    constexpr float kMost = 1.5F;
+    const Limb& limb = skeleton.limbs[static_cast<std::size_t>(place.site->limb)];
+    glm::vec3 back_m{0};
+    for (int node = place.site->node; node >= 0 && glm::length(back_m) < kLeast * spray_m; --node)
+        back_m = limb.nodes[static_cast<std::size_t>(node)].at_m - place.at_m;
+    const float length_m = glm::length(back_m);
+    return length_m > kMost * spray_m ? back_m * (kMost * spray_m / length_m) : back_m;
+}
+
 constexpr float kYoung = 0.6F;  // length of a leaf that unfolds, to a grown one's
 
 BladeShape blade_at(const Place& place, const FoliageOptions& o, const glm::vec3& out_unit,
@@ -274,6 +286,8 @@ void add_blade(scene::Leaves& leaves, const LeafShape& shape, const BladeShape& 
         }
         leaves.vertices.push_back(vertex);
     }
+    if (!b.is_disc)
+        for (const std::uint32_t foot : shape.twig_foot) leaves.vertices[first + foot].corner_m += b.twig_m;
     for (const std::uint32_t t : shape.triangles) leaves.indices.push_back(first + t);
     for (const std::uint32_t t : shape.plain) leaves.plain_indices.push_back(first + t);
     ++leaves.blades;
@@ -316,7 +330,8 @@ scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& o
         const glm::vec3 outward = (place.at_m - crown.middle_m) / crown.half_m;
         const float out = std::min(glm::length(outward), 1.2F);
         const glm::vec3 out_unit = unit_or(outward, {0, 1, 0});
-        const BladeShape blade = blade_at(place, options, out_unit, random);
+        BladeShape blade = blade_at(place, options, out_unit, random);
+        if (!options.is_rosette) blade.twig_m = twig_to(place, skeleton, blade.length_m);
         scene::Leaves::Vertex vertex;
         // Mostly the crown's own: leaves that are lit each for itself read as paper, not as a mass.
         vertex.normal = unit_or(0.22F * blade.face + out_unit + glm::vec3{0, 0.25F, 0}, {0, 1, 0});

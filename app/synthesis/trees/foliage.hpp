@@ -58,6 +58,7 @@ struct BladeShape {
     float fold_m = 0.03F;
     float bow_m = 0;       // the tip bends toward face by so much
     bool is_disc = false;  // a flower or a fruit: round, about its site
+    glm::vec3 twig_m{0};   // from the site to where the twig begins that bears a spray
 };
 void add_blade(scene::Leaves& leaves, const LeafShape& shape, const BladeShape& blade,
                const scene::Leaves::Vertex& common);

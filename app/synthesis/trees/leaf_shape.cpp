@@ -159,9 +159,24 @@ LeafShape arranged(const Twig& twig, float inhibition) {
     return arranged_as_wide(wider, inhibition);
 }
 
+// The twig itself, a sliver that tapers to where the last leaf stands: without it a spray would float beside its limb.
+void add_twig(LeafShape& shape, const Twig& twig) {
+    constexpr float kHalf = 0.012F;  // to the spray's length
+    constexpr float kBark = 0.5F;
+    const auto first = static_cast<std::uint32_t>(shape.outline.size());
+    for (const glm::vec2& p : {glm::vec2{0, -kHalf}, glm::vec2{0, kHalf}, glm::vec2{1 - twig.leaf_length, 0}}) {
+        shape.outline.push_back({p.x, p.y / twig.width});
+        shape.on_blade.push_back({0, p.x});
+        shape.disc.push_back({0, 0});
+        shape.lightness.push_back(kBark);
+    }
+    shape.twig_foot = {first, first + 1};
+    shape.triangles.insert(shape.triangles.end(), {first, first + 1, first + 2});
+}
+
 // From afar a spray is three leaves of a triangle each that cover as much, about a gap: each shares its corners with
 // its neighbours, six vertices in all.
-LeafShape with_plain_form(LeafShape shape) {
+LeafShape with_plain_form(LeafShape shape, const Twig& twig) {
     // The corners of the gap lie on a circle, and the tips between them on a wider one; both are then sized to cover as
     // much as the spray does.
     constexpr float kGap = 0.42F;
@@ -171,6 +186,7 @@ LeafShape with_plain_form(LeafShape shape) {
     // Each leaf: a side of the gap times what the tip stands over it, halved.
     const float unit_area = 3 * 0.5F * (1.7320508F * kGap) * (1 - 0.5F * kGap);
     const float size = std::sqrt(wanted / unit_area);
+    add_twig(shape, twig);
     const auto first = static_cast<std::uint32_t>(shape.outline.size());
     for (std::uint32_t k = 0; k < 3; ++k) {
         const float turn = kTurn_rad * static_cast<float>(k);
@@ -243,7 +259,7 @@ std::vector<LeafShape> make_sprays() {
     for (int kind = 0; kind < kLeafKinds; ++kind) sprays.push_back(leaf_shape(static_cast<LeafKind>(kind)));
     for (int kind = 0; kind < kLeafKinds; ++kind)
         if (const auto twig = twig_of(static_cast<LeafKind>(kind)))
-            sprays[static_cast<std::size_t>(kind)] = with_plain_form(spray_of(*twig));
+            sprays[static_cast<std::size_t>(kind)] = with_plain_form(spray_of(*twig), *twig);
     sprays[static_cast<std::size_t>(LeafKind::Needles)] = bough_of(5, 0.44F, 0.16F);
     return sprays;
 }
@@ -311,7 +327,7 @@ const LeafShape& spray_shape(LeafKind kind) {
 LeafShape spray_shape(LeafKind kind, float inhibition) {
     const std::optional<Twig> twig = twig_of(kind);
     if (!twig) return spray_shape(kind);
-    LeafShape shape = with_plain_form(arranged(*twig, inhibition));
+    LeafShape shape = with_plain_form(arranged(*twig, inhibition), *twig);
     shape.lift.resize(shape.outline.size(), 0);  // the plain form is flat
     return shape;
 }

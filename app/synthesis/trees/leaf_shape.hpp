@@ -17,6 +17,7 @@ struct LeafShape {
     std::vector<glm::vec2> disc;      // per vertex: where it lies when the shape is rounded to a disc of radius 1
     std::vector<float> lightness;     // per vertex: veins and rims
     std::vector<float> lift;          // per vertex: toward the upper side, to the length; may be empty: flat
+    std::vector<std::uint32_t> twig_foot;  // vertices where the twig begins that bears it; none: it has no twig
     std::vector<std::uint32_t> triangles;
     std::vector<std::uint32_t> plain;  // the same in two triangles, or in a few
     float width = 0.5F;                // what is usual, to the length

@@ -297,7 +297,7 @@ class MetaTubes {
         TubeDetail thin;
         thin.trunk_sides = detail_.twig_sides;
         thin.has_foot = false;
-        thin.flattest = 0.3F;
+        thin.flattest = 0.8F;
         const scene::Wood more = sweep_tubes(twigs_, thin);
         const auto first = static_cast<std::uint32_t>(wood.mesh.positions_m.size());
         const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };

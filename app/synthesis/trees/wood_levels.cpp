@@ -21,12 +21,13 @@ namespace quadrat::synthesis::trees {
 namespace {
 
 constexpr std::size_t kSmoothTriangles = 3600;
-constexpr std::size_t kTwigNodes = 420;  // beside them
-constexpr float kBareTwigs = 3;          // times as many of them and of limbs, where no leaf hides that they are few
-constexpr float kFewEnough = 0.75F;      // of a level's triangles, for another
-constexpr float kLeastStep = 1.3F;       // from what one level leaves out to what the next does: room to morph
-constexpr float kMostStretched = 1.5F;   // an edge, as the next level takes its place
-constexpr float kJoints = 0.06F;         // of the trunk's thickness: what tubes miss of joints that are smooth
+constexpr std::size_t kTwigNodes = 1500;  // beside them
+constexpr float kBareTwigs = 3;           // times as many of them and of limbs, where no leaf hides that they are few
+constexpr std::size_t kMostSweptNodes = 780;  // of a bare tree
+constexpr float kFewEnough = 0.75F;           // of a level's triangles, for another
+constexpr float kLeastStep = 1.3F;            // from what one level leaves out to what the next does: room to morph
+constexpr float kMostStretched = 1.5F;        // an edge, as the next level takes its place
+constexpr float kJoints = 0.06F;              // of the trunk's thickness: what tubes miss of joints that are smooth
 
 // Of three values at a triangle's corners, that of a point on it.
 float between(const mesh::Mesh& mesh, const std::vector<float>& values, const mesh::Nearness::Nearest& on) {
@@ -139,11 +140,13 @@ class Untorn {
                 leads_off = leads_off || is_torn(vertex, other);
                 if (closest == vertex || apart2(vertex, other) < apart2(vertex, closest)) closest = other;
             }
-            if (leads_off) ways_[vertex] = ways_[closest];
+            // What the next level has too stays on it: else one twig's way would draw its whole tree along.
+            if (leads_off && ways_[vertex].distance_m > kOnIt * slack_m_) ways_[vertex] = ways_[closest];
             is_settled_[vertex] = 1;
         }
     }
 
+    static constexpr float kOnIt = 0.12F;  // of the trunk's radius
     const mesh::Mesh& mesh_;
     const Neighbours neighbours_;
     Ways ways_;
@@ -186,12 +189,12 @@ std::vector<scene::Wood> wood_levels(const TreeSkeleton& skeleton, float barenes
         std::size_t nodes;  // beside the trunk's
         float flattest;
     };
-    constexpr Level kLevels[] = {{8, 260, 0.15F}, {7, 150, 0.25F}, {6, 90, 0.4F}, {5, 54, 0.55F},
-                                 {4, 32, 0.75F},  {4, 16, 0.95F},  {3, 7, 1.4F},  {3, 0, 2.0F}};
+    constexpr Level kLevels[] = {{8, 520, 0.4F}, {8, 260, 0.15F}, {7, 150, 0.25F}, {6, 90, 0.4F}, {5, 54, 0.55F},
+                                 {4, 32, 0.75F}, {4, 16, 0.95F},  {3, 7, 1.4F},    {3, 0, 2.0F}};
     for (const Level& level : kLevels) {
         TubeDetail detail;
         detail.trunk_sides = level.sides;
-        detail.most_nodes = trunk + nodes(level.nodes);
+        detail.most_nodes = trunk + std::min(nodes(level.nodes), kMostSweptNodes);
         detail.flattest = level.flattest;
         scene::Wood coarser = sweep_tubes(skeleton, detail);
         coarser.left_out_m =

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// The twig that bears a spray leads to the limb that the spray grows on.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "scene/tree_parameters.hpp"
+#include "synthesis/trees/foliage.hpp"
+#include "synthesis/trees/form.hpp"
+#include "synthesis/trees/species.hpp"
+
+namespace quadrat::synthesis::trees {
+namespace {
+
+float to_segment_m(const glm::vec3& at, const glm::vec3& a, const glm::vec3& b) {
+    const glm::vec3 d = b - a;
+    const float t = std::clamp(glm::dot(at - a, d) / std::max(glm::dot(d, d), 1.0e-9F), 0.0F, 1.0F);
+    return glm::distance(at, a + t * d);
+}
+
+float to_limbs_m(const TreeSkeleton& skeleton, const glm::vec3& at) {
+    float nearest = 1.0e9F;
+    for (const Limb& limb : skeleton.limbs)
+        for (std::size_t i = 1; i < limb.nodes.size(); ++i)
+            nearest = std::min(nearest, to_segment_m(at, limb.nodes[i - 1].at_m, limb.nodes[i].at_m));
+    return nearest;
+}
+
+TEST(SprayTwigs, BeginOnALimbOrTowardOneThatIsFar) {
+    for (const char* kind : {"oak", "willow", "beech"}) {
+        scene::TreeParameters p;
+        p.tree_habit = static_cast<float>(habit_named(kind));
+        const TreeSkeleton skeleton = skeleton_of_species(form_of(p, Rank::First), base::Seed{7});
+        FoliageOptions options;
+        options.kind = LeafKind::Lobed;
+        options.blades = 200;
+        const LeafShape shape = shape_of(options);
+        ASSERT_EQ(shape.twig_foot.size(), 2U);
+        const scene::Leaves leaves = make_foliage(skeleton, options, base::Seed{3});
+        const std::size_t corners = shape.outline.size();
+        int on_limb = 0;
+        for (std::size_t blade = 0; blade < leaves.blades; ++blade) {
+            const auto& left = leaves.vertices[blade * corners + shape.twig_foot[0]];
+            const auto& right = leaves.vertices[blade * corners + shape.twig_foot[1]];
+            const glm::vec3 foot = left.site_m + 0.5F * (left.corner_m + right.corner_m);
+            EXPECT_LE(glm::distance(foot, left.site_m), 1.5F * 1.2F * options.length_m + 1.0e-3F) << kind;
+            const float from_limb_m = to_limbs_m(skeleton, foot);
+            EXPECT_LE(from_limb_m, to_limbs_m(skeleton, left.site_m) + 0.02F) << kind;
+            if (from_limb_m < 0.02F) ++on_limb;
+        }
+        EXPECT_GT(on_limb, static_cast<int>(leaves.blades) / 2) << kind;
+    }
+}
+
+TEST(SprayTwigs, AreNoneOfFlowersAndOfSingleLeaves) {
+    EXPECT_TRUE(leaf_shape(LeafKind::Ovate).twig_foot.empty());
+    EXPECT_TRUE(spray_shape(LeafKind::Needles).twig_foot.empty());
+    const LeafShape& shape = spray_shape(LeafKind::Ovate);
+    scene::Leaves leaves;
+    BladeShape disc;
+    disc.is_disc = true;
+    disc.twig_m = {1, 2, 3};
+    add_blade(leaves, shape, disc, {});
+    for (const auto& vertex : leaves.vertices) EXPECT_LT(glm::length(vertex.corner_m), 1.0F);
+}
+
+}  // namespace
+}  // namespace quadrat::synthesis::trees
