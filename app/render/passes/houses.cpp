@@ -52,7 +52,9 @@ void append(Corners& to, const scene::Masses& masses, const scene::House& house,
     const mesh::Mesh& mesh = masses.mesh;
     for (std::size_t i = 0; i < mesh.positions_m.size(); ++i) {
         to.places.push_back(scene::placed(house, mesh.positions_m[i]));
-        const glm::vec3 tint = is_roof(masses.claddings[i]) ? house.roof_tint : house.wall_tint;
+        // A stack's bricks are laid as slates are, but stand upright.
+        const bool is_slope = is_roof(masses.claddings[i]) && mesh.normals[i].y > 0.1F;
+        const glm::vec3 tint = is_slope ? house.roof_tint : house.wall_tint;
         const glm::vec3 colour = glm::max(masses.colours[i] * tint, glm::vec3{0});
         const auto root = [&](int c) { return unsigned_byte(std::sqrt(colour[c])); };
         auto code = code_of(masses.claddings[i], wear);

@@ -144,7 +144,7 @@ void add_chimneys(scene::Building& to, const Design& design, double ridge_m, bas
     for (int i = 0; i < design.chimneys; ++i) {
         glm::vec2 best{0};
         float best_m = -1;
-        constexpr int kTries = 24;
+        constexpr int kTries = 64;
         for (int k = 0; k < kTries; ++k) {
             const glm::vec2 at = half * glm::vec2{random.between(-0.85F, 0.85F), random.between(-0.8F, 0.8F)};
             const float here_m = roof_height_m(to.levels.back(), at);
@@ -155,7 +155,7 @@ void add_chimneys(scene::Building& to, const Design& design, double ridge_m, bas
             if (!is_apart || here_m <= best_m) continue;
             best_m = here_m;
             best = at;
-            if (here_m > eaves + 0.72F * (ridge - eaves)) break;
+            if (here_m > eaves + 0.965F * (ridge - eaves)) break;
         }
         if (best_m < eaves) return;
         const float top_m = std::max(best_m + 0.9F, ridge + random.between(0.3F, 0.95F));
@@ -179,7 +179,7 @@ void add_dormers(scene::Building& to, const Design& design, base::Seed seed) {
         const float inset_m = std::min(0.75F, 0.5F / steep);
         dormer.x = static_cast<float>(a.x) + 1.1F + share * (static_cast<float>(width_m) - 2.2F);
         dormer.front_z = static_cast<float>(-a.y) - inset_m;
-        dormer.foot_m = static_cast<float>(design.plinth_m + design.wall_m) + inset_m * steep;
+        dormer.foot_m = static_cast<float>(design.plinth_m + design.wall_m + over_walls_m(design)) + inset_m * steep;
         add_dormer(to, design, dormer, 0.02F + 0.98F * random.unit_f());
     }
 }

@@ -17,6 +17,7 @@ namespace {
 
 constexpr float kStep_m = 3.2F;
 constexpr float kSteepest = 0.42F;         // along them
+constexpr int kFewestPieces = 3;           // of a run
 constexpr std::size_t kMostPieces = 1400;  // of all hedges, walls and fences, kStep_m each
 
 enum class Kind { Hedge, Wall, Fence };
@@ -61,20 +62,17 @@ class Bounds {
         const float length = glm::distance(from, end);
         const int steps = std::max(1, static_cast<int>(std::lround(length / kStep_m)));
         look_about(0.5F * (from + end), 0.5F * length);
-        bool is_joined = false;
-        for (int i = 0; i < steps && pieces_ < kMostPieces; ++i) {
-            const bool was_joined = std::exchange(is_joined, false);
-            const float n = static_cast<float>(steps);
-            const glm::vec2 a = from + (end - from) * (static_cast<float>(i) / n);
-            const glm::vec2 b = from + (end - from) * (static_cast<float>(i + 1) / n);
-            if (!is_free(a, own) || !is_free(b, own) || !is_free(0.5F * (a + b), own)) continue;
-            if (is_bounded(0.5F * (a + b))) continue;
-            const float climb_m = scene::ground_height_m(land_, b) - scene::ground_height_m(land_, a);
-            if (std::abs(climb_m) > kSteepest * glm::distance(a, b)) continue;
-            own_.push_back(0.5F * (a + b));
-            add_piece(to, a, b, bound, was_joined);
-            is_joined = true;
-            ++pieces_;
+        const auto at = [&](int i) { return glm::mix(from, end, static_cast<float>(i) / static_cast<float>(steps)); };
+        int first = 0;
+        for (int i = 0; i <= steps; ++i) {
+            if (i < steps && has_room(at(i), at(i + 1), own)) continue;
+            // A piece or two alone enclose nothing.
+            if (i - first >= std::min(kFewestPieces, steps))
+                for (int k = first; k < i && pieces_ < kMostPieces; ++k, ++pieces_) {
+                    own_.push_back(0.5F * (at(k) + at(k + 1)));
+                    add_piece(to, at(k), at(k + 1), bound, k > first);
+                }
+            first = i + 1;
         }
     }
 
@@ -85,6 +83,13 @@ class Bounds {
     }
 
   private:
+    bool has_room(glm::vec2 a, glm::vec2 b, const scene::House* own) const {
+        const glm::vec2 middle = 0.5F * (a + b);
+        if (!is_free(a, own) || !is_free(b, own) || !is_free(middle, own) || is_bounded(middle)) return false;
+        const float climb_m = scene::ground_height_m(land_, b) - scene::ground_height_m(land_, a);
+        return std::abs(climb_m) <= kSteepest * glm::distance(a, b);
+    }
+
     bool is_bounded(glm::vec2 at) const {
         return std::ranges::any_of(others_, [at](glm::vec2 p) { return glm::distance(p, at) < 3.4F; });
     }
@@ -245,8 +250,7 @@ std::vector<scene::Masses> add_bounds(const scene::Land& land, const Settled& se
         scene::Masses piece;
         const auto& outline = fields[i].outline_m;
         for (std::size_t k = 0; k < outline.size(); ++k)
-            if (random.unit_f() < 0.75F)
-                bounds.add_line(piece, outline[k], outline[(k + 1) % outline.size()], bound, nullptr);
+            bounds.add_line(piece, outline[k], outline[(k + 1) % outline.size()], bound, nullptr);
         bounds.end_plot();
         if (!piece.mesh.indices.empty()) all.push_back(std::move(piece));
     }

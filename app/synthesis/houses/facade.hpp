@@ -25,7 +25,8 @@ namespace quadrat::synthesis::houses {
 //     Pane when shutter is #9c3b2e -> panel #445566 depth -0.1 with Frame
 //     Blank -> nothing
 // The first rule of a symbol whose conditions hold is taken; conditions are joined by "and". The axiom is Facade.
-// Expressions have + - * / and parentheses; in a rule, width and height are those of the shape at hand.
+// Expressions have + - * / and parentheses; in a rule, width and height are those of the shape at hand. front is 1 on
+// the side that has the door, 0 on the others.
 class FacadeGrammar {
   public:
     FacadeGrammar();
@@ -50,6 +51,7 @@ struct FacadeShape {
         glm::dvec2 low_m, high_m;
     };
     std::vector<Covered> covered;
+    bool is_front = true;  // the grammar's attribute front: 1, or 0 on a side that has no door
 };
 
 struct FacadePanel {

@@ -60,6 +60,7 @@ class Derivation {
             } else if (part.kind == 'v') {
                 stack.push_back(part.name == "width"    ? shape.high.x - shape.low.x
                                 : part.name == "height" ? shape.high.y - shape.low.y
+                                : part.name == "front"  ? (facade_.is_front ? 1.0 : 0.0)
                                                         : numbers_.at(part.name));
             } else if (part.kind == '~') {
                 stack.back() = -stack.back();

@@ -285,7 +285,7 @@ class Reader {
 
     void check_names(const Expression& expression, std::size_t numbers) const {
         for (const Expression::Part& part : expression.parts) {
-            if (part.kind != 'v' || part.name == "width" || part.name == "height") continue;
+            if (part.kind != 'v' || part.name == "width" || part.name == "height" || part.name == "front") continue;
             bool is_known = false;
             for (std::size_t i = 0; i < numbers; ++i)
                 is_known = is_known || grammar_.rules->numbers[i].first == part.name;

@@ -98,6 +98,18 @@ void level_pads(scene::Land& land, const scene::Settlement& settlement) {
 
 }  // namespace
 
+// On all roofs of a village or on none, by the one that lies in the middle: neighbours have one weather.
+void cover_with_snow(scene::Settlement& settlement, float snow_line_m) {
+    if (settlement.houses.empty()) return;
+    std::vector<float> feet_m;
+    for (const scene::House& house : settlement.houses) feet_m.push_back(house.foot_m.y);
+    const auto middle = feet_m.begin() + static_cast<std::ptrdiff_t>(feet_m.size() / 2);
+    std::ranges::nth_element(feet_m, middle);
+    if (*middle <= snow_line_m) return;
+    for (scene::House& house : settlement.houses)
+        house.roof_tint *= kSnow / roof_colour(settlement.buildings[house.building]);
+}
+
 void level_ground(scene::Land& land, Settled& settled) {
     for (const Lane& lane : settled.lanes) level_lane(land, lane);
     scene::Settlement& settlement = settled.settlement;
@@ -115,8 +127,8 @@ void level_ground(scene::Land& land, Settled& settled) {
         // Ground that is made level must not sink below the water beside it.
         for (const glm::vec2 p : along_outline_m(building, house, kPadRoom_m + land.cell_m, land.cell_m))
             house.foot_m.y = std::max(house.foot_m.y, scene::water_surface_m(land, p) + kOverWater_m);
-        if (house.foot_m.y > land.snow_line_m) house.roof_tint *= kSnow / roof_colour(building);
     }
+    cover_with_snow(settlement, land.snow_line_m);
     level_pads(land, settlement);
 }
 

@@ -56,7 +56,14 @@ class Canvas {
     float per_m_, half_;
 };
 
-void paint_field(const Canvas& canvas, const FieldPlot& field, base::Seed seed) {
+// A field under snow shows its rows faintly.
+float bare_of_snow(const scene::Land& land, glm::vec2 at_m) {
+    constexpr float kEdge_m = 9;
+    const float above_m = scene::ground_height_m(land, at_m) - land.snow_line_m;
+    return 1 - 0.88F * glm::smoothstep(-kEdge_m, kEdge_m, above_m);
+}
+
+void paint_field(const Canvas& canvas, const scene::Land& land, const FieldPlot& field, base::Seed seed) {
     const auto [low, high] = extent_of(field.outline_m);
     const glm::vec2 across{-field.along.y, field.along.x};
     const Inside inside(field.outline_m);
@@ -67,8 +74,9 @@ void paint_field(const Canvas& canvas, const FieldPlot& field, base::Seed seed) 
         const float row = field.rows > 0 ? std::sin(glm::dot(at, across) * 1.6F) : 0.0F;
         const float tone = 1 + 0.09F * (chance - 0.5F) + 0.13F * field.rows * row;
         const float edge = glm::smoothstep(0.3F, 1.9F, in + 0.5F * chance);
-        if (edge < 1) blend(pixel, kBalk, 0.55F * (1 - edge));
-        blend(pixel, field.colour * tone, 0.82F * edge);
+        const float bare = bare_of_snow(land, at);
+        if (edge < 1) blend(pixel, kBalk, 0.55F * (1 - edge) * bare);
+        blend(pixel, field.colour * tone, 0.82F * edge * bare);
     });
 }
 
@@ -105,7 +113,7 @@ void paint_bed(const Canvas& canvas, const scene::GardenPlant& plant, base::Seed
 void paint_grounds(mesh::Image& albedo, const scene::Land& land, const Settled& settled,
                    const std::vector<FieldPlot>& fields, float green, base::Seed seed) {
     const Canvas canvas(albedo, land.side_m());
-    for (const FieldPlot& field : fields) paint_field(canvas, field, seed);
+    for (const FieldPlot& field : fields) paint_field(canvas, land, field, seed);
     const scene::Settlement& settlement = settled.settlement;
     for (const scene::House& house : settlement.houses)
         paint_yard(canvas, settlement.buildings[house.building], house, green, seed);

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kThick_m = 0.16;
 constexpr double kThatch_m = 0.38;
+constexpr double kTrim_m = 0.05;    // room for what stands out from a wall under its upper edge
 constexpr double kHipShare = 0.42;  // of a gable's height, of a half hip
 constexpr float kUnder = 0.55F;     // of the light, under the eaves
 
@@ -47,6 +48,8 @@ std::vector<glm::dvec2> grown(const Design& design) {
 
 bool is_broken(const Design& design) { return design.form == RoofForm::Mansard || design.form == RoofForm::Gambrel; }
 
+double thick_m(const Design& design) { return design.roof.cladding == scene::Cladding::Thatch ? kThatch_m : kThick_m; }
+
 // Moss and soot begin where water runs off last.
 glm::vec3 mossy(const glm::vec3& roof, float wear) {
     return glm::mix(roof, 0.75F * glm::mix(roof, glm::vec3{0.055F, 0.06F, 0.03F}, 0.6F), wear);
@@ -56,8 +59,9 @@ class RoofOver {
   public:
     RoofOver(scene::Building& to, const Design& design) : to_(to), design_(design) {
         const double pitch = std::tan(glm::radians(design.pitch_deg));
-        base_m_ = design.plinth_m + design.wall_m - design.eave_m * pitch;
-        thick_m_ = design.roof.cladding == scene::Cladding::Thatch ? kThatch_m : kThick_m;
+        thick_m_ = thick_m(design);
+        // It lies on the walls' upper edges: not they nor what stands out from them come through it.
+        base_m_ = design.plinth_m + design.wall_m - design.eave_m * pitch + over_walls_m(design);
         mesh::Plan plan{grown(design), {}};
         mesh::RoofOptions options;
         const std::vector<glm::dvec2>& walls = design.footprint.plan;
@@ -183,6 +187,8 @@ std::vector<glm::dvec2> gable_of(const Design& design, double width_m) {
     const double run = design.break_m / steep;
     return {{width_m - run, design.break_m}, ridge, {run, design.break_m}};
 }
+
+double over_walls_m(const Design& design) { return thick_m(design) + kTrim_m; }
 
 double hip_cut_m(const Design& design, double width_m) {
     return design.form == RoofForm::HalfHipped ? kHipShare * rise_m(design, width_m) : 0;

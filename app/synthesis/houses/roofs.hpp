@@ -7,6 +7,8 @@ namespace quadrat::synthesis::houses {
 
 // How high the roof stands over the eaves where its two sides meet over so wide a house.
 double rise_m(const Design& design, double width_m);
+// How far its upper side lies above the walls' upper edges, on which its lower side rests.
+double over_walls_m(const Design& design);
 // Of a half hip: how much of a gable the hip takes.
 double hip_cut_m(const Design& design, double width_m);
 

@@ -374,7 +374,7 @@ class Growth {
                 const float turn = 0.628319F * static_cast<float>(i);
                 const glm::vec2 way{std::sin(turn), std::cos(turn)};
                 const auto is_sea = [&](float m) { return scene::ground_height_m(land_, at + m * way) < -1.0F; };
-                if (is_sea(r) && is_sea(3 * r) && is_sea(5 * r)) return true;
+                if (is_sea(r) && is_sea(3 * r) && is_sea(5 * r) && is_sea(9 * r)) return true;
             }
             return false;
         };

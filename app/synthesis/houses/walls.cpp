@@ -53,9 +53,7 @@ class Wall {
         : to_(to), design_(design), side_(side) {
         double top = 0;
         for (const glm::dvec2 p : side.gable) top = std::max(top, p.y - side.height_m);
-        FacadeShape shape{side.width_m, side.height_m, top, side.covered};
-        const double half = 0.5 * side.width_m;
-        if (!side.is_front) shape.covered.push_back({{half - 1.0, -1}, {half + 1.0, 0.55}});
+        const FacadeShape shape{side.width_m, side.height_m, top, side.covered, side.is_front};
         panels_ = derive_facade(*design.facade, shape, seed);
         find_fronts();
         find_windows(seed.child("lamps").child(
@@ -272,12 +270,53 @@ class Wall {
         Look look = look_of(panel);
         look.cladding = scene::Cladding::Plain;
         constexpr std::array<float, 4> kShades{0.7F, 0.7F, 0.8F, 0.8F};
+        const bool is_balcony = level == 0 && panel.depth_m - panel.depth_from_m > kBalcony_m;
+        if (is_balcony) add_balcony_inside(panel, {back, front}, look);
         for (std::size_t k = 0; k < outline.size(); ++k) {
             const glm::dvec2 p = outline[k];
             const glm::dvec2 q = outline[(k + 1) % outline.size()];
+            if (is_balcony && p.y == panel.high_m.y && q.y == panel.high_m.y) continue;
             add_face(to_.levels[level], std::array{at(p, back), at(q, back), at(q, front), at(p, front)}, look,
                      kShades);
         }
+    }
+
+    // It is open above: its floor, and what its rails show to the house.
+    void add_balcony_inside(const FacadePanel& panel, glm::vec2 from_to_m, const Look& look) {
+        constexpr float kBoards_m = 0.05F;
+        scene::Masses& masses = to_.levels.front();
+        const auto corner = [&](double x, double y, float out_m) { return at({x, y}, out_m); };
+        const float back = from_to_m.x;
+        const float in = from_to_m.y - kBoards_m;
+        const double left = panel.low_m.x + kBoards_m;
+        const double right = panel.high_m.x - kBoards_m;
+        const double low = panel.low_m.y + kBoards_m;
+        const double high = panel.high_m.y;
+        const std::array<float, 4> dark{0.55F, 0.55F, 0.55F, 0.55F};
+        add_face(masses,
+                 std::array{corner(left, low, in), corner(right, low, in), corner(right, low, back),
+                            corner(left, low, back)},
+                 look, dark);
+        add_face(
+            masses,
+            std::array{corner(right, low, in), corner(left, low, in), corner(left, high, in), corner(right, high, in)},
+            look, dark);
+        add_face(masses,
+                 std::array{corner(left, low, in), corner(left, low, back), corner(left, high, back),
+                            corner(left, high, in)},
+                 look, dark);
+        add_face(masses,
+                 std::array{corner(right, low, back), corner(right, low, in), corner(right, high, in),
+                            corner(right, high, back)},
+                 look, dark);
+        // The rail's own thickness, seen from above.
+        for (const auto& [x0, x1, y0, y1] : {std::array<double, 4>{panel.low_m.x, panel.high_m.x, in, from_to_m.y},
+                                             std::array<double, 4>{panel.low_m.x, left, back, in},
+                                             std::array<double, 4>{right, panel.high_m.x, back, in}})
+            add_face(masses,
+                     std::array{corner(x0, high, static_cast<float>(y1)), corner(x1, high, static_cast<float>(y1)),
+                                corner(x1, high, static_cast<float>(y0)), corner(x0, high, static_cast<float>(y0))},
+                     look);
     }
 
     // Panes side by side are one window, behind which there is one lamp.

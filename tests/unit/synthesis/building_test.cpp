@@ -80,7 +80,7 @@ TEST(Buildings, GlassIsSetBackInTheWallWhereItIsNear) {
 TEST(Buildings, AMansardRoofIsSteepBelowItsBreakAndFlatAbove) {
     const Design d = design(RoofForm::Mansard, rectangle(10, 8));
     const scene::Building building = build(d, base::Seed{1});
-    const auto eaves = static_cast<float>(d.plinth_m + d.wall_m);
+    const auto eaves = static_cast<float>(d.plinth_m + d.wall_m + over_walls_m(d));
     const scene::Masses& roof = building.levels[2];
     const auto run = static_cast<float>(d.break_m / std::tan(glm::radians(d.pitch_deg)));
     EXPECT_NEAR(top_m(roof, {0, 4 - 0.5F * run}), eaves + 0.5F * static_cast<float>(d.break_m), 0.02F);
@@ -98,8 +98,39 @@ TEST(Buildings, AGambrelsWallEndsUnderItsRoof) {
     const scene::Masses& far = building.levels[2];
     for (const glm::dvec2 p : gable) {
         const float z = static_cast<float>(p.x) - 4;
-        EXPECT_NEAR(top_m(far, {4.9F, z}), d.plinth_m + d.wall_m + p.y, 0.03) << p.x;
+        EXPECT_NEAR(top_m(far, {4.9F, z}), d.plinth_m + d.wall_m + over_walls_m(d) + p.y, 0.03) << p.x;
     }
+}
+
+TEST(Buildings, NothingOfAWallComesThroughTheRoof) {
+    const FacadeGrammar trimmed = read_facade(
+        "name Trimmed\nFacade -> panel #e0e0e0 with Body\nBody -> split y 1r Nothing, 0.2 Trim\n"
+        "Trim -> panel #804020 depth 0.04\nNothing -> nothing\n",
+        "trimmed");
+    for (const RoofForm form : {RoofForm::Gabled, RoofForm::Hipped, RoofForm::HalfHipped})
+        for (const double pitch_deg : {25.0, 45.0, 52.0}) {
+            Design d = design(form, rectangle(9, 7));
+            d.facade = &trimmed;
+            d.pitch_deg = pitch_deg;
+            const scene::Building building = build(d, base::Seed{5});
+            const scene::Masses& all = building.levels.front();
+            scene::Masses roof;
+            roof.mesh.positions_m = all.mesh.positions_m;
+            for (std::size_t t = 0; t + 2 < all.mesh.indices.size(); t += 3)
+                if (all.claddings[all.mesh.indices[t]] == d.roof.cladding)
+                    roof.mesh.indices.insert(roof.mesh.indices.end(), &all.mesh.indices[t], &all.mesh.indices[t] + 3);
+            ASSERT_FALSE(roof.mesh.indices.empty());
+            int under = 0;
+            for (std::size_t i = 0; i < all.mesh.positions_m.size(); ++i) {
+                if (all.claddings[i] == d.roof.cladding) continue;
+                const glm::vec3& p = all.mesh.positions_m[i];
+                const float over_m = top_m(roof, {p.x, p.z});
+                if (over_m < 0) continue;
+                ++under;
+                EXPECT_LE(p.y, over_m + 1.0e-3F) << pitch_deg << " degrees";
+            }
+            EXPECT_GT(under, 20);
+        }
 }
 
 TEST(Buildings, WingsAndShedsKeepWithinTheirRectangle) {

@@ -51,6 +51,16 @@ TEST(Facade, DividesAtMarkedLinesWhereItSnaps) {
     EXPECT_TRUE(ends.contains(3.0));
 }
 
+TEST(Facade, HasItsDoorOnTheFrontAlone) {
+    const std::string text =
+        "Facade when front < 1 -> repeat x 2 Bay\nFacade -> split x 1r Nothing, 1 Door, 1r Nothing\n"
+        "Bay -> panel #102030\nDoor -> panel #405060\nNothing -> nothing";
+    const auto front = derived(text, {8, 4, 0, {}, true});
+    ASSERT_EQ(front.size(), 1U);
+    EXPECT_EQ(front.front().symbol, "Door");
+    EXPECT_EQ(derived(text, {8, 4, 0, {}, false}).size(), 4U);
+}
+
 TEST(Facade, LeavesOutWhatARoofOrANeighbourCovers) {
     const std::string text =
         "Facade -> repeat y 1 Row\nRow -> repeat x 1 Bay\nBay -> free Window\nWindow -> panel #102030";
