@@ -16,7 +16,7 @@ namespace {
 
 using passes::encode;
 
-constexpr float kSnowsBelow_m = 220;  // of the ground that is seen, under the line above which snow lies
+constexpr float kSnowsBelow_m = 120;  // of the ground that is seen, under the line above which snow lies
 constexpr float kLog2E = 1.442695F;
 
 // A dimmed view keeps a third of its light: still readable, plainly not chosen.

@@ -43,6 +43,10 @@ float distance_in_picture_m(const scene::Camera& camera, const glm::vec3& at_m) 
     return is_in ? glm::length(to) : -1.0F;
 }
 
+bool is_behind_land(const scene::Land& land, const glm::vec3& eye_m, const glm::vec3& at_m, float distance_m) {
+    return first_hit(land, eye_m, (at_m - eye_m) / distance_m).distance_m < 0.94F * distance_m;
+}
+
 float made_in_sight(const scene::Land& land, const scene::Camera& camera) {
     float sum = 0;
     for (const scene::Landmark& mark : landmarks_of(land)) {
@@ -50,11 +54,29 @@ float made_in_sight(const scene::Land& land, const scene::Camera& camera) {
         if (distance_m < 0 || distance_m > 320) continue;
         const glm::vec2 to_eye{camera.eye_m.x - mark.at_m.x, camera.eye_m.z - mark.at_m.z};
         if (mark.has_front && glm::dot(to_eye, mark.faces) < 0.5F * glm::length(to_eye)) continue;
-        if (first_hit(land, camera.eye_m, (mark.at_m - camera.eye_m) / distance_m).distance_m < 0.94F * distance_m)
-            continue;
+        if (is_behind_land(land, camera.eye_m, mark.at_m, distance_m)) continue;
         sum += mark.size_m / distance_m;
     }
     return sum;
+}
+
+// Some houses tell of all.
+float housed_share(const scene::Land& land, const scene::Camera& camera) {
+    constexpr std::size_t kLookedAt = 16;
+    constexpr float kLarge_rad = 0.03F;  // a house that counts in full: some 20 of 720 lines
+    const std::vector<scene::House>& houses = land.settlement.houses;
+    const std::size_t step = houses.size() / kLookedAt + 1;
+    float sum = 0;
+    int looked_at = 0;
+    for (std::size_t i = 0; i < houses.size(); i += step) {
+        ++looked_at;
+        const float height_m = land.settlement.buildings[houses[i].building].height_m;
+        const glm::vec3 top_m = houses[i].foot_m + glm::vec3{0, 0.7F * height_m, 0};
+        const float distance_m = distance_in_picture_m(camera, top_m);
+        if (distance_m < 0 || is_behind_land(land, camera.eye_m, top_m, distance_m)) continue;
+        sum += std::min(height_m / distance_m / kLarge_rad, 1.0F);
+    }
+    return looked_at > 0 ? sum / static_cast<float>(looked_at) : 0.0F;
 }
 
 // The houses about an eye as boxes, to ask of many rays.
@@ -123,6 +145,7 @@ Outlook outlook(const scene::Land& land, const scene::Camera& camera) {
         if (!hit.is_water && hit.distance_m < 12 && ray.y > -0.12F) seen.walled += share;
     }
     seen.made = made_in_sight(land, camera);
+    seen.housed = housed_share(land, camera);
     return seen;
 }
 
@@ -131,7 +154,7 @@ float view_merit(const Outlook& seen) {
     const float off_sky = (seen.sky - 0.42F) / 0.25F;
     const float too_much = std::max(seen.near - 0.42F, 0.0F) + std::max(seen.water - 0.30F, 0.0F);
     return up_to(seen.near, 0.16F) + 0.9F * up_to(seen.far, 0.10F) + 0.8F * up_to(seen.water, 0.10F) +
-           1.2F * up_to(seen.made, 0.7F) - 0.8F * off_sky * off_sky - 3 * too_much -
+           1.2F * up_to(seen.made, 0.7F) + 1.4F * up_to(seen.housed, 0.6F) - 0.8F * off_sky * off_sky - 3 * too_much -
            4 * std::max(seen.walled - 0.10F, 0.0F) - 4 * std::max(seen.roofed - 0.20F, 0.0F);
 }
 
