@@ -158,10 +158,17 @@ void add_leaves(gl::Slices& slices, SpeciesOnGpu& species, const std::shared_ptr
     gl::add_elements<std::uint32_t>(slices, species.leaf_indices, GL_ELEMENT_ARRAY_BUFFER, {source, &source->indices});
 }
 
+// Of the longest among the first, which are as good as any: a crown in blossom has leaves too. A plain form has no
+// twig.
 float blade_length(const scene::Species& species) {
+    constexpr std::size_t kLookedAt = 24;
+    const scene::Leaves& leaves = species.leaves;
+    const bool has_plain = !leaves.plain_indices.empty();
+    const std::vector<std::uint32_t>& indices = has_plain ? leaves.plain_indices : leaves.indices;
+    const std::size_t a_blade = has_plain ? leaves.indices_per_plain_blade() : leaves.indices_per_blade();
     float length_m = 1e-3F;
-    for (std::size_t i = 0; i < std::min<std::size_t>(species.leaves.vertices.size(), 64); ++i)
-        length_m = std::max(length_m, glm::length(species.leaves.vertices[i].corner_m));
+    for (std::size_t i = 0; i < std::min(leaves.blades, kLookedAt) * a_blade; ++i)
+        length_m = std::max(length_m, glm::length(leaves.vertices[indices[i]].corner_m));
     return length_m;
 }
 

@@ -219,6 +219,7 @@ BladeShape blade_at(const Place& place, const FoliageOptions& o, const glm::vec3
     blade.length_m = (organ == Organ::YoungLeaf ? kYoung : 1.0F) * o.length_m * random.between(0.78F, 1.18F);
     if (organ == Organ::Flower || organ == Organ::Fruit) {
         blade.is_disc = true;
+        blade.is_cluster = organ == Organ::Flower;
         blade.length_m = (organ == Organ::Flower ? o.flower_m : o.fruit_m) * random.between(0.85F, 1.2F);
         blade.half_width_m = 0.5F * blade.length_m;
         blade.fold_m = 0.3F * blade.half_width_m;
@@ -270,7 +271,7 @@ void add_blade(scene::Leaves& leaves, const LeafShape& shape, const BladeShape& 
         scene::Leaves::Vertex vertex = common;
         vertex.site_m = b.site_m;
         if (b.is_disc) {
-            const glm::vec2 p = shape.disc[k];
+            const glm::vec2 p = b.is_cluster && !shape.cluster.empty() ? shape.cluster[k] : shape.disc[k];
             vertex.on_blade = {0.8F, static_cast<float>(k) / static_cast<float>(count)};
             // Domed: the middle stands out.
             const float up = 1.0F - 0.8F * glm::dot(p, p);

@@ -56,9 +56,10 @@ struct BladeShape {
     float length_m = 0.3F;
     float half_width_m = 0.08F;
     float fold_m = 0.03F;
-    float bow_m = 0;       // the tip bends toward face by so much
-    bool is_disc = false;  // a flower or a fruit: round, about its site
-    glm::vec3 twig_m{0};   // from the site to where the twig begins that bears a spray
+    float bow_m = 0;          // the tip bends toward face by so much
+    bool is_disc = false;     // a flower or a fruit: round, about its site
+    bool is_cluster = false;  // of flowers, where the shape has leaves enough
+    glm::vec3 twig_m{0};      // from the site to where the twig begins that bears a spray
 };
 void add_blade(scene::Leaves& leaves, const LeafShape& shape, const BladeShape& blade,
                const scene::Leaves::Vertex& common);

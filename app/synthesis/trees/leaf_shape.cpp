@@ -79,6 +79,12 @@ void add_leaflet(LeafShape& shape, const Twig& twig, glm::vec2 foot, float angle
     shape.disc.push_back({0, 0});
     for (const float off : {-half_turn, 0.0F, half_turn})
         shape.disc.push_back({std::cos(turn_rad + off), std::sin(turn_rad + off)});
+    // A flower each: the first in the middle, the others about it.
+    constexpr float kFlower = 0.42F;
+    const glm::vec2 way{std::cos(turn_rad), std::sin(turn_rad)};
+    const glm::vec2 at = first == 0 ? glm::vec2{0} : (1.05F - kFlower) * way;
+    for (const glm::vec2& p : {-way, glm::vec2{way.y, -way.x}, way, glm::vec2{-way.y, way.x}})
+        shape.cluster.push_back(at + kFlower * p);
     const float light = 0.92F + 0.14F * foot.x;  // the youngest leaves are the lightest
     shape.lightness.insert(shape.lightness.end(), {0.86F * light, light, 1.12F * light, light});
     for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U}) shape.triangles.push_back(first + k);
@@ -168,6 +174,7 @@ void add_twig(LeafShape& shape, const Twig& twig) {
         shape.outline.push_back({p.x, p.y / twig.width});
         shape.on_blade.push_back({0, p.x});
         shape.disc.push_back({0, 0});
+        shape.cluster.push_back({0, 0});
         shape.lightness.push_back(kBark);
     }
     shape.twig_foot = {first, first + 1};
@@ -198,6 +205,7 @@ LeafShape with_plain_form(LeafShape shape, const Twig& twig) {
             shape.lightness.push_back(is_tip ? 1.14F : 0.90F);
             // A disc's is a star about it.
             shape.disc.push_back((is_tip ? 1.3F : 0.75F) * glm::vec2{std::cos(at), std::sin(at)});
+            shape.cluster.push_back(shape.disc.back());
         }
     }
     shape.plain.clear();
@@ -249,6 +257,8 @@ std::optional<Twig> twig_of(LeafKind kind) {
             return Twig{2, 0.34F, 0.58F, 0.24F, 0.6F, 1.2F, 1.05F, 0.12F};
         case LeafKind::Heart:
             return Twig{2, 0.14F, 0.44F, 0.34F, 0.34F, 0.95F, 0.82F, 0.16F};
+        case LeafKind::Feather:
+            return Twig{3, 0.10F, 0.36F, 0.13F, 0.5F, 1.05F, 0.6F, 0.18F};
         default:
             return {};
     }

@@ -15,6 +15,7 @@ struct LeafShape {
     std::vector<glm::vec2> outline;
     std::vector<glm::vec2> on_blade;  // per vertex: midrib 0 to rim 1; foot 0 to tip 1, of the leaf that it belongs to
     std::vector<glm::vec2> disc;      // per vertex: where it lies when the shape is rounded to a disc of radius 1
+    std::vector<glm::vec2> cluster;   // per vertex: where it lies when its leaves are flowers; may be empty: a disc
     std::vector<float> lightness;     // per vertex: veins and rims
     std::vector<float> lift;          // per vertex: toward the upper side, to the length; may be empty: flat
     std::vector<std::uint32_t> twig_foot;  // vertices where the twig begins that bears it; none: it has no twig
@@ -26,7 +27,7 @@ struct LeafShape {
 const LeafShape& leaf_shape(LeafKind kind);
 
 // A twig with several leaves of this kind, as trees and shrubs bear them: of the size of one large leaf, but with the
-// outline and the texture of many small ones. Fronds, feathers and spines are sprays already.
+// outline and the texture of many small ones. A feather has its leaflets; fronds and spines are sprays already.
 const LeafShape& spray_shape(LeafKind kind);
 
 // The same with its leaves where they come on a shoot of such an inhibition (synthesis/trees/inhibition.hpp); of as
