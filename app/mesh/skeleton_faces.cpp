@@ -25,6 +25,11 @@ struct Step {
     bool is_base;
 };
 
+struct Ring {
+    int plane;
+    std::vector<int> nodes;
+};
+
 struct Walk {
     std::vector<Step> steps;  // each begins where the one before ends
 };
@@ -52,6 +57,7 @@ class Faces {
             by_face[{plan_.edge[static_cast<std::size_t>(of.point)], of.course}].push_back(std::move(walk));
         }
         for (const auto& [key, of_face] : by_face) add_faces(key, of_face);
+        for (const Ring& hole : holes_) add_hole(hole);
         for (const std::vector<int>& top : tops_) {
             std::vector<std::uint32_t> loop = numbered(clean(top));
             if (loop.size() >= 3) roof_.tops.push_back(std::move(loop));
@@ -342,22 +348,40 @@ class Faces {
     }
 
     void add_faces(std::pair<int, int> key, const std::vector<Walk>& walks) {
-        std::vector<std::vector<int>> holes;
-        const std::size_t first = roof_.faces.size();
-        const int plane = walks.front().steps.front().plane;
         for (const Walk& walk : walks) {
+            const int plane = walk.steps.front().plane;
             std::vector<int> nodes;
             for (const Step& step : walk.steps) nodes.push_back(step.from);
             nodes = clean(nodes);
             if (nodes.size() < 3) continue;
             if (area(plane, nodes) > 0) {
                 roof_.faces.push_back({key.first, key.second, numbered(nodes), {}});
+                outlines_.push_back({plane, nodes});
             } else {
-                holes.push_back(nodes);
+                holes_.push_back({plane, nodes});
             }
         }
-        if (roof_.faces.size() == first) return;
-        for (const std::vector<int>& hole : holes) roof_.faces[first].holes.push_back(numbered(hole));
+    }
+
+    // Edges of one line have one plane: a hole belongs to the face that lies around it.
+    void add_hole(const Ring& hole) {
+        const glm::dvec2 inside = on_face(hole.plane, hole.nodes.front());
+        for (std::size_t i = 0; i < outlines_.size(); ++i) {
+            if (outlines_[i].plane != hole.plane || !is_around(outlines_[i], inside)) continue;
+            roof_.faces[i].holes.push_back(numbered(hole.nodes));
+            return;
+        }
+    }
+
+    bool is_around(const Ring& outline, const glm::dvec2& point) const {
+        bool is_in = false;
+        for (std::size_t i = 0; i < outline.nodes.size(); ++i) {
+            const glm::dvec2 a = on_face(outline.plane, outline.nodes[i]);
+            const glm::dvec2 b = on_face(outline.plane, outline.nodes[(i + 1) % outline.nodes.size()]);
+            if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y))
+                is_in = !is_in;
+        }
+        return is_in;
     }
 
     std::vector<std::uint32_t> numbered(const std::vector<int>& nodes) {
@@ -385,6 +409,8 @@ class Faces {
     std::vector<int> merged_;
     std::vector<std::vector<int>> tops_;
     std::map<int, std::uint32_t> numbers_;
+    std::vector<Ring> outlines_;  // of the roof's faces
+    std::vector<Ring> holes_;     // in them
     Roof roof_;
 };
 

@@ -158,7 +158,9 @@ class Rewriter {
 
     bool fits(const Production::Pattern& pattern, std::size_t at) const {
         const Word::Symbol& symbol = word_->symbols[at];
-        return pattern.letter == 0 || (pattern.letter == symbol.letter && pattern.arguments == symbol.arguments);
+        // Any symbol, if it has the arguments that are named.
+        if (pattern.letter == 0) return pattern.arguments == 0 || pattern.arguments == symbol.arguments;
+        return pattern.letter == symbol.letter && pattern.arguments == symbol.arguments;
     }
 
     void bind(std::size_t at, std::size_t first, std::size_t count) {

@@ -99,6 +99,11 @@ TEST(LSystem, SeesTheContextOnBothSidesPastIgnoredSymbols) {
     EXPECT_EQ(derived("axiom: A(1)B(2)C(3)\nA(x) < B(y) > C(z) -> X(x,y,z)\n", 1), "A(1)X(1,2,3)C(3)");
 }
 
+TEST(LSystem, BindsTheArgumentsOfAnySymbolWhereItHasThem) {
+    const char* text = "axiom: C(5)ABA\n*(d) < A -> D(d)\n";
+    EXPECT_EQ(derived(text, 1), "C(5)D(5)BA") << "B has no argument that d could be";
+}
+
 TEST(LSystem, ReadsContextsAlongTheAxisAcrossBranches) {
     // ABOP p. 32: BC < S > G[H]M in ABC[DE][SG[HI[JK]L]MNO].
     EXPECT_EQ(derived("axiom: ABC[DE][SG[HI[JK]L]MNO]\nBC < S > G[H]M -> X\n", 1), "ABC[DE][XG[HI[JK]L]MNO]");
