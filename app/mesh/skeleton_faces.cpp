@@ -247,7 +247,7 @@ class Faces {
             hit = i;
             lowest = z;
         }
-        if (hit == steps.size()) return;
+        if (hit == steps.size() || is_hole_over(walks, of, base, lowest)) return;
         const Step over = steps[hit];
         const int start = steps.front().from;
         int node = on_face(plane, over.from).x == base.x ? over.from : add_on(over, base.x);
@@ -264,6 +264,22 @@ class Faces {
         walks[of] = std::move(left);
         walks.push_back(std::move(right));
         if (node != over.from) pass_through(walks, over, node);
+    }
+
+    // A hole in the way of the cut: then the face of the one edge is the other's too.
+    bool is_hole_over(const std::vector<Walk>& walks, std::size_t of, const glm::dvec2& base, double highest) const {
+        const int plane = walks[of].steps.front().plane;
+        for (std::size_t w = 0; w < walks.size(); ++w) {
+            if (w == of || walks[w].steps.front().plane != plane) continue;
+            for (const Step& step : walks[w].steps) {
+                const glm::dvec2 a = on_face(plane, step.from);
+                const glm::dvec2 b = on_face(plane, step.to);
+                if ((a.x >= base.x) == (b.x >= base.x)) continue;
+                const double z = a.y + (b.y - a.y) * (base.x - a.x) / (b.x - a.x);
+                if (z > base.y && z < highest) return true;
+            }
+        }
+        return false;
     }
 
     // The face beyond a line that got a node has it too, or the top.

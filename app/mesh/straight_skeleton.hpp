@@ -48,7 +48,8 @@ struct RoofFace {
 
 struct Roof {
     std::vector<glm::dvec3> vertices;              // x, y of the plan, z up
-    std::vector<RoofFace> faces;                   // by edge, then by course; an edge that gave way at once has none
+    std::vector<RoofFace> faces;                   // by edge, then by course; an edge that gave way at once has none,
+                                                   // nor one whose neighbour in line shares a holed face with it
     std::vector<std::vector<std::uint32_t>> tops;  // where it was ended: counter-clockwise, holes clockwise
 };
 
