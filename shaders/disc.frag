@@ -7,10 +7,10 @@
 layout(binding = 2) uniform sampler2D disc;  // r: light
 in vec4 tiles;
 in float up;
-in vec2 on_disc;
+in vec3 on_disc;
 layout(location = 0) out vec4 pixel;
 
 void main() {
     float clear = clamp(up * 9.0 + 0.25, 0.0, 1.0) * (1.0 - clouds_at(tiles).x);
-    pixel = vec4(view.disc.rgb * (texture(disc, on_disc).r * clear), 0.0);
+    pixel = vec4(view.disc.rgb * (textureProj(disc, on_disc).r * clear), 0.0);
 }

@@ -7,7 +7,7 @@ layout(location = 0) in vec2 corner;  // of a square about the disc, -1 to 1
 
 out vec4 tiles;
 out float up;
-out vec2 on_disc;
+out vec3 on_disc;  // times w
 
 void main() {
     vec3 across = normalize(vec3(-view.to_sun.z, 1e-4, view.to_sun.x));
@@ -20,5 +20,6 @@ void main() {
     float bearing = atan(view.to_sun.x, -view.to_sun.z) + corner.x * view.disc.w / max(length(view.to_sun.xz), 0.1);
     tiles = cloud_tiles(ray, bearing, on_layers);
     up = ray.y;
-    on_disc = vec2(0.5, -0.5) * corner + 0.5;
+    // Its corners lie on the clouds, at unlike distances: the picture must not be drawn out along them.
+    on_disc = clip.w * vec3(vec2(0.5, -0.5) * corner + 0.5, 1.0);
 }
