@@ -34,6 +34,7 @@ constexpr float kBare = 0.05F;  // of the years to an old forest
 constexpr float kHalfGrown = 0.45F;
 constexpr float kGiant = 0.95F;        // of the ranks about a giant's middle
 constexpr float kWidestAside = 1.15F;  // of the view, that undergrowth is planted for
+constexpr float kBuried = 0.94F;       // of herbs, where snow lies
 constexpr float kRingsSeen_m = 45;
 constexpr float kRingRoom_m = 0.4F;  // of a group of mushrooms
 
@@ -381,7 +382,8 @@ class Planter {
                     return welfare(species, soil) * light * species.density * std::exp2(8.0F * own) * 1.6F;
                 },
                 well);
-            if (stay > wish * std::min(well, 1.0F)) return;
+            const float buried = kBuried * snow_at(land_, {c.at_m.x, soil.height_m, c.at_m.y});
+            if (stay > wish * std::min(well, 1.0F) * (1 - buried)) return;
             c.mark = mark;
         };
         std::vector<Candidate> herbs =

@@ -232,6 +232,23 @@ inline float footing(const scene::Species& species, const Soil& soil) {
     return (1 - (0.94F - 0.4F * frugal) * bare) * std::max(1 - soil.snow_m / kLastTrees_m, 0.04F);
 }
 
+// The ground's colour in its picture, linear.
+inline glm::vec3 albedo_at(const scene::Land& land, glm::vec2 at_m) {
+    if (land.albedo.is_empty()) return land.far_colour;
+    const auto px = [&](float m, int size) {
+        return std::clamp(static_cast<int>((m / land.side_m() + 0.5F) * static_cast<float>(size)), 0, size - 1);
+    };
+    const glm::u8vec3 encoded = land.albedo.colour(px(at_m.x, land.albedo.width()), px(at_m.y, land.albedo.height()));
+    return glm::pow(glm::vec3(encoded) / 255.0F, glm::vec3{2.2F});
+}
+
+// Whether the ground's picture shows snow here, 0 to 1: above the snow line it is broken and drifts.
+inline float snow_at(const scene::Land& land, const glm::vec3& at_m) {
+    if (at_m.y <= land.snow_line_m) return 0;
+    const glm::vec3 colour = albedo_at(land, {at_m.x, at_m.z});
+    return glm::smoothstep(0.20F, 0.42F, std::min({colour.r, colour.g, colour.b}));
+}
+
 // How well a species does on this soil, 0 to 1.
 inline float welfare(const scene::Species& species, const Soil& soil) {
     const float above = std::clamp((soil.height_m - std::max(species.lowest_m, kShore_m)) / 1.5F, 0.0F, 1.0F);

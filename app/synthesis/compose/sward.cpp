@@ -26,16 +26,6 @@ constexpr int kSide = 8;               // places of a cell
 constexpr float kCell_m = kSide * kSpacing_m;
 constexpr float kLean = 0.34F;  // of the ground's colour toward the grass's
 
-glm::vec3 linear(const glm::u8vec3& encoded) { return glm::pow(glm::vec3(encoded) / 255.0F, glm::vec3{2.2F}); }
-
-glm::vec3 albedo_at(const scene::Land& land, glm::vec2 at_m) {
-    if (land.albedo.is_empty()) return land.far_colour;
-    const auto px = [&](float m, int size) {
-        return std::clamp(static_cast<int>((m / land.side_m() + 0.5F) * static_cast<float>(size)), 0, size - 1);
-    };
-    return linear(land.albedo.colour(px(at_m.x, land.albedo.width()), px(at_m.y, land.albedo.height())));
-}
-
 // How far the ground is soft, which bears plants, and how far stone. Each 0 to 1.
 glm::vec2 material_at(const scene::Land& land, glm::vec2 at_m) {
     if (land.kinds.bytes.empty()) return {1, 0};
@@ -148,7 +138,8 @@ class Sower {
     };
 
     void grow(scene::Tuft& tuft, const Patches& patches, const Draw& draw) const {
-        const float flowers = cover_.flowers * std::clamp(0.15F + 4.0F * patches.blossoms, 0.0F, 1.6F);
+        const float flowers = cover_.flowers * std::clamp(0.15F + 4.0F * patches.blossoms, 0.0F, 1.6F) *
+                              (1 - snow_at(land_, tuft.root_m));
         const float cushions = std::clamp(cover_.cushions + 2.2F * patches.kinds, 0.0F, 1.0F);
         // Lower where it is thin: patches end in short grass, not in a wall of it.
         const float tall = (0.55F + 0.75F * draw.size) * std::clamp(0.85F + 1.6F * patches.thin, 0.45F, 1.35F);
