@@ -158,18 +158,30 @@ void add_leaves(gl::Slices& slices, SpeciesOnGpu& species, const std::shared_ptr
     gl::add_elements<std::uint32_t>(slices, species.leaf_indices, GL_ELEMENT_ARRAY_BUFFER, {source, &source->indices});
 }
 
-// Of the longest among the first, which are as good as any: a crown in blossom has leaves too. A plain form has no
-// twig.
+// Of leaves among the first, which are as good as any: in the mean, but without what is much shorter, as blossoms are.
+// A plain form has no twig.
 float blade_length(const scene::Species& species) {
     constexpr std::size_t kLookedAt = 24;
+    constexpr float kOwnTips = 1.15F;  // a spray reaches so much farther than its plain form
     const scene::Leaves& leaves = species.leaves;
     const bool has_plain = !leaves.plain_indices.empty();
     const std::vector<std::uint32_t>& indices = has_plain ? leaves.plain_indices : leaves.indices;
     const std::size_t a_blade = has_plain ? leaves.indices_per_plain_blade() : leaves.indices_per_blade();
-    float length_m = 1e-3F;
-    for (std::size_t i = 0; i < std::min(leaves.blades, kLookedAt) * a_blade; ++i)
-        length_m = std::max(length_m, glm::length(leaves.vertices[indices[i]].corner_m));
-    return length_m;
+    std::vector<float> lengths_m{1e-3F};
+    for (std::size_t blade = 0; blade < std::min(leaves.blades, kLookedAt); ++blade) {
+        lengths_m.push_back(1e-3F);
+        for (std::size_t i = blade * a_blade; i < (blade + 1) * a_blade; ++i)
+            lengths_m.back() = std::max(lengths_m.back(), glm::length(leaves.vertices[indices[i]].corner_m));
+    }
+    const float least_m = 0.6F * *std::ranges::max_element(lengths_m);
+    float sum_m = 0;
+    float count = 0;
+    for (const float length_m : lengths_m) {
+        if (length_m < least_m) continue;
+        sum_m += length_m;
+        ++count;
+    }
+    return (has_plain ? kOwnTips : 1.0F) * sum_m / count;
 }
 
 float reach_of(const scene::Species& species) {

@@ -106,6 +106,8 @@ class GrammarReader {
         } else if (key == "tropism") {
             for (int i = 0; i < 3; ++i) grammar_.tropism[i] = line.number();
             grammar_.elasticity = line.number();
+            constexpr float kMostPull = 1.0e3F;
+            if (std::abs(grammar_.elasticity) > kMostPull) line.fail("a tropism pulls by -1000 to 1000");
         } else {
             line.jump_to(0);
             line.fail(fmt::format(
