@@ -81,14 +81,14 @@ const ChipCosts kPi4Costs{{{"leaves.frag", 19, 192, 101},
                            {"near_ground.frag", 42, 220, 81},
                            {"water.frag", 54, 389, 45},
                            {"held_sky.frag", 14, 158, 146},
-                           {"falling.frag", 15, 179, 155}}};
+                           {"falling.frag", 15, 185, 160}}};
 const ChipCosts kPi5Costs{{{"leaves.frag", 20, 161, 93},
                            {"wood.frag", 29, 166, 64},
                            {"cover.vert", 8, 83, 60},
                            {"near_ground.frag", 39, 201, 73},
                            {"water.frag", 53, 372, 40},
                            {"held_sky.frag", 14, 133, 123},
-                           {"falling.frag", 12, 136, 141}}};
+                           {"falling.frag", 12, 147, 143}}};
 const ShaderCosts kPi4Dome{"sky.frag", 48, 158, 57};
 const ShaderCosts kPi5Dome{"sky.frag", 44, 149, 50};
 const ShaderCosts kPi4Distance{"held_distance.frag", 24, 206, 162};
