@@ -51,6 +51,8 @@ Selection outline(const Frame& frame, std::size_t slot) {
 void look(const Frame& frame, const View& view, HeldGround& held, Selection& s) {
     const GpuScene& scene = *view.scene;
     const float scale = pixels_per_radian(view);
+    // A picture by itself does not hang on the frames before it.
+    if (!frame.is_one_of_many) held.drop();
     if (frame.measured.ground)
         held.update(view, clip_from_world_of(view),
                     {s.allowance, scale, aspect_ratio(view), s.reach, s.strip, standing_at(view.growth)});

@@ -75,7 +75,7 @@ gl::Work FallingPass::draw(const scene::Precipitation& what, const ViewBlock& vi
     // A streak keeps its length, a flake is as high as wide, and so is the least of it that is drawn.
     const float fewer = 1 / share;
     // Of thin strokes a byte's rounding loses some light, of wide ones less.
-    const float wider = std::pow(fewer, is_snow ? 0.5F : 0.9F);
+    const float wider = std::pow(fewer, is_snow ? 0.5F : 0.95F);
     const float least_rad = 0.7F / pixels_per_radian * (is_snow ? wider : 1);
     glUniform4f(0, what.speed_m_s.x, what.speed_m_s.y, what.speed_m_s.z, wider * what.width_m);
     glUniform4f(1, what.streak_s, is_snow ? 0.22F : 0, least_rad, 0);

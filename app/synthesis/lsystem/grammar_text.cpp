@@ -104,10 +104,12 @@ class GrammarReader {
         } else if (key == "width ratio") {
             grammar_.width_ratio = line.number();
         } else if (key == "tropism") {
-            for (int i = 0; i < 3; ++i) grammar_.tropism[i] = line.number();
-            grammar_.elasticity = line.number();
-            constexpr float kMostPull = 1.0e3F;
-            if (std::abs(grammar_.elasticity) > kMostPull) line.fail("a tropism pulls by -1000 to 1000");
+            constexpr float kMost = 1.0e3F;
+            for (int i = 0; i < 4; ++i) {
+                const float number = line.number();
+                if (std::abs(number) > kMost) line.fail("a tropism's numbers are -1000 to 1000");
+                (i < 3 ? grammar_.tropism[i] : grammar_.elasticity) = number;
+            }
         } else {
             line.jump_to(0);
             line.fail(fmt::format(

@@ -76,7 +76,7 @@ TEST_F(FallingDrops, OfSnowAreNoneWhereTheLineOfSnowIsFarAbove) {
     const scene::Camera camera = scene.track.cameras.front();
     for (const bool is_cold : {true, false}) {
         auto land = std::make_shared<scene::Land>(*scene.land);
-        land->snow_line_m = scene.floor_m + (is_cold ? 150.0F : 300.0F);
+        land->snow_line_m = scene.floor_m + (is_cold ? 90.0F : 200.0F);
         scene.land = land;
         EXPECT_EQ(seen(uploaded(std::make_shared<scene::Scene>(scene)), camera, 1).triangles > 0, is_cold);
     }

@@ -99,6 +99,12 @@ TEST(LSystem, SeesTheContextOnBothSidesPastIgnoredSymbols) {
     EXPECT_EQ(derived("axiom: A(1)B(2)C(3)\nA(x) < B(y) > C(z) -> X(x,y,z)\n", 1), "A(1)X(1,2,3)C(3)");
 }
 
+TEST(LSystem, RefusesATropismThatNoPlaceCouldHold) {
+    EXPECT_THAT(refusal("tropism: 0 -1 1e23 0.2\naxiom: F\n"), HasSubstr("g.lsys:1"));
+    EXPECT_THAT(refusal("tropism: 0 -1 0 1e9\naxiom: F\n"), HasSubstr("-1000 to 1000"));
+    EXPECT_EQ(refusal("tropism: 0 -1 0 0.2\naxiom: F\n"), "");
+}
+
 TEST(LSystem, BindsTheArgumentsOfAnySymbolWhereItHasThem) {
     const char* text = "axiom: C(5)ABA\n*(d) < A -> D(d)\n";
     EXPECT_EQ(derived(text, 1), "C(5)D(5)BA") << "B has no argument that d could be";
