@@ -15,6 +15,7 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr std::size_t kDrops = 9000;
+constexpr float kFlakes = 0.5F;  // of them: a flake is seen whole, a drop as a stroke
 
 struct DropCorner {
     glm::vec3 home;
@@ -44,7 +45,8 @@ std::vector<std::uint16_t> drop_indices() {
 // Any prefix of the drops there are is even in the box.
 std::size_t drops_of(const scene::Precipitation& what, float share) {
     if (what.kind == scene::Precipitation::Kind::None) return 0;
-    return static_cast<std::size_t>(std::lround(what.amount * share * static_cast<float>(kDrops)));
+    const float of_drops = what.kind == scene::Precipitation::Kind::Snow ? kFlakes : 1.0F;
+    return static_cast<std::size_t>(std::lround(what.amount * share * of_drops * static_cast<float>(kDrops)));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <string_view>
+#include <utility>
 
 #include "scene/colour.hpp"
 #include "synthesis/houses/masses.hpp"
@@ -297,18 +298,15 @@ class Wall {
                  std::array{corner(left, low, in), corner(right, low, in), corner(right, low, back),
                             corner(left, low, back)},
                  look, dark);
-        add_face(
-            masses,
-            std::array{corner(right, low, in), corner(left, low, in), corner(left, high, in), corner(right, high, in)},
-            look, dark);
-        add_face(masses,
-                 std::array{corner(left, low, in), corner(left, low, back), corner(left, high, back),
-                            corner(left, high, in)},
-                 look, dark);
-        add_face(masses,
-                 std::array{corner(right, low, back), corner(right, low, in), corner(right, high, in),
-                            corner(right, high, back)},
-                 look, dark);
+        // Seen from the house: right, front, left.
+        const std::array<std::pair<double, float>, 4> along{{{right, back}, {right, in}, {left, in}, {left, back}}};
+        for (std::size_t k = 0; k + 1 < along.size(); ++k) {
+            const auto [x0, z0] = along[k];
+            const auto [x1, z1] = along[k + 1];
+            add_face(masses,
+                     std::array{corner(x0, low, z0), corner(x1, low, z1), corner(x1, high, z1), corner(x0, high, z0)},
+                     look, dark);
+        }
         // The rail's own thickness, seen from above.
         for (const auto& [x0, x1, y0, y1] : {std::array<double, 4>{panel.low_m.x, panel.high_m.x, in, from_to_m.y},
                                              std::array<double, 4>{panel.low_m.x, left, back, in},

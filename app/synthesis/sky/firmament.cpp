@@ -256,7 +256,6 @@ void add_falling(scene::Sky& sky, const Parameters& p) {
         f.colour = held(1.15F * light, 1.0F);
     } else {
         f.kind = scene::Precipitation::Kind::Snow;
-        f.amount *= 0.5F;
         f.speed_m_s = {0.32F * wind.x, -1.25F, 0.32F * wind.y};
         f.width_m = 0.021F * p.snowfall_flake;
         f.opacity = 0.85F;
