@@ -45,6 +45,7 @@ struct Leaves {
     std::vector<std::uint32_t> indices;
     std::vector<std::uint32_t> plain_indices;  // over the same vertices, for blades of few pixels; may be empty
     std::size_t blades = 0;
+    bool are_sprays = false;  // on twigs of their own: near by each may be drawn again about its foot, all smaller
 
     std::size_t indices_per_blade() const { return blades == 0 ? 0 : indices.size() / blades; }
     std::size_t indices_per_plain_blade() const { return blades == 0 ? 0 : plain_indices.size() / blades; }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesh/image.hpp"
+#include "render/passes/closeness.hpp"
 #include "render/passes/frustum.hpp"
 #include "render/passes/horizon.hpp"
 #include "render/passes/reach.hpp"
@@ -27,28 +28,6 @@ struct Instance {
     glm::u8vec4 becoming;
 };
 
-// The coarsest level of wood becomes wider by at most so many radii of its trunk to each side, for a stem that is no
-// pixel wide is dots.
-inline constexpr float kWidening = 6;
-
-// What choosing the detail of a species needs to know of it.
-struct Kind {
-    float height_m = 1;
-    float radius_m = 1;                       // of a cylinder about the stem that holds all of it
-    std::vector<std::size_t> wood_triangles;  // a level, finest first
-    std::vector<float> wood_left_out_m;       // the same: scene::Wood
-    std::size_t blades = 0;
-    std::size_t triangles_per_blade = 0;
-    std::size_t triangles_per_plain_blade = 0;  // 0: there is no plain form
-    float blade_m = 0.3F;
-    std::vector<std::size_t> mass_triangles = {};  // of the crown as one mass, a level, finest first
-    float massed = 0;                              // of its leaves, the share that this stands for
-    float largest_blade = 100;                     // times its size; beyond it the crown thins instead
-    float crown_m = 1;                             // the radius of its crown, but for what stands out of it
-    float opacity = 0;                             // of the crown, of what lies behind it: 0 to 1
-    float trunk_m = 0.2F;                          // its radius
-};
-
 struct Batch {
     std::uint32_t species = 0;
     enum class Part { Wood, Leaves, Mass } part = Part::Wood;
@@ -58,22 +37,6 @@ struct Batch {
     std::size_t first = 0;   // instance
     std::size_t count = 0;
 };
-
-// How closely a plant of this many pixels is drawn. Finer for more pixels, never coarser.
-struct Closeness {
-    std::size_t wood_level = 0;  // the number of levels: none
-    float to_coarser = 0;        // 0 that level to 1 the next one; of the coarsest to 1 widened
-    bool has_leaves = false;
-    float share = 1;             // of the blades
-    float enlarged = 1;          // each of them, times its size
-    bool is_plain = false;       // which are too small to show their shape
-    std::size_t mass_level = 0;  // the number of levels: none
-    float mass_to_coarser = 0;   // as of the wood
-    float merged = 0;            // how far the crown is that mass, 0 to 1
-    float mass_size = 1;         // 0 where that has dwindled to nothing
-    float stand = 1;             // of plants so small, the share that stands for all of them, each larger
-};
-Closeness closeness(const Kind& kind, float height_px, float fineness);
 
 struct Gathering {
     ViewBlock view;                       // its eye, sun, air and time

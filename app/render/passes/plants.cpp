@@ -19,7 +19,9 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr std::size_t kOfMany_percent = 36;  // of its blades: so enlarged, each shows many (shaders/leaves.vert)
-constexpr float kFoliageTiles = 2.4F;        // to a plant's height: a leaf of the picture stands for several
+constexpr float kCopyAside = 0.55F;          // of a spray's length, so far may its copy's tip lie from it on each axis
+constexpr std::size_t kCopies = 4;           // of leaves that hang on a twig
+constexpr float kFoliageTiles = 4.2F;        // to a plant's height: a leaf of the picture stands for several
 
 struct WoodPlace {
     glm::vec3 position_m;
@@ -228,6 +230,7 @@ Kind kind_of(const scene::Species& species) {
     kind.triangles_per_blade = species.leaves.indices_per_blade() / 3;
     kind.triangles_per_plain_blade = species.leaves.indices_per_plain_blade() / 3;
     kind.blade_m = blade_length(species);
+    if (species.leaves.are_sprays) kind.copies = kCopies;
     kind.largest_blade = largest_blade(species);
     if (!species.masses.empty()) kind.massed = species.masses.front().share;
     for (const scene::CrownMass& mass : species.masses) kind.mass_triangles.push_back(mass.mesh.triangle_count());
@@ -262,6 +265,7 @@ void add_species(gl::Slices& slices, FloraOnGpu& flora, std::size_t index,
     species.bark_colour = from.bark_colour;
     species.height_m = from.height_m;
     flora.kinds[index] = kind_of(from);
+    species.blade_m = flora.kinds[index].blade_m;
     species.wood.resize(from.wood.size());
     for (std::size_t level = 0; level < from.wood.size(); ++level)
         add_wood(slices, species.wood[level], {source, &from.wood[level]}, 1 / std::max(from.bark_tile_m, 0.01F),
@@ -376,8 +380,8 @@ gl::Work PlantsPass::draw_leaves(const SpeciesOnGpu& species, const Batch& batch
     const bool stands_for_many = batch.blades * 100 < kOfMany_percent * species.blades;
     if (!batch.is_plain) {
         (stands_for_many ? species.foliage : species.leaf).bind(0);
-        glUniform1f(0, stands_for_many ? 1.0F : 0.0F);
     }
+    glUniform2f(0, stands_for_many ? 1.0F : 0.0F, kCopyAside * species.blade_m);
     leaf_vertices_.feed(0, species.leaf_places.name());
     leaf_vertices_.feed(1, species.leaf_surfaces.name());
     leaf_vertices_.feed(2, instances, batch.first * sizeof(Instance));

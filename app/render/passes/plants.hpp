@@ -45,6 +45,7 @@ struct SpeciesOnGpu {
     gl::Texture2D foliage;
     glm::vec3 bark_colour{0.2F};
     float height_m = 1;
+    float blade_m = 0.3F;
 };
 
 struct FloraOnGpu {

@@ -72,9 +72,12 @@ mesh::Image moon_picture(int side_px, float phase, base::Seed seed) {
 
 std::vector<scene::Star> make_stars(const scene::SkyParameters& p, float darkness, base::Seed seed) {
     std::vector<scene::Star> stars;
-    if (darkness <= 0.05F) return stars;
+    constexpr float kFirst = 0.3F;       // darkness: the sun 4 degrees down, while the sky is blue
     constexpr float kBrightest = -1.0F;  // magnitudes
-    const float faintest = 3.2F + 3.3F * p.star_density * darkness;
+    constexpr float kFirstSeen = 0.5F;
+    if (darkness <= kFirst) return stars;
+    const float night = (darkness - kFirst) / (1 - kFirst);
+    const float faintest = glm::mix(kFirstSeen, 3.2F + 3.3F * p.star_density, std::sqrt(night));
     // About 1.7 stars of a hemisphere are brighter than magnitude 0.5; for every magnitude more there are 3.1 times as
     // many.
     const float many = 0.9F * std::pow(10.0F, 0.5F * faintest);
@@ -87,7 +90,7 @@ std::vector<scene::Star> make_stars(const scene::SkyParameters& p, float darknes
         if (direction.y < 0.02F) continue;
         // The faintest are a tenth as bright as a bright one: an eye's scale is flatter than light's.
         const float light = std::pow(magnitude_light(magnitude - kBrightest), 0.45F);
-        stars.push_back({direction, light * (is_banded ? 0.7F : 1.0F) * (0.35F + 0.65F * darkness)});
+        stars.push_back({direction, light * (is_banded ? 0.7F : 1.0F) * (0.25F + 0.75F * night)});
     }
     std::ranges::stable_sort(stars, [](const scene::Star& a, const scene::Star& b) { return a.light > b.light; });
     return stars;

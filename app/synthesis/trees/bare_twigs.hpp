@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "base/seed.hpp"
 #include "scene/flora.hpp"
@@ -14,5 +15,16 @@ namespace quadrat::synthesis::trees {
 // thin out with distance as leaves do. No more than most; none where nothing has fallen.
 scene::Leaves bare_twigs(const TreeSkeleton& skeleton, float crown_radius_m, const glm::vec3& bark,
                          const LeafShape& shape, std::size_t most, base::Seed seed);
+
+// All that a tree without any leaves shows beside its wood, as slivers (sliver_shape()): first its limbs, strongest
+// first, for from afar its wood leaves them out, and a trunk alone is a stake; near by they lie within that wood. Then
+// its twigs. No more than most.
+scene::Leaves leafless_crown(const TreeSkeleton& skeleton, float crown_radius_m, const glm::vec3& bark,
+                             std::size_t most, base::Seed seed);
+
+// The same from so far away that a twig is no pixel wide: strokes along what its limbs are at their ends, which let the
+// sky through, as levels of one mass, finest first. None where nothing grows on its limbs.
+std::vector<scene::CrownMass> leafless_masses(const TreeSkeleton& skeleton, float crown_radius_m, const glm::vec3& bark,
+                                              base::Seed seed);
 
 }  // namespace quadrat::synthesis::trees

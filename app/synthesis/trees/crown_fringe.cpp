@@ -16,10 +16,10 @@ namespace quadrat::synthesis::trees {
 namespace {
 
 constexpr std::size_t kFewestTriangles = 15;  // of a mass that has a fringe
-constexpr std::size_t kPerTriangle = 2;       // of the mass
+constexpr std::size_t kPerTriangle = 5;       // of the mass
 constexpr std::size_t kFewest = 24;           // sprays, of a bush some ten pixels high: without any it is a ball
-constexpr float kCovers = 1.0F;               // of the mass, by area,
-constexpr float kLargest = 0.016F;            // of it, one spray: larger ones are spikes
+constexpr float kCovers = 1.7F;               // of the mass, by area,
+constexpr float kLargest = 0.009F;            // of it, one spray: larger ones are spikes
 constexpr float kLargestOfFew = 0.026F;       // and where they are few
 constexpr float kLength = 1.8F;               // of a spray, to the square root of its area, and so its width
 constexpr float kWidth = 4.0F / 3;

@@ -27,7 +27,7 @@ constexpr int kAcross = 16;                // samples over a crown's breadth
 constexpr int kUp = 30;                    // and over its height, if fewer fit into it
 constexpr int kRim = 3;                    // and beside it, for the blur
 constexpr std::size_t kFewestInside = 18;  // samples; less is no mass
-constexpr std::size_t kFinest = 170;       // vertices
+constexpr std::size_t kFinest = 60;       // vertices
 constexpr std::size_t kCoarsest = 18;
 constexpr std::size_t kFewestTriangles = 24;
 constexpr float kSeen = 1.25F;       // of the light of all leaves about a place, that of those one sees
@@ -373,13 +373,14 @@ std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves, float de
     // Small clumps may be flat before the last level: such a one is no crown any more.
     constexpr float kLeastVolume = 0.5F;
     const float whole_volume = volume_of(chain.levels.front().mesh);
-    for (std::size_t i = 0; i < chain.levels.size(); ++i) {
-        const mesh::Mesh& level = chain.levels[i].mesh;
-        const bool is_last = i + 1 == chain.levels.size();
-        if (level.positions_m.size() > kFinest && !(is_last && masses.empty())) continue;
-        if (volume_of(level) < kLeastVolume * whole_volume) break;
+    const auto is_crown = [&](std::size_t i) { return volume_of(chain.levels[i].mesh) >= kLeastVolume * whole_volume; };
+    std::size_t first = 0;
+    while (chain.levels[first].mesh.positions_m.size() > kFinest && first + 1 < chain.levels.size() &&
+           is_crown(first + 1))
+        ++first;
+    for (std::size_t i = first; i < chain.levels.size() && is_crown(i); ++i) {
         if (!masses.empty()) masses.back().coarser_m = mesh::morph_targets_m(chain, i - 1);
-        masses.push_back(coloured(level, density, share));
+        masses.push_back(coloured(chain.levels[i].mesh, density, share));
     }
     if (!masses.empty()) add_fewer_clumps(masses);
     add_outline(masses, kRoundOutline);

@@ -57,12 +57,6 @@ void add_trees(scene::Flora& flora, const scene::TreeParameters& p, base::Seed s
     }
 }
 
-glm::vec3 yellower(const glm::vec3& colour, float by) {
-    glm::vec3 lab = scene::oklab_from_linear(colour);
-    lab.z += 0.05F * by;
-    return glm::max(scene::linear_from_oklab(lab), glm::vec3{0});
-}
-
 void add_shrubs(scene::Flora& flora, const scene::TreeParameters& p, const Wear& wear, base::Seed seed) {
     ShrubOptions o;
     o.leaf = yellower(scene::mix_colours(wear.leaf, wear.grass, 0.5F), p.shrub_yellowness);

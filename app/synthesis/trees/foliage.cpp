@@ -287,8 +287,13 @@ void add_blade(scene::Leaves& leaves, const LeafShape& shape, const BladeShape& 
         }
         leaves.vertices.push_back(vertex);
     }
-    if (!b.is_disc)
-        for (const std::uint32_t foot : shape.twig_foot) leaves.vertices[first + foot].corner_m += b.twig_m;
+    // The twig begins at its limb, whatever size its leaves are drawn in.
+    for (const std::uint32_t foot : shape.twig_foot) {
+        if (b.is_disc) break;
+        scene::Leaves::Vertex& at = leaves.vertices[first + foot];
+        at.site_m += at.corner_m + b.twig_m;
+        at.corner_m = glm::vec3{0};
+    }
     for (const std::uint32_t t : shape.triangles) leaves.indices.push_back(first + t);
     for (const std::uint32_t t : shape.plain) leaves.plain_indices.push_back(first + t);
     ++leaves.blades;
@@ -321,6 +326,7 @@ scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& o
     const CrownLight light(crown, at);
     const Palette palette(options.colours);
     const LeafShape shape = shape_of(options);
+    leaves.are_sprays = !shape.twig_foot.empty();
     leaves.vertices.reserve(shape.outline.size() * places.size());
     leaves.indices.reserve(shape.triangles.size() * places.size());
     leaves.plain_indices.reserve(shape.plain.size() * places.size());

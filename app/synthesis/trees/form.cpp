@@ -40,23 +40,12 @@ glm::vec3 between(const std::array<std::uint32_t, 6>& hexes, float hue) {
 
 glm::vec3 fruit_colour(float hue) { return between({0x9AA84A, 0xE0B43E, 0xE07A2E, 0xC23A2C, 0x7A3458, 0x44508A}, hue); }
 
-// Toward yellow or toward blue in OKLab; the bluest leaf is a spruce's. One that has turned does not go back toward
-// blue, nor grey: it would look mouldy.
-glm::vec3 yellower(const glm::vec3& colour, float by) {
-    constexpr float kBluest = 0.006F;
-    constexpr float kLeastChroma = 0.075F;  // of a leaf that is red
-    constexpr float kMostChroma = 0.195F;
+// What is as green as grass is as yellow as that too: a bright teal is no leaf's. Both are OKLab's a and b.
+float least_yellow(float green) { return 1.1F * -green - 0.02F; }
+
+glm::vec3 without_teal(const glm::vec3& colour) {
     glm::vec3 lab = scene::oklab_from_linear(colour);
-    const float turned = glm::smoothstep(-0.02F, 0.03F, lab.y);
-    if (by < 0) by *= 1 - 0.8F * turned;
-    lab.z = std::max(lab.z + 0.045F * by, std::min(lab.z, kBluest));
-    lab.y += 0.012F * by;
-    const float grey = std::max(std::hypot(lab.y, lab.z), 1e-4F);
-    const float brighter = std::max(kLeastChroma / grey, 1.0F);
-    lab = {lab.x, lab.y * (1 + turned * (brighter - 1)), lab.z * (1 + turned * (brighter - 1))};
-    // A yellow palette and the yellowest gene together would be garish.
-    const float chroma = std::hypot(lab.y, lab.z);
-    if (chroma > kMostChroma) lab = {lab.x, lab.y * kMostChroma / chroma, lab.z * kMostChroma / chroma};
+    lab.z = std::max(lab.z, least_yellow(lab.y));
     return glm::max(scene::linear_from_oklab(lab), glm::vec3{0});
 }
 
@@ -64,6 +53,15 @@ glm::vec3 warmer(const glm::vec3& colour, float by) {
     glm::vec3 lab = scene::oklab_from_linear(colour);
     lab.z += 0.022F * by;
     lab.y += 0.016F * std::max(by, -0.4F);  // no bark is violet
+    return glm::max(scene::linear_from_oklab(lab), glm::vec3{0});
+}
+
+// The reddest bark is a pine's: redder trunks look painted.
+glm::vec3 no_redder(const glm::vec3& bark) {
+    constexpr float kMostChroma = 0.055F;
+    glm::vec3 lab = scene::oklab_from_linear(bark);
+    const float chroma = std::hypot(lab.y, lab.z);
+    if (chroma > kMostChroma) lab = {lab.x, lab.y * kMostChroma / chroma, lab.z * kMostChroma / chroma};
     return glm::max(scene::linear_from_oklab(lab), glm::vec3{0});
 }
 
@@ -183,10 +181,33 @@ Year year_of(const Form& f) {
     return year;
 }
 
+// Toward yellow or toward blue in OKLab; the bluest leaf is a spruce's. One that has turned does not go back toward
+// blue, nor grey: it would look mouldy.
+glm::vec3 yellower(const glm::vec3& colour, float by) {
+    constexpr float kBluest = 0.006F;
+    constexpr float kLeastChroma = 0.075F;  // of a leaf that is red
+    constexpr float kMostChroma = 0.165F;
+    glm::vec3 lab = scene::oklab_from_linear(colour);
+    const float turned = glm::smoothstep(-0.02F, 0.03F, lab.y);
+    if (by < 0) by *= 1 - 0.8F * turned;
+    lab.z = std::max(lab.z + 0.045F * by, std::min(lab.z, kBluest));
+    lab.y += 0.012F * by;
+    const float grey = std::max(std::hypot(lab.y, lab.z), 1e-4F);
+    const float brighter = std::max(kLeastChroma / grey, 1.0F);
+    lab = {lab.x, lab.y * (1 + turned * (brighter - 1)), lab.z * (1 + turned * (brighter - 1))};
+    lab.z = std::max(lab.z, least_yellow(lab.y));
+    // A yellow palette and the yellowest gene together would be garish.
+    const float chroma = std::hypot(lab.y, lab.z);
+    if (chroma > kMostChroma) lab = {lab.x, lab.y * kMostChroma / chroma, lab.z * kMostChroma / chroma};
+    return glm::max(scene::linear_from_oklab(lab), glm::vec3{0});
+}
+
 Wear wear_of(const scene::TreeParameters& p) {
     const Dress& d = kDresses[choice(p.tree_palette, 10)];
     const auto colour = [](std::uint32_t hex) { return scene::linear_from_srgb_hex(hex); };
-    const auto leaf = [&](std::uint32_t hex) { return scene::shifted_colour(colour(hex), 1, p.tree_leaf_chroma); };
+    const auto leaf = [&](std::uint32_t hex) {
+        return without_teal(scene::shifted_colour(colour(hex), 1, p.tree_leaf_chroma));
+    };
     const glm::vec3 dry = scene::linear_from_srgb_hex(0xC2AE72);
     const float dryness = std::clamp(p.grass_dryness + meadow_in(p.tree_season).dryness, 0.0F, 1.0F);
     return {leaf(d.leaf), leaf(d.second), warmer(colour(d.bark), p.tree_bark_warmth),
@@ -222,7 +243,8 @@ Form form_of(const scene::TreeParameters& p, Rank rank) {
     f.colours.autumn = festive(own.autumn);
     f.colours.blossom = blossom_colour(p.tree_blossom_hue);
     f.colours.fruit = fruit_colour(p.tree_fruit_hue);
-    f.bark = glm::clamp(scene::shifted_colour(tinted(wear.bark, k.bark_tint), own.bark_lightness), 0.0F, 0.85F);
+    f.bark =
+        glm::clamp(no_redder(scene::shifted_colour(tinted(wear.bark, k.bark_tint), own.bark_lightness)), 0.0F, 0.85F);
     return f;
 }
 

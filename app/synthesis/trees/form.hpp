@@ -132,6 +132,9 @@ struct Wear {
 };
 Wear wear_of(const scene::TreeParameters& parameters);
 
+// A leaf's colour toward yellow or, below 0, toward blue: no bluer than a spruce's, no teal, not garish. Linear.
+glm::vec3 yellower(const glm::vec3& leaf, float by);
+
 // White, pink, red, orange, yellow, violet by 0 to 1. Linear.
 glm::vec3 blossom_colour(float hue);
 

@@ -334,6 +334,19 @@ const LeafShape& spray_shape(LeafKind kind) {
     return kSprays[static_cast<std::size_t>(kind)];
 }
 
+const LeafShape& sliver_shape() {
+    static const LeafShape kSliver = [] {
+        LeafShape shape;
+        shape.outline = {{0, -0.5F}, {0, 0.5F}, {1, 0}};
+        shape.on_blade = {{0, 0}, {0, 0}, {0, 1}};
+        shape.disc = {{-0.5F, -0.8F}, {-0.5F, 0.8F}, {1, 0}};
+        shape.lightness = {1, 1, 1};
+        shape.triangles = shape.plain = {0, 1, 2};
+        return shape;
+    }();
+    return kSliver;
+}
+
 LeafShape spray_shape(LeafKind kind, float inhibition) {
     const std::optional<Twig> twig = twig_of(kind);
     if (!twig) return spray_shape(kind);

@@ -34,4 +34,7 @@ const LeafShape& spray_shape(LeafKind kind);
 // many triangles. Kinds that are no twigs of single leaves are as they always are.
 LeafShape spray_shape(LeafKind kind, float inhibition);
 
+// A sliver of one triangle that tapers to its tip: of a bough, a twig.
+const LeafShape& sliver_shape();
+
 }  // namespace quadrat::synthesis::trees

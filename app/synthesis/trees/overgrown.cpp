@@ -79,6 +79,7 @@ void mix_in(scene::Leaves& to, const scene::Leaves& others) {
     assert(to.indices_per_blade() == others.indices_per_blade());
     const std::size_t all = to.blades + others.blades;
     scene::Leaves mixed;
+    mixed.are_sprays = to.are_sprays;
     mixed.vertices.reserve(to.vertices.size() + others.vertices.size());
     mixed.indices.reserve(to.indices.size() + others.indices.size());
     mixed.plain_indices.reserve(to.plain_indices.size() + others.plain_indices.size());

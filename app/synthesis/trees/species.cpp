@@ -108,17 +108,9 @@ scene::Leaves twigs_on(const TreeSkeleton& skeleton, const Form& f, const scene:
     return bare_twigs(skeleton, species.crown_radius_m, f.bark, spray_shape(f.leaf), most, seed);
 }
 
-scene::Species species_of(TreeSkeleton skeleton, const Form& f, base::Seed seed) {
+void give_crown(const TreeSkeleton& skeleton, const Form& f, FoliageOptions& foliage, scene::Species& species,
+                base::Seed seed) {
     const Kind& k = kind(f.habit);
-    if (k.blossom > 0) set_organs(skeleton, k.blossom * f.blossom, 0.2F * f.fruit, seed.child("organs"));
-    const float bareness = std::max(f.bareness, pass_year(skeleton, year_of(f), seed.child("year")));
-    scene::Species species;
-    species.name = k.name;
-    species.height_m = skeleton.high_m.y;
-    species.crown_radius_m = k.is_rosette ? 0.28F * skeleton.high_m.y : crown_radius(skeleton);
-    species.trunk_radius_m = skeleton.limbs.front().nodes.front().radius_m * (f.stems > 1 ? 2.2F : 1.0F);
-    species.wood = wood_levels(skeleton, k.is_rosette ? 0 : bareness);
-    FoliageOptions foliage = foliage_of(f, species);
     const scene::Leaves climber = climber_on(f, species, foliage, seed.child("climber"));
     const scene::Leaves twigs = twigs_on(skeleton, f, species, most_blades(f) - climber.blades, seed.child("twigs"));
     foliage.blades = std::min(foliage.blades, most_blades(f) - climber.blades - twigs.blades);
@@ -130,6 +122,36 @@ scene::Species species_of(TreeSkeleton skeleton, const Form& f, base::Seed seed)
     set_coarser(species.wood, species.trunk_radius_m);
     mix_in(species.leaves, climber);
     mix_in(species.leaves, twigs);
+}
+
+// Of its leaves, those that are not there: the rest would float about it from afar.
+constexpr float kLeafless = 0.8F;
+constexpr float kDead = 0.5F;  // and not because of the season
+
+void stand_leafless(const TreeSkeleton& skeleton, const Form& f, scene::Species& species, base::Seed seed) {
+    constexpr std::size_t kMost = 1600;
+    species.leaves = leafless_crown(skeleton, species.crown_radius_m, f.bark, kMost, seed.child("twigs"));
+    species.masses = leafless_masses(skeleton, species.crown_radius_m, f.bark, seed.child("strokes"));
+    add_spindle(species.wood, species.height_m, species.trunk_radius_m);
+    set_coarser(species.wood, species.trunk_radius_m);
+}
+
+scene::Species species_of(TreeSkeleton skeleton, const Form& f, base::Seed seed) {
+    const Kind& k = kind(f.habit);
+    if (k.blossom > 0) set_organs(skeleton, k.blossom * f.blossom, 0.2F * f.fruit, seed.child("organs"));
+    const float bareness = std::max(f.bareness, pass_year(skeleton, year_of(f), seed.child("year")));
+    scene::Species species;
+    species.name = k.name;
+    species.height_m = skeleton.high_m.y;
+    species.crown_radius_m = k.is_rosette ? 0.28F * skeleton.high_m.y : crown_radius(skeleton);
+    species.trunk_radius_m = skeleton.limbs.front().nodes.front().radius_m * (f.stems > 1 ? 2.2F : 1.0F);
+    species.wood = wood_levels(skeleton, k.is_rosette ? 0 : bareness);
+    FoliageOptions foliage = foliage_of(f, species);
+    const bool has_leaves = bareness <= kLeafless && f.bareness <= kDead;
+    if (!has_leaves && !k.is_rosette && k.own_leaf != LeafKind::Spines)
+        stand_leafless(skeleton, f, species, seed);
+    else
+        give_crown(skeleton, f, foliage, species, seed);
     // Twigs are all the crown that a bare tree has: they are left out later.
     for (scene::Wood& wood : species.wood) wood.left_out_m *= 1 + 2.5F * bareness;
     if (k.is_rosette) {

@@ -204,7 +204,7 @@ scene::Species reeds(const GrassOptions& o, base::Seed seed) {
 
 scene::Species fern(const glm::vec3& colour, float height_m, base::Seed seed) {
     scene::Species species = herb("fern", height_m, height_m);
-    constexpr int kFronds = 9;
+    constexpr int kFronds = 11;
     for (int i = 0; i < kFronds; ++i) {
         base::RandomStream random{seed.child(static_cast<std::uint64_t>(i))};
         const glm::vec3 out = flat_direction(kGoldenAngle_rad * static_cast<float>(i) + random.between(-0.2F, 0.2F));
@@ -212,13 +212,13 @@ scene::Species fern(const glm::vec3& colour, float height_m, base::Seed seed) {
         blade.along = glm::normalize(out + glm::vec3{0, random.between(0.7F, 1.5F), 0});
         blade.face = glm::normalize(glm::vec3{0, 1, 0} - blade.along.y * blade.along);
         blade.length_m = 1.15F * height_m * random.between(0.85F, 1.1F);
-        blade.half_width_m = 0.17F * height_m;
+        blade.half_width_m = 0.19F * height_m;
         blade.fold_m = -0.02F * height_m;
         blade.bow_m = -0.5F * height_m;
         const float shade = random.between(0.75F, 1.0F);
         const float age = 0.5F + 0.4F * random.unit_f();
         add_blade(
-            species.leaves, leaf_shape(LeafKind::Feather), blade,
+            species.leaves, leaf_shape(LeafKind::Frond), blade,
             vertex_of(scene::shifted_colour(colour, random.between(0.9F, 1.1F)), blade.face + 0.4F * out, age, shade));
     }
     species.shade_liking = 0.9F;

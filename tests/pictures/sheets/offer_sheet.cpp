@@ -3,6 +3,8 @@
 //     offer_sheet SEED COUNT FILE.png      so many seeds from SEED on, four landscapes each, on one sheet
 //     offer_sheet SEED COUNT --measure     a line for each landscape, then their means and worst; no picture is kept
 //     offer_sheet SEED COUNT --each DIR    a picture of each, 1280x720: DIR/SEED-A.png …; each draws itself again
+//     offer_sheet SEED COUNT --four DIR    all four as a visitor sees them in the midst of a flight: DIR/SEED.png …
+//     offer_sheet SEED COUNT --floor DIR   the same at the least that a slow machine may draw
 //     any, then NAME=VALUE …               parameters for all of them
 #include <fmt/core.h>
 
@@ -19,6 +21,7 @@
 #include "support/values.hpp"
 #include "synthesis/compose/view_merit.hpp"
 #include "tempo/budget.hpp"
+#include "tempo/governor.hpp"
 
 namespace {
 
@@ -89,6 +92,45 @@ int each(std::uint64_t first, std::uint64_t seeds, const std::filesystem::path& 
     return 0;
 }
 
+// After so many frames of a flight what is far is held, and the rest is drawn as closely as that leaves triangles for.
+mesh::Image in_flight(stage::Easel& easel, pictures::Picture picture, const render::Detail& detail) {
+    constexpr int kFrames = 24;
+    constexpr float kFrame_s = 1.0F / 60;
+    stage::Cast cast;
+    for (const genome::Recipe& recipe : picture.scenes) {
+        const auto scene = nursery::grow(recipe, pictures::fineness_of(picture.land_samples));
+        cast.scenes.push_back({scene, stage::upload_now(easel.renderer(), scene)});
+    }
+    render::Frame frame;
+    for (int n = kFrames - 1; n >= 0; --n) {
+        picture.seconds = kSeconds - static_cast<float>(n) * kFrame_s;
+        frame = stage::frame_of(picture, cast, easel.display().begin_frame());
+        frame.is_one_of_many = true;
+        frame.detail = detail;
+        easel.renderer().draw(frame);
+        if (n > 0) easel.display().present();
+    }
+    mesh::Image pixels = easel.renderer().read_pixels(frame);
+    easel.display().present();
+    return pixels;
+}
+
+int four(std::uint64_t first, std::uint64_t seeds, const std::filesystem::path& folder, const render::Detail& detail,
+         const Values& extra) {
+    std::filesystem::create_directories(folder);
+    stage::Easel easel(1920, 1080);
+    for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
+        pictures::Picture picture;
+        for (const Offered& offered : first_offer(seed, extra)) picture.scenes.push_back(offered.recipe);
+        picture.width = 1920;
+        picture.height = 1080;
+        picture.seconds = kSeconds;
+        pictures::write_picture(folder / fmt::format("{}.png", seed), in_flight(easel, picture, detail),
+                                pictures::to_json(picture));
+    }
+    return 0;
+}
+
 // What a first offer may not break: something is lit, nothing is drowned, little is empty.
 std::string fault_of(const ValueRange& values, float flat) {
     std::string fault;
@@ -127,7 +169,9 @@ int measure(std::uint64_t first, std::uint64_t seeds, const Values& extra) {
 }
 
 int usage() {
-    fmt::print(stderr, "usage: offer_sheet SEED COUNT FILE.png | --measure | --each DIR, then NAME=VALUE …\n");
+    fmt::print(stderr,
+               "usage: offer_sheet SEED COUNT FILE.png | --measure | --each DIR | --four DIR | --floor DIR, then "
+               "NAME=VALUE …\n");
     return 2;
 }
 
@@ -142,6 +186,10 @@ int main(int argc, char** argv) {
     try {
         if (rest[2] == "--measure") return measure(first, seeds, extra);
         if (rest[2] == "--each") return rest.size() > 3 ? each(first, seeds, rest[3], extra) : usage();
+        if (rest[2] == "--four") return rest.size() > 3 ? four(first, seeds, rest[3], {}, extra) : usage();
+        constexpr float kFloor = tempo::GovernorOptions::kLeast;
+        const render::Detail least{tempo::alpha_for(kFloor), tempo::scale_for(kFloor)};
+        if (rest[2] == "--floor") return rest.size() > 3 ? four(first, seeds, rest[3], least, extra) : usage();
         return sheet(first, seeds, rest[2], extra);
     } catch (const std::exception& error) {
         fmt::print(stderr, "offer_sheet: {}\n", error.what());

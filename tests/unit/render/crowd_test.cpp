@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <span>
@@ -18,7 +19,9 @@ namespace {
 
 const scene::Camera kCamera{{0, 6, 0}, {0, 4, -100}, 42};
 
-Frustum frustum() { return Frustum(scene::clip_from_view(kCamera, 16.0F / 9) * scene::view_from_world(kCamera)); }
+glm::mat4 clip_from_world() { return scene::clip_from_view(kCamera, 16.0F / 9) * scene::view_from_world(kCamera); }
+
+Frustum frustum() { return Frustum(clip_from_world()); }
 
 std::vector<scene::Plant> forest(std::size_t trees, std::size_t tufts) {
     std::vector<scene::Plant> plants;
@@ -36,6 +39,7 @@ std::vector<scene::Plant> forest(std::size_t trees, std::size_t tufts) {
 Gathering looking_from_the_camera() {
     Gathering g;
     g.view.eye_seconds = {kCamera.eye_m, 0};
+    g.view.clip_from_world = clip_from_world();
     g.pixels_per_radian = 469;
     return g;
 }
@@ -119,26 +123,20 @@ std::vector<scene::Plant> rows() {
     return plants;
 }
 
-Gathering seen_with_crowns() {
-    Gathering g = looking_from_the_camera();
-    g.view.clip_from_world = scene::clip_from_view(kCamera, 16.0F / 9) * scene::view_from_world(kCamera);
-    return g;
-}
-
 TEST(Crowd, DrawsLessOfWhatStandsBehindOtherCrowns) {
     const auto plants = rows();
     Kind kind = leafy();
     kind.crown_m = 3;
     std::vector<Instance> all;
     const std::vector<Kind> clear{kind};
-    const Crowd before = gathered(plants, clear, seen_with_crowns(), all);
+    const Crowd before = gathered(plants, clear, looking_from_the_camera(), all);
     kind.opacity = 0.85F;
     std::vector<Instance> some;
     const std::vector<Kind> opaque{kind};
-    const Crowd now = gathered(plants, opaque, seen_with_crowns(), some);
+    const Crowd now = gathered(plants, opaque, looking_from_the_camera(), some);
     EXPECT_LT(some.size(), all.size());
     EXPECT_LT(now.triangles, before.triangles / 2);
-    // Of the first row none is missing, and none has fewer blades.
+    // Of the first row none in the picture is missing, and none has fewer blades.
     const auto share_of = [](const std::vector<Instance>& instances, const scene::Plant& plant) {
         const auto at =
             std::ranges::find_if(instances, [&](const Instance& i) { return glm::vec3{i.root_scale} == plant.root_m; });
@@ -146,7 +144,7 @@ TEST(Crowd, DrawsLessOfWhatStandsBehindOtherCrowns) {
     };
     for (const scene::Plant& plant : plants) {
         EXPECT_LE(share_of(some, plant), share_of(all, plant));
-        if (plant.root_m.z > -41) {
+        if (plant.root_m.z > -41 && std::abs(plant.root_m.x) < 22) {
             EXPECT_GT(share_of(some, plant), 0.5F * share_of(all, plant));
         }
     }
@@ -160,7 +158,7 @@ TEST(Crowd, BatchesOfHalfHiddenPlantsHoldTheirOwn) {
     kind.opacity = 0.6F;
     const std::vector<Kind> kinds{kind};
     std::vector<Instance> instances;
-    const Crowd crowd = gathered(plants, kinds, seen_with_crowns(), instances, 60'000);
+    const Crowd crowd = gathered(plants, kinds, looking_from_the_camera(), instances, 60'000);
     std::vector<int> parts(instances.size());
     for (const Batch& batch : crowd.batches) {
         ASSERT_LE(batch.first + batch.count, instances.size());
@@ -174,9 +172,14 @@ TEST(Crowd, BatchesOfHalfHiddenPlantsHoldTheirOwn) {
     EXPECT_TRUE(std::ranges::all_of(parts, [](int n) { return n >= 1 && n <= 3; }));
 }
 
+// Those that stand in the picture with all of their crown.
 TEST(Crowd, WithinASpeciesNearPlantsComeBeforeFarOnes) {
     auto plants = forest(1500, 0);
     for (scene::Plant& plant : plants) plant.scale = 1;
+    std::erase_if(plants, [](const scene::Plant& plant) {
+        return std::abs(plant.root_m.x) > -0.5F * plant.root_m.z || plant.root_m.z > -60;
+    });
+    ASSERT_GT(plants.size(), 100U);
     const std::vector<Kind> kinds{tree()};
     std::vector<Instance> instances;
     gathered(plants, kinds, looking_from_the_camera(), instances);
@@ -186,6 +189,53 @@ TEST(Crowd, WithinASpeciesNearPlantsComeBeforeFarOnes) {
         };
         EXPECT_LE(distance(i - 1), distance(i) + 1e-3F);
     }
+}
+
+// Near by a blade may be drawn several times, each smaller: a tree's leaves are then no boards.
+TEST(Crowd, NearByLeavesAreMoreAndSmallerThanThereAreBlades) {
+    scene::Plant plant;
+    plant.root_m = {0, 0, -20};
+    Kind kind = leafy();
+    kind.blades = 300;
+    const auto copies_with = [&](std::size_t most, std::vector<Instance>& instances, Crowd& crowd) {
+        kind.copies = most;
+        const std::vector<Kind> kinds{kind};
+        crowd = gathered({&plant, 1}, kinds, looking_from_the_camera(), instances);
+    };
+    std::vector<Instance> once;
+    std::vector<Instance> often;
+    Crowd of_once;
+    Crowd of_often;
+    copies_with(1, once, of_once);
+    copies_with(4, often, of_often);
+    ASSERT_EQ(once.size(), 1U);
+    ASSERT_EQ(often.size(), 4U) << "an instance a copy";
+    EXPECT_EQ(of_once.triangles + 3 * 300 * kind.triangles_per_blade, of_often.triangles);
+    std::size_t blades = 0;
+    for (const Batch& batch : of_often.batches)
+        if (batch.part == Batch::Part::Leaves) blades += batch.count * batch.blades;
+    EXPECT_EQ(blades, 4U * 300U);
+    for (std::size_t copy = 0; copy < often.size(); ++copy) {
+        // As shaders/leaves.vert reads them: twice the copy's number, and its share of the blades.
+        EXPECT_FLOAT_EQ(often[copy].turn_grown_share.w, 2 * static_cast<float>(copy) + 1);
+        EXPECT_NEAR(kLeastBlade * 255 / static_cast<float>(often[copy].half_tint_enlarged.a), 0.5F, 0.01F);
+    }
+    EXPECT_NEAR(kLeastBlade * 255 / static_cast<float>(once.front().half_tint_enlarged.a), 1, 0.01F);
+}
+
+// What hangs into the picture from beside it needs no triangles where nobody sees it.
+TEST(Crowd, WhatStandsBesideThePictureHasLess) {
+    scene::Plant plant;
+    plant.root_m = {0, 0, -30};
+    const std::vector<Kind> kinds{leafy()};
+    std::vector<Instance> instances;
+    const auto triangles_at = [&](float x_m) {
+        plant.root_m.x = x_m;
+        return gathered({&plant, 1}, kinds, looking_from_the_camera(), instances).triangles;
+    };
+    EXPECT_LE(triangles_at(21), triangles_at(0));
+    EXPECT_LT(triangles_at(22), triangles_at(0));
+    EXPECT_GT(triangles_at(22), 0U);
 }
 
 TEST(Crowd, KeepsItsBudgetByGivingUpFineness) {

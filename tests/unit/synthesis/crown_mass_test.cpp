@@ -42,7 +42,7 @@ scene::Leaves blades_on_a_ball(std::size_t blades) {
 
 TEST(CrownMass, StandsWhereLeavesAreDenseInTheirColours) {
     const auto masses = crown_masses(blades_on_a_ball(3500));
-    ASSERT_GE(masses.size(), 3U);
+    ASSERT_GE(masses.size(), 2U);
     EXPECT_LE(masses.back().mesh.triangle_count(), 32U);
     EXPECT_GT(masses.front().share, 0.6F);
     const double ball_m3 = 4.18879 * 8;
@@ -86,9 +86,9 @@ TEST(CrownFringe, StandsOffTheMassAndIsGoneWithIt) {
     auto masses = crown_masses(blades_on_a_ball(3500));
     const auto bare = masses;
     add_fringe(masses);
-    EXPECT_EQ(masses.front().sprays, 2 * bare.front().mesh.triangle_count());
+    EXPECT_EQ(masses.front().sprays, 5 * bare.front().mesh.triangle_count());
     const float crown_m2 = area_of(bare.front().mesh);
-    float before_m2 = 1.15F * crown_m2;
+    float before_m2 = 1.9F * crown_m2;
     ASSERT_GE(masses.size(), bare.size());
     for (std::size_t level = 0; level < bare.size(); ++level) {
         const scene::CrownMass& mass = masses[level];
@@ -100,7 +100,7 @@ TEST(CrownFringe, StandsOffTheMassAndIsGoneWithIt) {
         // They cover the crown, but where that would take spikes; what a level lacks has become points.
         const float covered_m2 = area_of(fringe);
         EXPECT_LT(covered_m2, 1.05F * before_m2) << level;
-        EXPECT_GT(covered_m2, std::min(0.9F, 0.014F * static_cast<float>(mass.sprays)) * crown_m2) << level;
+        EXPECT_GT(covered_m2, std::min(1.5F, 0.008F * static_cast<float>(mass.sprays)) * crown_m2) << level;
         EXPECT_LT(covered_m2, 0.018F * crown_m2 * static_cast<float>(mass.sprays)) << level;
         before_m2 = covered_m2;
         for (std::size_t i = 0; i < fringe.indices.size(); i += 3) {
@@ -141,7 +141,7 @@ TEST(CrownMass, OfManyClumpsHasFewerAndLargerOnesFarAway) {
 TEST(CrownMass, EndsOnTheNextLevelsSurface) {
     for (const scene::Leaves& leaves : {blades_on_a_ball(3500), nine_clumps()}) {
         const auto masses = crown_masses(leaves);
-        ASSERT_GE(masses.size(), 3U);
+        ASSERT_GE(masses.size(), 2U);
         for (std::size_t level = 0; level + 1 < masses.size(); ++level) {
             const scene::CrownMass& mass = masses[level];
             ASSERT_EQ(mass.coarser_m.size(), mass.mesh.positions_m.size()) << level;

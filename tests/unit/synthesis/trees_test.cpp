@@ -85,7 +85,8 @@ std::string masses_fault(const scene::Species& species) {
         closed.positions_m.resize(n - 3 * mass.sprays);
         if (const std::string fault = tests::manifold_fault(closed.indices, closed.positions_m.size()); !fault.empty())
             return fault;
-        if (tests::volume_of(closed) <= 0) return "a crown's mass inside out";
+        const bool is_strokes = closed.indices.empty();  // of a tree without leaves
+        if (!is_strokes && tests::volume_of(closed) <= 0) return "a crown's mass inside out";
         for (const glm::vec3& at_m : mass.mesh.positions_m)
             if (!(glm::length(at_m) < 1.1F * reach_m)) return "a crown's mass beyond its leaves";
         for (const glm::vec3& colour : mass.colours)

@@ -89,7 +89,7 @@ TEST(Year, ChangesATreesLeavesAndNotTheTree) {
         }
         return sum;
     };
-    EXPECT_LT(area_m2(species_in(1).leaves), 0.1F * area_m2(summer.leaves)) << "twigs are thin";
+    EXPECT_LT(area_m2(species_in(1).leaves), 0.45F * area_m2(summer.leaves)) << "twigs are thin";
     const auto redness = [](const scene::Species& species) {
         glm::vec3 sum{0};
         for (const scene::Leaves::Vertex& v : species.leaves.vertices) sum += v.colour;

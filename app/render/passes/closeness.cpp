@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/closeness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace quadrat::render::passes {
+namespace {
+
+constexpr float kBladesA_px2 = 0.22F;  // of a plant as high as wide, where all that is asked for is drawn
+constexpr float kSlivers = 4;  // of a triangle each stand for a blade of many: it is no dearer, and they are thin
+constexpr float kCopiesWanted = 0.16F;      // of the blades that are asked for and are not there, those that copies are
+constexpr float kFewestBladesA_px = 0.15F;  // of its height: large blades that are few are flags
+constexpr float kLeastStand = 0.3F;    // of plants that are but a few blades: the fewest that stand for all of them
+constexpr float kStem_px = 6;          // high; of a smaller tree with leaves it is left out
+constexpr float kStemWidth_px = 1.3F;  // at least
+constexpr float kWidenedAt = 1.6F;     // times as far away as where the coarsest wood begins
+constexpr float kBareStem_px = 0.7F;   // where no crown joins it: a dead wood is no palisade
+constexpr float kStandsFrom_px = 44;   // high; larger ones stand for themselves
+constexpr float kStandsTo_px = 24;
+constexpr float kMergedFrom = 0.40F;  // share of its blades with which a crown begins to become one mass
+constexpr float kMergedTo = 0.15F;
+constexpr float kMergedFrom_px = 260;  // and how high it is then
+constexpr float kMergedTo_px = 120;
+constexpr float kLeastLeafy = 0.7F;
+constexpr float kLeavesMerged = 0.55F;   // of the blades are not needed then
+constexpr float kMassA_px2 = 0.15F;      // triangles, of a plant as high as wide
+constexpr float kMass_px = 13;           // of a tree so small no more is seen
+constexpr float kMassAlone = 0.7F;       // of its leaves, where its mass stands for so many
+constexpr std::size_t kSimpleMass = 16;  // triangles: no more than the blades that would be seen instead
+// With less fineness than this larger crowns merge too: four blades that stand for thousands are shards.
+constexpr float kLeafyFrom = 0.125F;
+constexpr float kMassOutline = 9;           // triangles at least, times its height in pixels to this power:
+constexpr float kMassOutlinePower = 0.75F;  // its outline is smooth at any size,
+constexpr float kMassFringed = 26;          // and with much detail as rough as leaves are: a smooth bush is a ball
+constexpr float kBladesFineness = 0.012F;   // nor what is never a mass: a handful of its blades are flags
+constexpr float kFewestOverMass = 12;       // blades; fewer are left out
+constexpr float kLargestBlade_px = 8;       // of those that a crown's size would allow to be larger
+// Blades that would have to be enlarged by so much, and are so long on the screen, are shards in a thin crown, which is
+// better one mass without them where little is drawn of anything.
+constexpr float kShardsFrom = 2.8F;
+constexpr float kShardsTo = 4.5F;
+constexpr float kShardsFrom_fineness = 0.1F;
+constexpr float kShardsTo_fineness = 0.05F;
+constexpr float kShardsFrom_px = 6;
+constexpr float kShardsTo_px = 11;
+constexpr float kLeaving = 1.5F;  // a level begins to become the next with so many times the triangles asked for
+constexpr float kLimb_px = 1.3F;  // as thick are limbs that begin to be missed
+constexpr float kShape_px = 11;   // a shorter blade shows no more than that it is one
+
+// Of a part's levels, finest first.
+struct Level {
+    std::size_t at = 0;
+    float to_coarser = 0;
+};
+
+// The finest level within so many triangles; it becomes the next one as they dwindle to its own.
+Level level_within(const std::vector<std::size_t>& triangles, float wanted) {
+    for (std::size_t level = 0; level + 1 < triangles.size(); ++level) {
+        const auto own = static_cast<float>(triangles[level]);
+        if (own > wanted) continue;
+        const float finer = level > 0 ? static_cast<float>(triangles[level - 1]) : own * kLeaving;
+        const float begins = std::min(own * kLeaving, finer);
+        return {level, begins > own ? std::clamp((begins - wanted) / (begins - own), 0.0F, 1.0F) : 0.0F};
+    }
+    return {triangles.empty() ? 0 : triangles.size() - 1};
+}
+
+// The coarsest level that leaves out no more than so much ("Genetic selection of parametric scenes" 2003, section 6.2:
+// D = alpha E^beta, of which a thickness in metres makes beta 1); it becomes the next one as that comes to be as much.
+Level level_leaving_out(const std::vector<float>& left_out_m, float allowed_m) {
+    std::size_t level = left_out_m.empty() ? 0 : left_out_m.size() - 1;
+    while (level > 0 && left_out_m[level] > allowed_m) --level;
+    if (level + 1 >= left_out_m.size()) return {level};
+    const float next_m = left_out_m[level + 1];
+    const float begins_m = std::max(next_m / kLeaving, left_out_m[level]);
+    return {level, std::clamp((allowed_m - begins_m) / (next_m - begins_m), 0.0F, 1.0F)};
+}
+
+// How far a crown is one mass: none of it while it is large on the screen, or its blades are many.
+float merged_crown(float share, float height_px, float leafy) {
+    return between(kMergedFrom, kMergedTo, share) *
+           between(kMergedFrom_px, kMergedTo_px, height_px * std::max(leafy, kLeastLeafy));
+}
+
+// A crown so small is its mass or its blades, not both; where little is drawn of anything, also one whose mass stands
+// for little of it.
+float one_or_the_other_px(const Kind& kind, float leafy) {
+    return kind.massed >= kMassAlone ? kMass_px : kMass_px * (1 - leafy);
+}
+
+// What the coarsest wood is to become, for its stem to be seen.
+float widened(const Kind& kind, float m_a_px) {
+    const float trunk_m = std::max(kind.trunk_m, 1e-3F);
+    const float wide_px = kBareStem_px + (kStemWidth_px - kBareStem_px) * std::min(2 * kind.opacity, 1.0F);
+    return std::clamp((0.5F * wide_px * m_a_px - trunk_m) / (kWidening * trunk_m), 0.0F, 1.0F);
+}
+
+bool is_mass_enough(const Kind& kind) {
+    return kind.massed >= kMassAlone || (!kind.mass_triangles.empty() && kind.mass_triangles.back() <= kSimpleMass);
+}
+
+void set_wood(Closeness& how, const Kind& kind, float height_px, float fineness) {
+    const float m_a_px = kind.height_m / std::max(height_px, 1e-3F);
+    const float allowed_m = kLimb_px * m_a_px / std::sqrt(fineness);
+    const Level wood = level_leaving_out(kind.wood_left_out_m, allowed_m);
+    how.wood_level = wood.at;
+    how.to_coarser = wood.to_coarser;
+    if (how.wood_level + 1 >= kind.wood_triangles.size() && !kind.wood_left_out_m.empty())
+        how.to_coarser =
+            widened(kind, m_a_px) * between(1, kWidenedAt, allowed_m / std::max(kind.wood_left_out_m.back(), 1e-3F));
+    // The stem of so small a crown is not missed.
+    if (how.has_leaves && height_px < kStem_px) how.wood_level = kind.wood_triangles.size();
+}
+
+}  // namespace
+
+float leafiness(float fineness) { return std::min(std::sqrt(fineness / kLeafyFrom), 1.0F); }
+
+float least_stand(float height_px) {
+    const float near = std::clamp((height_px - kStandsTo_px) / (kStandsFrom_px - kStandsTo_px), 0.0F, 1.0F);
+    return kLeastStand + (1 - kLeastStand) * near;
+}
+
+float between(float from, float to, float value) { return std::clamp((value - from) / (to - from), 0.0F, 1.0F); }
+
+Closeness closeness(const Kind& kind, float height_px, float fineness) {
+    Closeness how;
+    how.has_leaves = kind.blades > 0;
+    set_wood(how, kind, height_px, fineness);
+    if (!how.has_leaves) return how;
+    const float m_a_px = kind.height_m / std::max(height_px, 1e-3F);
+    const float least = kind.mass_triangles.empty() ? kBladesFineness : 0;
+    const float fewest = std::min(static_cast<float>(kind.blades),
+                                  std::max(static_cast<float>(kFewestBlades), kFewestBladesA_px * height_px));
+    const float all = static_cast<float>(kind.blades);
+    const float worth = kind.triangles_per_blade == 1 ? kSlivers : 1;
+    float wanted_blades = worth * std::max(fineness, least) * kBladesA_px2 * height_px * height_px;
+    const auto share_of = [&](float blades) {
+        const float copied = all + kCopiesWanted * std::max(blades - all, 0.0F);
+        return std::clamp(std::min(blades, copied), fewest, static_cast<float>(kind.copies) * all) / all;
+    };
+    const float blade_px = kind.blade_m * height_px / std::max(kind.height_m, 0.1F);
+    // Large ones near by are seen as what they are, sooner than in a crown that is small.
+    const float largest =
+        std::clamp(kLargestBlade_px / blade_px, std::max(0.55F * kind.largest_blade, 1.0F), kind.largest_blade);
+    const auto enlarged_by = [&](float blades) { return std::min(1 / std::sqrt(share_of(blades)), largest); };
+    how.enlarged = enlarged_by(wanted_blades);
+    how.mass_level = kind.mass_triangles.size();
+    const float leafy = leafiness(fineness);
+    const float shards = kind.mass_triangles.empty()
+                             ? 0
+                             : between(kShardsFrom, kShardsTo, 1 / std::sqrt(share_of(wanted_blades))) *
+                                   between(kShardsFrom_px, kShardsTo_px, blade_px * how.enlarged) *
+                                   between(kShardsFrom_fineness, kShardsTo_fineness, fineness);
+    const float merged =
+        kind.mass_triangles.empty() ? 0 : std::max(merged_crown(share_of(wanted_blades), height_px, leafy), shards);
+    const float small_px = one_or_the_other_px(kind, leafy);
+    if (!is_mass_enough(kind) && small_px > 0) how.mass_size = between(small_px, 1.5F * small_px, height_px);
+    if (merged > 0 && how.mass_size > 0) {
+        const float broad = std::max(1.4F * kind.crown_m / std::max(kind.height_m, 0.1F), 1.0F);
+        const float wanted =
+            std::max(fineness * kMassA_px2 * height_px * height_px,
+                     glm::mix(kMassOutline, kMassFringed, leafy) * broad * std::pow(height_px, kMassOutlinePower));
+        const Level mass = level_within(kind.mass_triangles, wanted);
+        how.mass_level = mass.at;
+        how.mass_to_coarser = mass.to_coarser;
+        how.merged = merged;
+        // The stem behind it is at its coarsest, which becomes nothing coarser.
+        if (how.wood_level < kind.wood_triangles.size()) how.wood_level = kind.wood_triangles.size() - 1;
+        how.to_coarser = widened(kind, m_a_px);
+        wanted_blades *= 1 - kLeavesMerged * kind.massed * merged;
+        how.enlarged = enlarged_by(wanted_blades);
+        wanted_blades *= 1 - shards;
+        const bool is_bare = merged > 0.9F && wanted_blades < kFewestOverMass && fineness < kLeafyFrom;
+        how.has_leaves = height_px > small_px ? !is_bare : !is_mass_enough(kind);
+    }
+    how.share = share_of(wanted_blades);
+    how.stand = std::clamp(wanted_blades / fewest, least_stand(height_px), 1.0F);
+    how.is_plain =
+        kind.triangles_per_plain_blade > 0 && blade_px * std::sqrt(std::sqrt(fineness / how.share)) < kShape_px;
+    return how;
+}
+
+}  // namespace quadrat::render::passes
