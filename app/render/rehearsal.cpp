@@ -75,6 +75,7 @@ scene::Leaves leaves() {
     constexpr std::size_t kBlades = 200;
     scene::Leaves leaves;
     leaves.blades = kBlades;
+    leaves.are_sprays = true;
     for (std::size_t blade = 0; blade < kBlades; ++blade) {
         const auto first = static_cast<std::uint32_t>(leaves.vertices.size());
         const glm::vec3 site_m{0, 4 + 6 * static_cast<float>(blade) / kBlades, 0};

@@ -2,8 +2,7 @@
 // One plant, as attributes with divisor 1: a Raspberry Pi has no storage buffers in vertex shaders. What is the same for
 // a whole plant (air, wind, the light through its leaves) is worked out once for it, on the CPU.
 layout(location = 8) in vec4 root_scale;         // xyz: root, m; w: of the species' size
-layout(location = 9) in vec4 turn_grown_share;   // xy: sine and cosine of the yaw; z: 0 seed to 1 grown; w: share of
-                                                 // blades, 0 to 1, and twice the number of their copy
+layout(location = 9) in vec4 turn_grown_share;   // xy: sine and cosine of the yaw; z: 0 seed to 1 grown; w: share of blades
 layout(location = 10) in vec4 wind_sun_through;  // xy: wind, m at the tips; z: sun; w: sun that comes through leaves
 layout(location = 11) in vec4 air;               // rgb: shown colour; a: amount
 layout(location = 12) in vec4 half_tint_enlarged;  // rgb: half of what the colour is multiplied by; a: half over how

@@ -9,7 +9,7 @@ namespace quadrat::render::passes {
 // pixel wide is dots.
 inline constexpr float kWidening = 6;
 
-// Of a blade's size, where as many copies of it stand about it as may: as shaders/leaves.vert has it.
+// Of a blade's size, where as many copies of it stand about it as may: as shaders/common/leaf.glsl has it.
 inline constexpr float kLeastBlade = 0.5F;
 
 inline constexpr std::size_t kFewestBlades = 4;  // of a crown that has any
@@ -30,7 +30,7 @@ struct Kind {
     float crown_m = 1;                             // the radius of its crown, but for what stands out of it
     float opacity = 0;                             // of the crown, of what lies behind it: 0 to 1
     float trunk_m = 0.2F;                          // its radius
-    std::size_t copies = 1;  // each blade may be drawn so often, smaller, near by
+    std::size_t copies = 1;                        // each blade may be drawn so often, smaller, near by
 };
 
 // How closely a plant of this many pixels is drawn. Finer for more pixels, never coarser.

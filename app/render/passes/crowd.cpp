@@ -271,15 +271,15 @@ namespace {
 struct Copy {
     Instance instance;
     Batch batch;
-    std::size_t number;  // from 1
 };
 
 void add_copies(std::vector<Copy>& copies, const Seen& s, const Kind& kind, const Closeness& how, Instance instance) {
     for (std::size_t number = 1; number < copies_of(how); ++number) {
         const float share = share_of_copy(how, number);
-        instance.turn_grown_share.w = 2 * static_cast<float>(number) + share;
-        const Batch batch{s.species, Batch::Part::Leaves, 0, prefix(kind, leaf_bucket(share)), how.is_plain, 0, 1};
-        copies.push_back({instance, batch, number});
+        instance.turn_grown_share.w = share;
+        const Batch batch{s.species, Batch::Part::Leaves, 0, prefix(kind, leaf_bucket(share)), how.is_plain, number, 0,
+                          1};
+        copies.push_back({instance, batch});
     }
 }
 
@@ -287,7 +287,7 @@ void add_copies(std::vector<Copy>& copies, const Seen& s, const Kind& kind, cons
 void add_batch(std::vector<Batch>& batches, const Batch& batch) {
     for (Batch& last : batches) {
         const bool is_same = last.species == batch.species && last.part == batch.part && last.level == batch.level &&
-                             last.blades == batch.blades && last.is_plain == batch.is_plain;
+                             last.blades == batch.blades && last.is_plain == batch.is_plain && last.copy == batch.copy;
         if (!is_same || last.first + last.count != batch.first) continue;
         ++last.count;
         return;
@@ -315,18 +315,20 @@ Crowd gather(std::span<const scene::Plant> plants, std::span<const Kind> kinds, 
         const std::size_t at = instances.size();
         instances.push_back(instance_of(plants[s.plant], kind, s, how, gathering));
         if (how.wood_level < kind.wood_triangles.size())
-            add_batch(crowd.batches, {s.species, Batch::Part::Wood, how.wood_level, 0, false, at, 1});
+            add_batch(crowd.batches, {s.species, Batch::Part::Wood, how.wood_level, 0, false, 0, at, 1});
         if (how.mass_level < kind.mass_triangles.size())
-            add_batch(crowd.batches, {s.species, Batch::Part::Mass, how.mass_level, 0, false, at, 1});
+            add_batch(crowd.batches, {s.species, Batch::Part::Mass, how.mass_level, 0, false, 0, at, 1});
         if (how.has_leaves) {
             const std::size_t blades = prefix(kind, leaf_bucket(share_of_copy(how, 0)));
-            add_batch(crowd.batches, {s.species, Batch::Part::Leaves, 0, blades, how.is_plain, at, 1});
+            add_batch(crowd.batches, {s.species, Batch::Part::Leaves, 0, blades, how.is_plain, 0, at, 1});
         }
         add_copies(copies, s, kind, how, instances.back());
         crowd.triangles += triangles_of(kind, how);
     }
     // After all plants, so that those have no gaps; of one number side by side, so that they are few batches.
-    std::ranges::stable_sort(copies, {}, [](const Copy& copy) { return std::pair{copy.batch.species, copy.number}; });
+    std::ranges::stable_sort(copies, {}, [](const Copy& copy) {
+        return std::pair{copy.batch.species, copy.batch.copy};
+    });
     for (Copy& copy : copies) {
         copy.batch.first = instances.size();
         instances.push_back(copy.instance);

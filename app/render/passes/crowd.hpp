@@ -34,6 +34,7 @@ struct Batch {
     std::size_t level = 0;   // of the wood, of the mass
     std::size_t blades = 0;  // of the leaves: the prefix to draw
     bool is_plain = false;   // its blades in their plain form
+    std::size_t copy = 0;    // of the leaves: 0 the blades themselves, else the number of a copy
     std::size_t first = 0;   // instance
     std::size_t count = 0;
 };

@@ -312,6 +312,8 @@ PlantsPass::PlantsPass()
       masses_("crown.vert", "leaves.frag"),
       leaves_("leaves.vert", "leaves.frag"),
       plain_leaves_("leaves.vert", "lit.frag"),
+      copied_leaves_("copied_leaves.vert", "leaves.frag"),
+      plain_copied_leaves_("copied_leaves.vert", "lit.frag"),
       wood_vertices_{{0,
                       sizeof(WoodPlace),
                       gl::Advance::PerVertex,
@@ -380,8 +382,12 @@ gl::Work PlantsPass::draw_leaves(const SpeciesOnGpu& species, const Batch& batch
     const bool stands_for_many = batch.blades * 100 < kOfMany_percent * species.blades;
     if (!batch.is_plain) {
         (stands_for_many ? species.foliage : species.leaf).bind(0);
+        glUniform1f(0, stands_for_many ? 1.0F : 0.0F);
     }
-    glUniform2f(0, stands_for_many ? 1.0F : 0.0F, kCopyAside * species.blade_m);
+    if (batch.copy > 0) {
+        const auto copy = static_cast<float>(batch.copy);
+        glUniform4f(1, 7.3F * copy, 9.1F * copy, 5.7F * copy, kCopyAside * species.blade_m);
+    }
     leaf_vertices_.feed(0, species.leaf_places.name());
     leaf_vertices_.feed(1, species.leaf_surfaces.name());
     leaf_vertices_.feed(2, instances, batch.first * sizeof(Instance));
@@ -398,10 +404,16 @@ PlantsPass::Drawn PlantsPass::draw(const FloraOnGpu& flora, const std::vector<Ba
     // Leaves first: they hide most of the wood, and what is hidden need not be shaded.
     glDisable(GL_CULL_FACE);
     leaf_vertices_.bind();
-    for (const bool is_plain : {false, true}) {
-        (is_plain ? plain_leaves_ : leaves_).use();
+    struct Leaves {
+        const gl::Program* program;
+        bool are_plain, are_copied;
+    };
+    for (const Leaves& leaves : {Leaves{&leaves_, false, false}, Leaves{&copied_leaves_, false, true},
+                                 Leaves{&plain_leaves_, true, false}, Leaves{&plain_copied_leaves_, true, true}}) {
+        leaves.program->use();
         for (const Batch& batch : batches)
-            if (batch.part == Batch::Part::Leaves && batch.is_plain == is_plain)
+            if (batch.part == Batch::Part::Leaves && batch.is_plain == leaves.are_plain &&
+                (batch.copy > 0) == leaves.are_copied)
                 drawn.leaves += draw_leaves(flora.species[batch.species], batch, instances.name());
     }
     glEnable(GL_CULL_FACE);

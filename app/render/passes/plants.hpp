@@ -76,6 +76,8 @@ class PlantsPass {
     gl::Program masses_;
     gl::Program leaves_;
     gl::Program plain_leaves_;  // too small on the screen to show their veins
+    gl::Program copied_leaves_;
+    gl::Program plain_copied_leaves_;
     gl::VertexArray wood_vertices_;
     gl::VertexArray leaf_vertices_;
     gl::VertexArray mass_vertices_;
