@@ -45,9 +45,16 @@ constexpr float kShardsFrom_fineness = 0.1F;
 constexpr float kShardsTo_fineness = 0.05F;
 constexpr float kShardsFrom_px = 6;
 constexpr float kShardsTo_px = 11;
-constexpr float kLeaving = 1.5F;  // a level begins to become the next with so many times the triangles asked for
-constexpr float kLimb_px = 1.3F;  // as thick are limbs that begin to be missed
-constexpr float kShape_px = 11;   // a shorter blade shows no more than that it is one
+constexpr float kLeaving = 1.5F;    // a level begins to become the next with so many times the triangles asked for
+constexpr float kLimb_px = 1.3F;    // as thick are limbs that begin to be missed
+constexpr float kShape_px = 11;     // a shorter blade shows no more than that it is one
+constexpr float kFewestNear = 420;  // blades, of a crown near by,
+constexpr float kFewestNearShare = 0.4F;  // or this share of all
+constexpr float kWoodNear = 0.2F;         // and has limbs that bear them, as with this fineness
+constexpr float kNearFrom_px = 340;       // as high, and more so than it is where it is large on the screen
+constexpr float kNearTo_px = 600;
+
+float nearness(float height_px) { return between(kNearFrom_px, kNearTo_px, height_px); }
 
 // Of a part's levels, finest first.
 struct Level {
@@ -101,9 +108,17 @@ bool is_mass_enough(const Kind& kind) {
     return kind.massed >= kMassAlone || (!kind.mass_triangles.empty() && kind.mass_triangles.back() <= kSimpleMass);
 }
 
+// A crown that is looked at is leaves, whatever is drawn of all others: one mass so near is a hedgehog on a pole.
+float fewest_blades(const Kind& kind, float height_px) {
+    const float near = std::max(kFewestNear, kFewestNearShare * static_cast<float>(kind.blades));
+    const float fewest =
+        std::max({static_cast<float>(kFewestBlades), kFewestBladesA_px * height_px, near * nearness(height_px)});
+    return std::min(static_cast<float>(kind.blades), fewest);
+}
+
 void set_wood(Closeness& how, const Kind& kind, float height_px, float fineness) {
     const float m_a_px = kind.height_m / std::max(height_px, 1e-3F);
-    const float allowed_m = kLimb_px * m_a_px / std::sqrt(fineness);
+    const float allowed_m = kLimb_px * m_a_px / std::sqrt(std::max(fineness, kWoodNear * nearness(height_px)));
     const Level wood = level_leaving_out(kind.wood_left_out_m, allowed_m);
     how.wood_level = wood.at;
     how.to_coarser = wood.to_coarser;
@@ -132,8 +147,7 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     if (!how.has_leaves) return how;
     const float m_a_px = kind.height_m / std::max(height_px, 1e-3F);
     const float least = kind.mass_triangles.empty() ? kBladesFineness : 0;
-    const float fewest = std::min(static_cast<float>(kind.blades),
-                                  std::max(static_cast<float>(kFewestBlades), kFewestBladesA_px * height_px));
+    const float fewest = fewest_blades(kind, height_px);
     const float all = static_cast<float>(kind.blades);
     const float worth = kind.triangles_per_blade == 1 ? kSlivers : 1;
     float wanted_blades = worth * std::max(fineness, least) * kBladesA_px2 * height_px * height_px;
@@ -178,8 +192,8 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     }
     how.share = share_of(wanted_blades);
     how.stand = std::clamp(wanted_blades / fewest, least_stand(height_px), 1.0F);
-    how.is_plain =
-        kind.triangles_per_plain_blade > 0 && blade_px * std::sqrt(std::sqrt(fineness / how.share)) < kShape_px;
+    how.is_plain = kind.triangles_per_plain_blade > 0 &&
+                   blade_px * std::sqrt(std::sqrt(std::max(fineness / how.share, nearness(height_px)))) < kShape_px;
     return how;
 }
 

@@ -151,8 +151,11 @@ void wear(scene::Land& land, const Terrain& terrain, const scene::LandParameters
 }
 
 void set_grain(scene::Land& land, const scene::LandParameters& p, base::Seed seed) {
+    // With less than this the ground near by is airbrushed.
+    constexpr float kLeastContrast = 0.95F;
+    const float contrast = kLeastContrast + 0.38F * (p.ground_detail - 0.3F);
     GroundDetail detail = ground_detail(
-        seed, 256, {.contrast = p.ground_detail, .bumps = p.ground_bumps, .sandy = sandy(p), .cracked = cracked(p)});
+        seed, 256, {.contrast = contrast, .bumps = p.ground_bumps, .sandy = sandy(p), .cracked = cracked(p)});
     land.detail = std::move(detail.grain);
     land.detail_slopes = std::move(detail.slopes);
     land.detail_tile_m = p.ground_detail_m;

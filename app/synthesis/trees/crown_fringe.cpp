@@ -21,8 +21,9 @@ constexpr std::size_t kFewest = 24;           // sprays, of a bush some ten pixe
 constexpr float kCovers = 1.7F;               // of the mass, by area,
 constexpr float kLargest = 0.009F;            // of it, one spray: larger ones are spikes
 constexpr float kLargestOfFew = 0.026F;       // and where they are few
-constexpr float kLength = 1.8F;               // of a spray, to the square root of its area, and so its width
-constexpr float kWidth = 4.0F / 3;
+constexpr float kLength = 1.5F;               // of a spray, to the square root of its area, and so its width:
+constexpr float kWidth = 1.6F;                // longer ones are thorns
+constexpr float kHangs = 0.35F;               // how far outward those of a crown's underside point, to the others
 constexpr double kGoldenShare = 0.6180339887498949;
 
 // Where a spray stands on the finest mass, and what the leaves about it are.
@@ -71,7 +72,9 @@ Spray spray_on(const scene::CrownMass& mass, std::size_t first, base::RandomStre
     // Outward, down a little, and any way along the surface.
     const glm::vec3 chance{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
     const glm::vec3 flat = unit_or(chance - glm::dot(chance, spray.normal) * spray.normal, {1, 0, 0});
-    spray.along = unit_or(1.1F * spray.normal + flat - glm::vec3{0, 0.2F, 0}, spray.normal);
+    const float under = glm::smoothstep(0.0F, -0.7F, spray.normal.y);
+    spray.along =
+        unit_or(1.1F * glm::mix(1.0F, kHangs, under) * spray.normal + flat - glm::vec3{0, 0.2F, 0}, spray.normal);
     spray.side = unit_or(glm::cross(spray.along, spray.normal), flat);
     return spray;
 }

@@ -128,10 +128,25 @@ TEST(Closeness, ACrownBecomesOneMassGraduallyAndNearbyNever) {
     }
 }
 
-TEST(Closeness, ACrownOfAHandfulOfBladesIsOneMassHoweverLarge) {
+constexpr float kLookedAt_px = 340;  // crowns that are larger are leaves
+
+// One mass so near is a hedgehog on a pole.
+TEST(Closeness, ACrownThatIsLookedAtIsLeavesOnLimbsWhateverIsDrawnOfAllOthers) {
+    for (const float fineness : {0.0F, 0.003F, 0.02F, 0.1F}) {
+        const Closeness how = closeness(leafy(), 620, fineness);
+        EXPECT_TRUE(how.has_leaves);
+        EXPECT_EQ(how.merged, 0);
+        EXPECT_EQ(how.mass_level, leafy().mass_triangles.size());
+        EXPECT_GE(how.share, 0.39F);
+        EXPECT_FALSE(how.is_plain);
+        EXPECT_LE(how.wood_level, 2U);
+    }
+}
+
+TEST(Closeness, ACrownOfAHandfulOfBladesIsOneMassUntilItIsLookedAt) {
     constexpr float kHandful = 12;
     for (const float fineness : {0.0001F, 0.001F, 0.005F}) {
-        for (float px = 30; px < 400; px *= 1.1F) {
+        for (float px = 30; px < kLookedAt_px; px *= 1.1F) {
             const Closeness how = closeness(leafy(), px, fineness);
             if (fineness * 0.16F * px * px > kHandful) continue;
             ASSERT_LT(how.mass_level, leafy().mass_triangles.size()) << px;
@@ -188,7 +203,7 @@ TEST(Closeness, NoBladeThatStandsForManyIsLongOnTheScreen) {
         for (const float largest : {1.5F, 6.0F, 100.0F}) {
             kind.largest_blade = largest;
             for (const float fineness : {0.0F, 0.003F, 0.02F, 0.1F, 0.4F}) {
-                for (float px = 14; px < 600; px *= 1.03F) {
+                for (float px = 14; px < kLookedAt_px; px *= 1.03F) {
                     const Closeness how = closeness(kind, px, fineness);
                     const float blade_px = kind.blade_m / kind.height_m * px * how.enlarged;
                     const bool stands_for_many = 0.22F * fineness * px * px * kMany < static_cast<float>(kind.blades);
