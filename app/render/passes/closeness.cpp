@@ -9,7 +9,7 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr float kBladesA_px2 = 0.22F;  // of a plant as high as wide, where all that is asked for is drawn
-constexpr float kSlivers = 4;  // of a triangle each stand for a blade of many: it is no dearer, and they are thin
+constexpr float kSlivers = 10;  // of a triangle each stand for a blade of many: it is no dearer, and they are thin
 constexpr float kCopiesWanted = 0.16F;      // of the blades that are asked for and are not there, those that copies are
 constexpr float kFewestBladesA_px = 0.15F;  // of its height: large blades that are few are flags
 constexpr float kLeastStand = 0.3F;    // of plants that are but a few blades: the fewest that stand for all of them
@@ -35,6 +35,7 @@ constexpr float kMassOutline = 9;           // triangles at least, times its hei
 constexpr float kMassOutlinePower = 0.75F;  // its outline is smooth at any size,
 constexpr float kMassFringed = 26;          // and with much detail as rough as leaves are: a smooth bush is a ball
 constexpr float kBladesFineness = 0.012F;   // nor what is never a mass: a handful of its blades are flags
+constexpr float kSliversFineness = 0.008F;  // nor a leafless crown: a handful of its twigs float about it
 constexpr float kFewestOverMass = 12;       // blades; fewer are left out
 constexpr float kLargestBlade_px = 8;       // of those that a crown's size would allow to be larger
 // Blades that would have to be enlarged by so much, and are so long on the screen, are shards in a thin crown, which is
@@ -48,11 +49,11 @@ constexpr float kShardsTo_px = 11;
 constexpr float kLeaving = 1.5F;    // a level begins to become the next with so many times the triangles asked for
 constexpr float kLimb_px = 1.3F;    // as thick are limbs that begin to be missed
 constexpr float kShape_px = 11;     // a shorter blade shows no more than that it is one
-constexpr float kFewestNear = 420;  // blades, of a crown near by,
+constexpr float kFewestNear = 360;  // blades, of a crown near by,
 constexpr float kFewestNearShare = 0.4F;  // or this share of all
 constexpr float kWoodNear = 0.2F;         // and has limbs that bear them, as with this fineness
-constexpr float kNearFrom_px = 340;       // as high, and more so than it is where it is large on the screen
-constexpr float kNearTo_px = 600;
+constexpr float kNearFrom_px = 280;       // as high, and more so than it is where it is large on the screen
+constexpr float kNearTo_px = 500;
 
 float nearness(float height_px) { return between(kNearFrom_px, kNearTo_px, height_px); }
 
@@ -146,10 +147,11 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     set_wood(how, kind, height_px, fineness);
     if (!how.has_leaves) return how;
     const float m_a_px = kind.height_m / std::max(height_px, 1e-3F);
-    const float least = kind.mass_triangles.empty() ? kBladesFineness : 0;
+    const bool are_slivers = kind.triangles_per_blade == 1;
+    const float least = are_slivers ? kSliversFineness : kind.mass_triangles.empty() ? kBladesFineness : 0;
     const float fewest = fewest_blades(kind, height_px);
     const float all = static_cast<float>(kind.blades);
-    const float worth = kind.triangles_per_blade == 1 ? kSlivers : 1;
+    const float worth = are_slivers ? kSlivers : 1;
     float wanted_blades = worth * std::max(fineness, least) * kBladesA_px2 * height_px * height_px;
     const auto share_of = [&](float blades) {
         const float copied = all + kCopiesWanted * std::max(blades - all, 0.0F);

@@ -152,8 +152,8 @@ void wear(scene::Land& land, const Terrain& terrain, const scene::LandParameters
 
 void set_grain(scene::Land& land, const scene::LandParameters& p, base::Seed seed) {
     // With less than this the ground near by is airbrushed.
-    constexpr float kLeastContrast = 0.95F;
-    const float contrast = kLeastContrast + 0.38F * (p.ground_detail - 0.3F);
+    constexpr float kLeastContrast = 0.85F;
+    const float contrast = kLeastContrast + 0.65F * (p.ground_detail - 0.3F);
     GroundDetail detail = ground_detail(
         seed, 256, {.contrast = contrast, .bumps = p.ground_bumps, .sandy = sandy(p), .cracked = cracked(p)});
     land.detail = std::move(detail.grain);

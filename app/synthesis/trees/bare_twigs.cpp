@@ -152,7 +152,7 @@ namespace {
 constexpr std::array<std::size_t, 3> kStrokes{72, 30, 12};  // a level
 constexpr float kStrokesCover = 0.30F;                      // of the crown, seen from aside
 constexpr float kStrokesStandFor = 0.75F;                   // of all twigs
-constexpr float kStrokeLength = 3.6F;                       // to its width
+constexpr float kWidest = 0.22F;                            // of a stroke, to its length
 
 // Of a dead tree, that has no place for a leaf.
 std::vector<Site> along_limbs(const TreeSkeleton& skeleton) {
@@ -171,17 +171,27 @@ std::vector<Site> along_limbs(const TreeSkeleton& skeleton) {
 }
 
 struct Stroke {
-    glm::vec3 tip_m, along, side, normal;
+    glm::vec3 foot_m;  // where what bears it leaves the trunk: it does not float beside that
+    glm::vec3 tip_m, side, normal;
     float age, sway;
 };
+
+// Where a limb, or what it grows on, leaves the trunk.
+glm::vec3 at_trunk_m(const TreeSkeleton& skeleton, const Site& site) {
+    const Limb* limb = &skeleton.limbs[static_cast<std::size_t>(site.limb)];
+    if (limb->order == 0) return limb->nodes[static_cast<std::size_t>(std::max(site.node - 1, 0))].at_m;
+    while (limb->order > 1 && limb->parent >= 0) limb = &skeleton.limbs[static_cast<std::size_t>(limb->parent)];
+    return limb->nodes.front().at_m;
+}
 
 Stroke stroke_at(const TreeSkeleton& skeleton, const Site& site, base::RandomStream random) {
     const glm::vec3 middle_m = 0.5F * (skeleton.low_m + skeleton.high_m);
     Stroke stroke;
-    stroke.along = glm::normalize(site.along + 0.3F * site.out + 0.3F * direction(random));
-    stroke.side = glm::normalize(glm::cross(stroke.along, direction(random) + glm::vec3{0, 1.0e-3F, 0}) +
-                                 1.0e-4F * across(stroke.along));
-    stroke.tip_m = site.at_m;
+    stroke.foot_m = at_trunk_m(skeleton, site);
+    stroke.tip_m = site.at_m + 1.0e-2F * site.along;
+    const glm::vec3 along = glm::normalize(stroke.tip_m - stroke.foot_m + 1.0e-4F * site.along);
+    stroke.side =
+        glm::normalize(glm::cross(along, direction(random) + glm::vec3{0, 1.0e-3F, 0}) + 1.0e-4F * across(along));
     stroke.normal = glm::normalize(glm::vec3{site.at_m.x - middle_m.x, 0.5F, site.at_m.z - middle_m.z});
     stroke.age = std::min(0.12F + 0.83F * site.path_m / std::max(skeleton.longest_path_m, 1.0e-3F), 1.0F);
     stroke.sway = std::clamp(skeleton.limbs[site.limb].nodes[site.node].sway, 0.0F, 1.0F);
@@ -189,10 +199,9 @@ Stroke stroke_at(const TreeSkeleton& skeleton, const Site& site, base::RandomStr
 }
 
 std::array<glm::vec3, 3> corners(const Stroke& stroke, float area_m2) {
-    const float width_m = std::sqrt(2 * area_m2 / kStrokeLength);
-    const glm::vec3 foot_m = stroke.tip_m - 0.75F * kStrokeLength * width_m * stroke.along;
-    return {foot_m - 0.5F * width_m * stroke.side, foot_m + 0.5F * width_m * stroke.side,
-            stroke.tip_m + 0.25F * kStrokeLength * width_m * stroke.along};
+    const float length_m = glm::distance(stroke.foot_m, stroke.tip_m);
+    const float width_m = std::min(2 * area_m2 / std::max(length_m, 1.0e-3F), kWidest * length_m);
+    return {stroke.foot_m - 0.5F * width_m * stroke.side, stroke.foot_m + 0.5F * width_m * stroke.side, stroke.tip_m};
 }
 
 }  // namespace
@@ -224,7 +233,7 @@ std::vector<scene::CrownMass> leafless_masses(const TreeSkeleton& skeleton, floa
                 if (level + 1 == kStrokes.size()) continue;
                 const bool stays = i < kStrokes[level + 1];
                 const auto then = corners(stroke, crown_m2 / static_cast<float>(kStrokes[level + 1]));
-                mass.coarser_m.push_back(stays ? then[k] : stroke.tip_m);
+                mass.coarser_m.push_back(stays ? then[k] : stroke.foot_m);
             }
         }
         mass.sprays = kStrokes[level];

@@ -128,7 +128,7 @@ TEST(Closeness, ACrownBecomesOneMassGraduallyAndNearbyNever) {
     }
 }
 
-constexpr float kLookedAt_px = 340;  // crowns that are larger are leaves
+constexpr float kLookedAt_px = 280;  // crowns that are larger are leaves
 
 // One mass so near is a hedgehog on a pole.
 TEST(Closeness, ACrownThatIsLookedAtIsLeavesOnLimbsWhateverIsDrawnOfAllOthers) {

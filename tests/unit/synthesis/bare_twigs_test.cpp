@@ -130,7 +130,7 @@ TEST(LeaflessMasses, AreStrokesThatTheSkyShowsBetween) {
         const scene::CrownMass& mass = masses[level];
         EXPECT_EQ(mass.sprays, mass.mesh.triangle_count());
         EXPECT_LT(area_m2(mass.mesh), 0.35F * crown_m2);
-        EXPECT_GT(area_m2(mass.mesh), 0.08F * crown_m2);
+        EXPECT_GT(area_m2(mass.mesh), 0.04F * crown_m2);
         const bool is_last = level + 1 == masses.size();
         EXPECT_EQ(mass.coarser_m.empty(), is_last);
         if (is_last) continue;
