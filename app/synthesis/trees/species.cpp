@@ -154,7 +154,8 @@ scene::Species species_of(TreeSkeleton skeleton, const Form& f, base::Seed seed)
         give_crown(skeleton, f, foliage, species, seed);
     // Twigs are all the crown that a bare tree has, and arms a cactus': they are left out later.
     const bool is_all_limbs = k.own_leaf == LeafKind::Spines;
-    for (scene::Wood& wood : species.wood) wood.left_out_m *= 1 + 2.5F * (is_all_limbs ? 1 : bareness);
+    constexpr float kArmless = 20;  // a cactus without them is a post among its spines
+    for (scene::Wood& wood : species.wood) wood.left_out_m *= is_all_limbs ? kArmless : 1 + 2.5F * bareness;
     if (k.is_rosette) {
         species.crown_radius_m = std::max(species.crown_radius_m, 0.8F * foliage.length_m);
         species.height_m += 0.3F * foliage.length_m;
