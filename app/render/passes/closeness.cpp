@@ -135,8 +135,7 @@ void set_wood(Closeness& how, const Kind& kind, float height_px, float fineness)
 float leafiness(float fineness) { return std::min(std::sqrt(fineness / kLeafyFrom), 1.0F); }
 
 float least_stand(float height_px) {
-    const float near = std::clamp((height_px - kStandsTo_px) / (kStandsFrom_px - kStandsTo_px), 0.0F, 1.0F);
-    return kLeastStand + (1 - kLeastStand) * near;
+    return kLeastStand + (1 - kLeastStand) * between(kStandsTo_px, kStandsFrom_px, height_px);
 }
 
 float between(float from, float to, float value) { return std::clamp((value - from) / (to - from), 0.0F, 1.0F); }
@@ -147,11 +146,10 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     set_wood(how, kind, height_px, fineness);
     if (!how.has_leaves) return how;
     const float m_a_px = kind.height_m / std::max(height_px, 1e-3F);
-    const bool are_slivers = kind.triangles_per_blade == 1;
-    const float least = are_slivers ? kSliversFineness : kind.mass_triangles.empty() ? kBladesFineness : 0;
+    const float least = kind.are_slivers ? kSliversFineness : kind.mass_triangles.empty() ? kBladesFineness : 0;
     const float fewest = fewest_blades(kind, height_px);
     const float all = static_cast<float>(kind.blades);
-    const float worth = are_slivers ? kSlivers : 1;
+    const float worth = kind.are_slivers ? kSlivers : 1;
     float wanted_blades = worth * std::max(fineness, least) * kBladesA_px2 * height_px * height_px;
     const auto share_of = [&](float blades) {
         const float copied = all + kCopiesWanted * std::max(blades - all, 0.0F);

@@ -31,6 +31,7 @@ struct Kind {
     float opacity = 0;                             // of the crown, of what lies behind it: 0 to 1
     float trunk_m = 0.2F;                          // its radius
     std::size_t copies = 1;                        // each blade may be drawn so often, smaller, near by
+    bool are_slivers = false;                      // its blades: limbs and twigs of a leafless crown
 };
 
 // How closely a plant of this many pixels is drawn. Finer for more pixels, never coarser.

@@ -21,7 +21,8 @@ namespace {
 constexpr std::size_t kOfMany_percent = 36;  // of its blades: so enlarged, each shows many (shaders/leaves.vert)
 constexpr float kCopyAside = 0.55F;          // of a spray's length, so far may its copy's tip lie from it on each axis
 constexpr std::size_t kCopies = 4;           // of leaves that hang on a twig
-constexpr float kFoliageTiles = 4.2F;        // to a plant's height: a leaf of the picture stands for several
+static_assert(kLeastBlade * kLeastBlade * kCopies >= 1, "a byte holds how small the most copies are");
+constexpr float kFoliageTiles = 4.2F;  // to a plant's height: a leaf of the picture stands for several
 
 struct WoodPlace {
     glm::vec3 position_m;
@@ -215,6 +216,11 @@ float opacity_of(const scene::Species& species) {
     return kMost * (1 - std::exp(-kTurned * area_m2 / std::max(crown_m2, 1e-3F)));
 }
 
+// What stands for it far away is strokes about nothing.
+bool is_leafless(const scene::Species& species) {
+    return !species.masses.empty() && species.masses.front().sprays == species.masses.front().mesh.triangle_count();
+}
+
 Kind kind_of(const scene::Species& species) {
     Kind kind;
     kind.height_m = species.height_m;
@@ -231,6 +237,7 @@ Kind kind_of(const scene::Species& species) {
     kind.triangles_per_plain_blade = species.leaves.indices_per_plain_blade() / 3;
     kind.blade_m = blade_length(species);
     if (species.leaves.are_sprays) kind.copies = kCopies;
+    kind.are_slivers = is_leafless(species);
     kind.largest_blade = largest_blade(species);
     if (!species.masses.empty()) kind.massed = species.masses.front().share;
     for (const scene::CrownMass& mass : species.masses) kind.mass_triangles.push_back(mass.mesh.triangle_count());

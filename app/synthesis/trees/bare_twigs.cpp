@@ -29,6 +29,16 @@ glm::vec3 direction(base::RandomStream& random) {
     return v / std::max(glm::length(v), 0.1F);
 }
 
+// As of leaves: what is farther along the limbs appears later.
+float age_at(const TreeSkeleton& skeleton, float path_m) {
+    const float along = std::min(path_m / std::max(skeleton.longest_path_m, 1.0e-3F), 1.0F);
+    return std::min(0.12F + 0.83F * along, 1.0F);
+}
+
+float sway_at(const TreeSkeleton& skeleton, const Site& site) {
+    return std::clamp(skeleton.limbs[site.limb].nodes[site.node].sway, 0.0F, 1.0F);
+}
+
 struct Crown {
     float radius_m;
     glm::vec3 bark;
@@ -82,8 +92,7 @@ void add_boughs(scene::Leaves& leaves, const TreeSkeleton& skeleton, const glm::
         vertex.normal = glm::normalize(glm::vec3{foot.at_m.x - middle_m.x, 0.4F, foot.at_m.z - middle_m.z});
         vertex.colour = bark;
         vertex.shade = 0.85F;
-        const float along = std::min(foot.path_m / std::max(skeleton.longest_path_m, 1.0e-3F), 1.0F);
-        vertex.age = std::min(0.12F + 0.83F * along, 1.0F);
+        vertex.age = age_at(skeleton, foot.path_m);
         vertex.sway = std::clamp(foot.sway, 0.0F, 1.0F);
         add_blade(leaves, sliver_shape(), blade, vertex);
     }
@@ -116,9 +125,8 @@ void add_twigs(scene::Leaves& leaves, const TreeSkeleton& skeleton, const std::v
         vertex.normal = glm::normalize(out + 0.5F * twig.face + glm::vec3{0, 0.25F, 0});
         vertex.colour = scene::shifted_colour(bark, random.between(0.95F, 1.15F));
         vertex.shade = 0.85F;
-        const float along = std::min(site.path_m / std::max(skeleton.longest_path_m, 1.0e-3F), 1.0F);
-        vertex.age = std::min(0.12F + 0.83F * along, 1.0F);
-        vertex.sway = std::clamp(skeleton.limbs[site.limb].nodes[site.node].sway, 0.0F, 1.0F);
+        vertex.age = age_at(skeleton, site.path_m);
+        vertex.sway = sway_at(skeleton, site);
         add_blade(leaves, shape, twig, vertex);
     }
 }
@@ -193,8 +201,8 @@ Stroke stroke_at(const TreeSkeleton& skeleton, const Site& site, base::RandomStr
     stroke.side =
         glm::normalize(glm::cross(along, direction(random) + glm::vec3{0, 1.0e-3F, 0}) + 1.0e-4F * across(along));
     stroke.normal = glm::normalize(glm::vec3{site.at_m.x - middle_m.x, 0.5F, site.at_m.z - middle_m.z});
-    stroke.age = std::min(0.12F + 0.83F * site.path_m / std::max(skeleton.longest_path_m, 1.0e-3F), 1.0F);
-    stroke.sway = std::clamp(skeleton.limbs[site.limb].nodes[site.node].sway, 0.0F, 1.0F);
+    stroke.age = age_at(skeleton, site.path_m);
+    stroke.sway = sway_at(skeleton, site);
     return stroke;
 }
 

@@ -128,6 +128,19 @@ TEST(Closeness, ACrownBecomesOneMassGraduallyAndNearbyNever) {
     }
 }
 
+// A reed's blades are a triangle each, as a leafless crown's slivers are: that makes it none.
+TEST(Closeness, ATuftIsNoLeaflessCrown) {
+    Kind reed = grass();
+    reed.blades = 300;
+    reed.triangles_per_blade = 1;
+    Kind crown = reed;
+    crown.are_slivers = true;
+    Kind folded = reed;
+    folded.triangles_per_blade = 2;
+    EXPECT_EQ(closeness(reed, 60, 0.05F).share, closeness(folded, 60, 0.05F).share);
+    EXPECT_GT(closeness(crown, 60, 0.05F).share, 5 * closeness(reed, 60, 0.05F).share);
+}
+
 constexpr float kLookedAt_px = 280;  // crowns that are larger are leaves
 
 // One mass so near is a hedgehog on a pole.
