@@ -51,7 +51,7 @@ constexpr float kLimb_px = 1.3F;    // as thick are limbs that begin to be misse
 constexpr float kShape_px = 11;     // a shorter blade shows no more than that it is one
 constexpr float kFewestNear = 360;  // blades, of a crown near by,
 constexpr float kFewestNearShare = 0.4F;  // or this share of all
-constexpr float kWoodNear = 0.2F;         // and has limbs that bear them, as with this fineness
+constexpr float kWoodNear = 0.08F;        // and has limbs that bear them, as with this fineness
 constexpr float kNearFrom_px = 280;       // as high, and more so than it is where it is large on the screen
 constexpr float kNearTo_px = 500;
 
