@@ -19,6 +19,8 @@ constexpr float kWidenedAt = 1.6F;     // times as far away as where the coarses
 constexpr float kBareStem_px = 0.7F;   // where no crown joins it: a dead wood is no palisade
 constexpr float kStandsFrom_px = 44;   // high; larger ones stand for themselves
 constexpr float kStandsTo_px = 24;
+constexpr float kMassStandsFrom_px = 22;
+constexpr float kMassStandsTo_px = 6;
 constexpr float kMergedFrom = 0.40F;  // share of its blades with which a crown begins to become one mass
 constexpr float kMergedTo = 0.15F;
 constexpr float kMergedFrom_px = 260;  // and how high it is then
@@ -55,7 +57,9 @@ constexpr float kWoodNear = 0.08F;        // and has limbs that bear them, as wi
 constexpr float kNearFrom_px = 280;       // as high, and more so than it is where it is large on the screen
 constexpr float kNearTo_px = 500;
 
-float nearness(float height_px) { return between(kNearFrom_px, kNearTo_px, height_px); }
+float nearness(float height_px, float looked_at) {
+    return std::max(between(kNearFrom_px, kNearTo_px, height_px), looked_at);
+}
 
 // Of a part's levels, finest first.
 struct Level {
@@ -110,16 +114,20 @@ bool is_mass_enough(const Kind& kind) {
 }
 
 // A crown that is looked at is leaves, whatever is drawn of all others: one mass so near is a hedgehog on a pole.
-float fewest_blades(const Kind& kind, float height_px) {
+float fewest_blades(const Kind& kind, float height_px, float nearness) {
     const float near = std::max(kFewestNear, kFewestNearShare * static_cast<float>(kind.blades));
-    const float fewest =
-        std::max({static_cast<float>(kFewestBlades), kFewestBladesA_px * height_px, near * nearness(height_px)});
+    const float fewest = std::max({static_cast<float>(kFewestBlades), kFewestBladesA_px * height_px, near * nearness});
     return std::min(static_cast<float>(kind.blades), fewest);
 }
 
-void set_wood(Closeness& how, const Kind& kind, float height_px, float fineness) {
+// A crown that is one mass needs no others of its kind to stand for, but where it is a speck.
+float least_stand_of_masses(float height_px) {
+    return kLeastStand + (1 - kLeastStand) * between(kMassStandsTo_px, kMassStandsFrom_px, height_px);
+}
+
+void set_wood(Closeness& how, const Kind& kind, float height_px, float fineness, float nearness) {
     const float m_a_px = kind.height_m / std::max(height_px, 1e-3F);
-    const float allowed_m = kLimb_px * m_a_px / std::sqrt(std::max(fineness, kWoodNear * nearness(height_px)));
+    const float allowed_m = kLimb_px * m_a_px / std::sqrt(std::max(fineness, kWoodNear * nearness));
     const Level wood = level_leaving_out(kind.wood_left_out_m, allowed_m);
     how.wood_level = wood.at;
     how.to_coarser = wood.to_coarser;
@@ -140,14 +148,15 @@ float least_stand(float height_px) {
 
 float between(float from, float to, float value) { return std::clamp((value - from) / (to - from), 0.0F, 1.0F); }
 
-Closeness closeness(const Kind& kind, float height_px, float fineness) {
+Closeness closeness(const Kind& kind, float height_px, float fineness, float looked_at) {
     Closeness how;
     how.has_leaves = kind.blades > 0;
-    set_wood(how, kind, height_px, fineness);
+    const float near = nearness(height_px, looked_at);
+    set_wood(how, kind, height_px, fineness, near);
     if (!how.has_leaves) return how;
     const float m_a_px = kind.height_m / std::max(height_px, 1e-3F);
     const float least = kind.are_slivers ? kSliversFineness : kind.mass_triangles.empty() ? kBladesFineness : 0;
-    const float fewest = fewest_blades(kind, height_px);
+    const float fewest = fewest_blades(kind, height_px, near);
     const float all = static_cast<float>(kind.blades);
     const float worth = kind.are_slivers ? kSlivers : 1;
     float wanted_blades = worth * std::max(fineness, least) * kBladesA_px2 * height_px * height_px;
@@ -192,8 +201,9 @@ Closeness closeness(const Kind& kind, float height_px, float fineness) {
     }
     how.share = share_of(wanted_blades);
     how.stand = std::clamp(wanted_blades / fewest, least_stand(height_px), 1.0F);
+    how.stand = std::max(how.stand, how.merged * least_stand_of_masses(height_px));
     how.is_plain = kind.triangles_per_plain_blade > 0 &&
-                   blade_px * std::sqrt(std::sqrt(std::max(fineness / how.share, nearness(height_px)))) < kShape_px;
+                   blade_px * std::sqrt(std::sqrt(std::max(fineness / how.share, near))) < kShape_px;
     return how;
 }
 

@@ -48,7 +48,8 @@ struct Closeness {
     float mass_size = 1;         // 0 where that has dwindled to nothing
     float stand = 1;             // of plants so small, the share that stands for all of them, each larger
 };
-Closeness closeness(const Kind& kind, float height_px, float fineness);
+// looked_at: 1 for the subject of a picture, 0 for the crowd; what is large on the screen is looked at anyway.
+Closeness closeness(const Kind& kind, float height_px, float fineness, float looked_at = 0);
 
 // Of plants so high on the screen that are but a few blades, the fewest that stand for all of them: near by none is
 // left out, and none larger than it is for those that are.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -23,9 +24,14 @@ constexpr float kLeastInside = 0.1F;  // of a crown's box
 constexpr float kUsual_px = 90;       // high, of a tree that has its share of triangles
 constexpr float kLeastNear = 0.6F;
 constexpr float kMostNear = 4;
-constexpr float kHiddenFrom = 0.07F;  // of a plant's clear share: what shows less dwindles
-constexpr float kHiddenTo = 0.02F;    // and is gone
-constexpr float kCanopy_px = 10;      // a lower crown hides too little to be worth reckoning
+constexpr float kHiddenFrom = 0.07F;   // of a plant's clear share: what shows less dwindles
+constexpr float kHiddenTo = 0.02F;     // and is gone
+constexpr std::size_t kSubjects = 2;   // of a picture, at most: plants that are larger than the next one,
+constexpr float kSubjectFrom = 1.05F;  // by so much,
+constexpr float kSubjectTo = 1.35F;
+constexpr float kSubjectFrom_px = 60;  // and so large
+constexpr float kSubjectTo_px = 110;
+constexpr float kCanopy_px = 10;  // a lower crown hides too little to be worth reckoning
 
 using Seen = Sight::Seen;
 
@@ -91,7 +97,7 @@ bool is_hidden(const scene::Plant& plant, const Kind& kind, float height_px, con
 float fineness_at(int step, const Gathering& g) { return g.fineness * static_cast<float>(step) / kSteps; }
 
 Closeness closeness_of(const Kind& kind, const Seen& seen, const Gathering& g, float fineness) {
-    return closeness(kind, drawn_px(seen, g.scale, fineness), fineness);
+    return closeness(kind, drawn_px(seen, g.scale, fineness), fineness, seen.looked_at);
 }
 
 // Counted until they are more than `enough`.
@@ -208,6 +214,22 @@ void find_hidden(std::span<const scene::Plant> plants, std::span<const Kind> kin
     sight.hidden += std::erase_if(sight.seen, [](const Seen& seen) { return seen.shown <= 0; });
 }
 
+// Continuous in what each plant is worth: none becomes a subject, or ceases to be one, from one frame to the next.
+void find_subjects(std::span<const Kind> kinds, Sight& sight) {
+    std::vector<Seen*> trees;
+    for (Seen& seen : sight.seen)
+        if (kinds[seen.species].height_m >= kLowPlant_m) trees.push_back(&seen);
+    const std::size_t largest = std::min(kSubjects + 1, trees.size());
+    std::ranges::partial_sort(trees, trees.begin() + static_cast<std::ptrdiff_t>(largest), std::greater{},
+                              [](const Seen* seen) { return seen->worth_px; });
+    const float next_px = largest > kSubjects ? trees[kSubjects]->worth_px : 0;
+    for (std::size_t i = 0; i < std::min(kSubjects, trees.size()); ++i) {
+        Seen& seen = *trees[i];
+        seen.looked_at = between(kSubjectFrom * next_px, kSubjectTo * next_px + 1e-3F, seen.worth_px) *
+                         between(kSubjectFrom_px, kSubjectTo_px, seen.worth_px);
+    }
+}
+
 }  // namespace
 
 Sight look(std::span<const scene::Plant> plants, std::span<const Kind> kinds, const Frustum& frustum,
@@ -235,6 +257,7 @@ Sight look(std::span<const scene::Plant> plants, std::span<const Kind> kinds, co
         sight.seen.push_back({static_cast<std::uint32_t>(i), plant.species, height_px, height_px, shown});
     }
     find_hidden(plants, kinds, g, sight);
+    find_subjects(kinds, sight);
     return sight;
 }
 

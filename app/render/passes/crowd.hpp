@@ -56,9 +56,10 @@ struct Sight {
     struct Seen {
         std::uint32_t plant;
         std::uint32_t species;
-        float height_px;  // as shown
-        float worth_px;   // as high is a plant that deserves as many triangles: less where it is behind others
-        float shown;      // 1, or less while it fades with distance
+        float height_px;      // as shown
+        float worth_px;       // as high is a plant that deserves as many triangles: less where it is behind others
+        float shown;          // 1, or less while it fades with distance
+        float looked_at = 0;  // 1 for the subjects of the picture: a few plants that stand out by their size
     };
     std::vector<Seen> seen;
     std::size_t hidden = 0;  // plants that are in sight but for the ground

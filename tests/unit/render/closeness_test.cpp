@@ -243,7 +243,25 @@ TEST(Closeness, ACrownThatIsNeverAMassKeepsBladesNearBy) {
 TEST(Closeness, APlantNearByStandsForItselfAlone) {
     for (const float fineness : {0.0F, 0.0001F, 0.01F, 1.0F})
         for (float px = 45; px < 1000; px *= 1.1F) EXPECT_EQ(closeness(leafy(), px, fineness).stand, 1) << px;
-    EXPECT_LT(closeness(leafy(), 10, 0).stand, 0.5F);
+    EXPECT_LT(closeness(tree(), 10, 0).stand, 0.5F);
+}
+
+TEST(Closeness, ACrownThatIsOneMassStandsForItselfUntilItIsASpeck) {
+    for (const float fineness : {0.0F, 0.01F, 0.1F})
+        for (float px = 22; px < 100; px *= 1.1F) EXPECT_EQ(closeness(leafy(), px, fineness).stand, 1) << px;
+    EXPECT_LT(closeness(leafy(), 8, 0).stand, 0.5F);
+}
+
+TEST(Closeness, ASubjectKeepsItsLeavesAndLimbs) {
+    const std::size_t no_mass = leafy().mass_triangles.size();
+    for (const float px : {70.0F, 120.0F, 250.0F}) {
+        const Closeness crowded = closeness(leafy(), px, 0.01F);
+        const Closeness subject = closeness(leafy(), px, 0.01F, 1);
+        EXPECT_LT(crowded.mass_level, no_mass) << px;
+        EXPECT_EQ(subject.mass_level, no_mass) << px;
+        EXPECT_GE(subject.share, 0.39F) << px;
+        EXPECT_LE(subject.wood_level, crowded.wood_level) << px;
+    }
 }
 
 }  // namespace

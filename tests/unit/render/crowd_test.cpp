@@ -237,6 +237,49 @@ TEST(Crowd, WhatStandsBesideThePictureHasLess) {
     EXPECT_GT(triangles_at(22), 0U);
 }
 
+scene::Plant standing(float beside_m, float away_m) {
+    scene::Plant plant;
+    plant.root_m = {beside_m, 0, -away_m};
+    return plant;
+}
+
+std::vector<float> looked_at(std::span<const scene::Plant> plants) {
+    const std::vector<Kind> kinds{leafy(), grass()};
+    std::vector<float> all(plants.size(), 0);
+    for (const Sight::Seen& seen : look(plants, kinds, frustum(), looking_from_the_camera()).seen)
+        all[seen.plant] = seen.looked_at;
+    return all;
+}
+
+TEST(Crowd, AFewThatStandOutAreSubjects) {
+    std::vector<scene::Plant> plants{standing(-9, 30), standing(12, 38)};
+    for (int i = 0; i < 9; ++i) plants.push_back(standing(14.0F * static_cast<float>(i - 4), 90));
+    const std::vector<float> all = looked_at(plants);
+    EXPECT_EQ(all[0], 1);
+    EXPECT_EQ(all[1], 1);
+    for (std::size_t i = 2; i < all.size(); ++i) EXPECT_EQ(all[i], 0) << i;
+}
+
+TEST(Crowd, OfARowOfEqualsNoneIsTheSubject) {
+    std::vector<scene::Plant> plants;
+    for (int i = 0; i < 9; ++i) plants.push_back(standing(9.0F * static_cast<float>(i - 4), 60));
+    for (const float each : looked_at(plants)) EXPECT_LT(each, 0.2F);
+}
+
+TEST(Crowd, NoSubjectComesOrGoesAtOnce) {
+    std::vector<scene::Plant> plants{standing(-9, 70), standing(12, 60), standing(22, 70), standing(-24, 80)};
+    std::vector<float> before = looked_at(plants);
+    float most = 0;
+    for (float away_m = 70; away_m > 25; away_m -= 0.05F) {
+        plants[0] = standing(-9, away_m);
+        const std::vector<float> now = looked_at(plants);
+        for (std::size_t i = 0; i < now.size(); ++i) EXPECT_NEAR(now[i], before[i], 0.02F) << away_m;
+        most = std::max(most, now[0]);
+        before = now;
+    }
+    EXPECT_EQ(most, 1);
+}
+
 TEST(Crowd, KeepsItsBudgetByGivingUpFineness) {
     const auto plants = forest(4000, 4000);
     const std::vector<Kind> kinds{tree(), grass()};
@@ -306,6 +349,9 @@ TEST(Crowd, WhatIsDrawnSmallerNeedsLessAndIsThere) {
     halved.clear();
     const Crowd fewer = gathered(plants, kinds, g, halved);
     EXPECT_LT(fewer.triangles, little.triangles * 8 / 10);
+    g.scale = 0.75F;  // the least that is ever shown
+    halved.clear();
+    gathered(plants, kinds, g, halved);
     EXPECT_GT(halved.size(), whole.size() * 8 / 10);  // some of the smallest stand for others
 }
 
