@@ -41,7 +41,7 @@ struct AllowanceRow {
     float standard;                                   // at alpha 1
     float power_below;                                // of alpha, below 1
     float power_above;
-    float least = 0;
+    float least = 0;  // of the frame, where it is shared
     float most = std::numeric_limits<float>::max();
 };
 

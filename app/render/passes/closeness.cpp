@@ -37,7 +37,8 @@ constexpr float kMassOutline = 9;           // triangles at least, times its hei
 constexpr float kMassOutlinePower = 0.75F;  // its outline is smooth at any size,
 constexpr float kMassFringed = 26;          // and with much detail as rough as leaves are: a smooth bush is a ball
 constexpr float kBladesFineness = 0.012F;   // nor what is never a mass: a handful of its blades are flags
-constexpr float kSliversFineness = 0.008F;  // nor a leafless crown: a handful of its twigs float about it
+constexpr float kSliversFineness = 0.02F;   // nor a leafless crown: a handful of its twigs float about it
+constexpr float kLimbsFineness = 0.03F;     // nor what has no crown but its limbs: without them it is a post
 constexpr float kFewestOverMass = 12;       // blades; fewer are left out
 constexpr float kLargestBlade_px = 8;       // of those that a crown's size would allow to be larger
 // Blades that would have to be enlarged by so much, and are so long on the screen, are shards in a thin crown, which is
@@ -52,9 +53,9 @@ constexpr float kLeaving = 1.5F;    // a level begins to become the next with so
 constexpr float kLimb_px = 1.3F;    // as thick are limbs that begin to be missed
 constexpr float kShape_px = 11;     // a shorter blade shows no more than that it is one
 constexpr float kFewestNear = 360;  // blades, of a crown near by,
-constexpr float kFewestNearShare = 0.4F;  // or this share of all
-constexpr float kWoodNear = 0.08F;        // and has limbs that bear them, as with this fineness
-constexpr float kNearFrom_px = 280;       // as high, and more so than it is where it is large on the screen
+constexpr float kFewestNearShare = 0.45F;  // or this share of all
+constexpr float kWoodNear = 0.12F;          // and has limbs that bear them, as with this fineness
+constexpr float kNearFrom_px = 280;        // as high, and more so than it is where it is large on the screen
 constexpr float kNearTo_px = 500;
 
 float nearness(float height_px, float looked_at) {
@@ -127,7 +128,9 @@ float least_stand_of_masses(float height_px) {
 
 void set_wood(Closeness& how, const Kind& kind, float height_px, float fineness, float nearness) {
     const float m_a_px = kind.height_m / std::max(height_px, 1e-3F);
-    const float allowed_m = kLimb_px * m_a_px / std::sqrt(std::max(fineness, kWoodNear * nearness));
+    const bool is_all_limbs = kind.are_slivers || kind.mass_triangles.empty();
+    const float least = std::max(kWoodNear * nearness, is_all_limbs ? kLimbsFineness : 0);
+    const float allowed_m = kLimb_px * m_a_px / std::sqrt(std::max(fineness, least));
     const Level wood = level_leaving_out(kind.wood_left_out_m, allowed_m);
     how.wood_level = wood.at;
     how.to_coarser = wood.to_coarser;
@@ -190,9 +193,11 @@ Closeness closeness(const Kind& kind, float height_px, float fineness, float loo
         how.mass_level = mass.at;
         how.mass_to_coarser = mass.to_coarser;
         how.merged = merged;
-        // The stem behind it is at its coarsest, which becomes nothing coarser.
-        if (how.wood_level < kind.wood_triangles.size()) how.wood_level = kind.wood_triangles.size() - 1;
-        how.to_coarser = widened(kind, m_a_px);
+        // The stem behind it is at its coarsest, which becomes nothing coarser. Strokes hide none.
+        if (!kind.are_slivers) {
+            if (how.wood_level < kind.wood_triangles.size()) how.wood_level = kind.wood_triangles.size() - 1;
+            how.to_coarser = widened(kind, m_a_px);
+        }
         wanted_blades *= 1 - kLeavesMerged * kind.massed * merged;
         how.enlarged = enlarged_by(wanted_blades);
         wanted_blades *= 1 - shards;

@@ -117,6 +117,28 @@ void add(scene::CrownMass& mass, const Spray& spray, const std::array<glm::vec3,
     }
 }
 
+// A level like that one but for its sprays, which are fewer; after it.
+void insert_sparser(std::vector<scene::CrownMass>& masses, std::vector<std::size_t>& counts, std::size_t level,
+                    std::size_t sprays) {
+    const auto after = static_cast<std::ptrdiff_t>(level + 1);
+    scene::CrownMass sparser = masses[level];
+    masses[level].coarser_m = sparser.mesh.positions_m;
+    masses.insert(masses.begin() + after, std::move(sparser));
+    counts.insert(counts.begin() + after, sprays);
+}
+
+// Of two levels of which the next has far fewer triangles, one of half the sprays stands between: else a crown of a
+// size between them would be drawn as the coarser one, a lump without leaves. The last has but a few.
+void fill_gaps(std::vector<scene::CrownMass>& masses, std::vector<std::size_t>& counts) {
+    constexpr std::size_t kGap = 3;
+    if (counts.back() > 2 * kFewest) insert_sparser(masses, counts, masses.size() - 1, kFewest);
+    for (std::size_t level = 0; level + 1 < masses.size(); ++level) {
+        const auto all = [&](std::size_t of) { return masses[of].mesh.triangle_count() + counts[of]; };
+        if (counts[level] >= 2 * kFewest && all(level) >= kGap * all(level + 1))
+            insert_sparser(masses, counts, level, counts[level] / 2);
+    }
+}
+
 }  // namespace
 
 void add_fringe(std::vector<scene::CrownMass>& masses) {
@@ -128,12 +150,7 @@ void add_fringe(std::vector<scene::CrownMass>& masses) {
         const bool has_all = mesh::pieces_of(mass.mesh).size() == clumps;
         counts.push_back(has_all && own >= kFewestTriangles ? kPerTriangle * own : 0);
     }
-    if (counts.back() > 2 * kFewest) {
-        masses.back().coarser_m = masses.back().mesh.positions_m;
-        masses.push_back(masses.back());
-        masses.back().coarser_m.clear();
-        counts.push_back(kFewest);
-    }
+    fill_gaps(masses, counts);
     if (counts.front() == 0) return;
     const std::vector<Spray> sprays = sprays_of(masses.front(), counts.front());
     const float crown_m2 = areas_up_to(masses.front().mesh).back();

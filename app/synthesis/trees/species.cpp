@@ -118,7 +118,10 @@ void give_crown(const TreeSkeleton& skeleton, const Form& f, FoliageOptions& fol
     const bool has_spines = k.own_leaf == LeafKind::Spines;  // its limbs are what is seen of it
     if (!k.is_rosette && !has_spines) species.masses = masses_of(species.leaves);
     add_fringe(species.masses);
-    if (species.leaves.blades > 0 && !has_spines) add_spindle(species.wood, species.height_m, species.trunk_radius_m);
+    if (k.is_rosette)
+        add_column(species.wood, skeleton.limbs.front());
+    else if (species.leaves.blades > 0 && !has_spines)
+        add_spindle(species.wood, species.height_m, species.trunk_radius_m);
     set_coarser(species.wood, species.trunk_radius_m);
     mix_in(species.leaves, climber);
     mix_in(species.leaves, twigs);

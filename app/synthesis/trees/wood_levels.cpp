@@ -227,6 +227,28 @@ void add_spindle(std::vector<scene::Wood>& levels, float height_m, float radius_
     levels.push_back(std::move(wood));
 }
 
+void add_column(std::vector<scene::Wood>& levels, const Limb& trunk) {
+    scene::Wood wood;
+    resize_vertices(wood, 6);
+    const float radius_m = trunk.nodes.front().radius_m;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const bool is_top = i >= 3;
+        const float turn = 2.0944F * static_cast<float>(i % 3);
+        const glm::vec3 outward{std::cos(turn), 0, -std::sin(turn)};
+        const Limb::Node& node = is_top ? trunk.nodes.back() : trunk.nodes.front();
+        const float off_m = is_top ? std::max(node.radius_m, 0.5F * radius_m) : 1.15F * radius_m;
+        wood.mesh.positions_m[i] = node.at_m + off_m * outward;
+        wood.mesh.normals[i] = outward;
+        wood.mesh.texcoords[i] = {1.4F * off_m, node.at_m.y};
+        wood.grains[i] = {0, 1, 0, 1};
+        wood.ages[i] = is_top ? 0.6F : 0;
+        wood.sways[i] = is_top ? 0.3F : 0;
+    }
+    wood.mesh.indices = {0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4, 2, 0, 5, 0, 3, 5, 0, 2, 1, 3, 4, 5};
+    wood.left_out_m = std::max(2 * radius_m, kLeastStep * levels.back().left_out_m);
+    levels.push_back(std::move(wood));
+}
+
 void set_coarser(std::vector<scene::Wood>& levels, float trunk_radius_m) {
     for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
         scene::Wood& wood = levels[level];

@@ -90,9 +90,17 @@ TEST(CrownFringe, StandsOffTheMassAndIsGoneWithIt) {
     const float crown_m2 = area_of(bare.front().mesh);
     float before_m2 = 2.1F * crown_m2;
     ASSERT_GE(masses.size(), bare.size());
-    for (std::size_t level = 0; level < bare.size(); ++level) {
+    std::size_t of_bare = 0;  // of which there are several with ever fewer sprays
+    for (std::size_t level = 0; of_bare < bare.size(); ++level) {
+        ASSERT_LT(level, masses.size());
         const scene::CrownMass& mass = masses[level];
-        EXPECT_EQ(mass.mesh.triangle_count(), bare[level].mesh.triangle_count() + mass.sprays);
+        const std::size_t own = mass.mesh.triangle_count() - mass.sprays;
+        EXPECT_EQ(own, bare[of_bare].mesh.triangle_count());
+        if (level + 1 == masses.size() || masses[level + 1].mesh.triangle_count() - masses[level + 1].sprays < own)
+            ++of_bare;
+        if (level + 1 < masses.size() && mass.sprays >= 48) {
+            EXPECT_GE(4 * masses[level + 1].mesh.triangle_count(), mass.mesh.triangle_count()) << "a gap";
+        }
         EXPECT_EQ(mass.coarser_m.empty(), level + 1 == masses.size());
         mesh::Mesh fringe = mass.mesh;
         fringe.indices.erase(fringe.indices.begin(), fringe.indices.end() - static_cast<long>(3 * mass.sprays));
@@ -101,7 +109,8 @@ TEST(CrownFringe, StandsOffTheMassAndIsGoneWithIt) {
         const float covered_m2 = area_of(fringe);
         EXPECT_LT(covered_m2, 1.05F * before_m2) << level;
         EXPECT_GT(covered_m2, std::min(1.5F, 0.008F * static_cast<float>(mass.sprays)) * crown_m2) << level;
-        EXPECT_LT(covered_m2, 0.018F * crown_m2 * static_cast<float>(mass.sprays)) << level;
+        const float largest = mass.sprays > 24 ? 0.018F : 0.04F;
+        EXPECT_LT(covered_m2, largest * crown_m2 * static_cast<float>(mass.sprays)) << level;
         before_m2 = covered_m2;
         for (std::size_t i = 0; i < fringe.indices.size(); i += 3) {
             const auto corner = [&](std::size_t k) { return fringe.positions_m[fringe.indices[i + k]]; };
