@@ -6,10 +6,11 @@
 #include "common/mirror.glsl"
 
 layout(binding = 0) uniform sampler2D ground;   // a: how deep the water over it looks, 0 to 1
-layout(binding = 1) uniform sampler2D ripples;  // r: slope, 0.5 is level
+layout(binding = 1) uniform sampler2D ripples;  // r: slope, 0.5 is level; g: the same of gusts, which go with the wind
 layout(binding = 2) uniform sampler2D picture;  // rgb: shown, of what is mirrored
 
 in vec2 over_land;
+in float drifted;
 in vec3 before;
 in vec3 mirrored;
 in float glitter;
@@ -19,11 +20,12 @@ flat in float turn;  // how much of the second is shown
 layout(location = 0) out vec4 pixel;
 
 void main() {
-    float slope = mix(texture(ripples, carried.xy).r, texture(ripples, carried.zw).r, turn) * 2.4 - 1.2;
     float deep = texture(ground, over_land).a;
+    float slope = mix(texture(ripples, carried.xy).r, texture(ripples, carried.zw).r, turn) +
+                  texture(ripples, vec2(drifted, over_land.y)).g;  // 1: level
     // A ripple that leans away shows what is higher, and more of it; one that leans just so, the sun.
     vec3 sky = texture(picture, vec2(mirrored.x, slope * mirror.ripple.x + mirrored.y)).rgb;
-    float share = mirrored.z + slope * 0.05 + exp2(slope * mirror.ripple.y + glitter);
+    float share = (slope + 1.0) * mirrored.z + exp2(slope * mirror.ripple.y + glitter);
     float foam = max(white - deep * 13.0, 0.0) * view.mirrored.w;
     // The bed shows through where it is near, and at the very shore there is only a film. The target clamps.
     pixel = vec4(sky * share + before + foam, deep * 1.4 + (min(deep * 14.0, 0.25) + foam));

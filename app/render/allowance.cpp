@@ -27,9 +27,9 @@ constexpr std::array kTable{
     //           entry                      name                       of               alpha 1  below   above   least  most
     AllowanceRow{&A::triangles,              "triangles",              Of::Frame,         240'000,  0.80F,  1.0F},
     AllowanceRow{&A::fewest_plant_triangles, "fewest plant triangles", Of::Frame,         140'000,  0.80F,  1.0F, 56'000},
-    AllowanceRow{&A::land_triangles,         "land triangles",         Of::SharedByViews,  24'000,  0.75F,  1.0F, 16'000},
+    AllowanceRow{&A::land_triangles,         "land triangles",         Of::SharedByViews,  24'000,  0.75F,  1.0F, 20'000},
     AllowanceRow{&A::surround_triangles,     "surround triangles",     Of::SharedByViews,  24'000,  0.75F,  1.0F, 19'000},
-    AllowanceRow{&A::land_error_px,          "land error",             Of::View,             2.4F, -0.80F, -0.5F, 0,     5.5F},
+    AllowanceRow{&A::land_error_px,          "land error",             Of::View,             2.4F, -0.80F, -0.5F, 0,     3.6F},
     AllowanceRow{&A::surround_error_px,      "surround error",         Of::View,             1.3F, -0.80F, -0.5F, 0,     3.0F},
     AllowanceRow{&A::stone_error_px,         "stone error",            Of::View,             1.2F, -0.50F, -0.5F},
     AllowanceRow{&A::grain,                  "grain",                  Of::View,                1,  0.50F,  0.0F},

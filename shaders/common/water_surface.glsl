@@ -4,13 +4,15 @@
 #include "common/mirror.glsl"
 
 out vec2 over_land;
+out float drifted;  // where the gusts that are here now were over the land, eastward
 out vec3 before;    // shown, the air and the water's own colour, weighted
-out vec3 mirrored;  // xy: in the mirrored picture; z: its share
-out float glitter;  // how bright the sun is in level water, as a power of two
+out vec3 mirrored;  // xy: in the mirrored picture; z: half its share; xy where water.frag's slope is 0
+out float glitter;  // how bright the sun is in water of that slope, as a power of two
 out float white;    // from how deep water on there is no foam: at the sea's shore some, in a fall's all of it
 
 void show_water(vec3 at_m, float foams) {
     white = foams;
+    drifted = at_m.x * view.scales.x - view.eye_seconds.w * 0.0008;
     gl_Position = view.clip_from_world * vec4(at_m, 1.0);
     over_land = at_m.xz * view.scales.x + 0.5;
 
@@ -22,11 +24,13 @@ void show_water(vec3 at_m, float foams) {
     float clear = 1.0 - haze.a;
     vec3 own = view.shallow_water.rgb + view.deepening.rgb;
     before = haze.rgb * haze.a + own * ((1.0 - reflected) * clear);
-    mirrored = vec3(in_mirror(at_m, away), reflected * clear * view.to_sun.w);
+    mirrored = vec3(in_mirror(at_m, away), 0.5 * reflected * clear * view.to_sun.w);
+    mirrored.y -= mirror.ripple.x;
     // Gusts roughen some of the water and leave some of it smooth.
     vec2 gust = at_m.xz * 0.045 + view.eye_seconds.w * vec2(0.05, 0.03);
     float rough = sin(gust.x + 1.7 * sin(gust.y)) + sin(1.9 * gust.y - 0.7 * gust.x) + 0.6 * sin(3.1 * gust.x + gust.y);
     // It is many times as bright as the sky that it is seen with, by night too.
     glitter = (dot(away, view.to_sun.xyz) - 1.0) * mirror.ripple.z - mirror.ripple.w +
-              log2(clear * min(view.sunlight.g, 1.0) / max(view.haze_colour.g, 0.08) + 1e-4) + 1.2 * rough - 1.0;
+              log2(clear * min(view.sunlight.g, 1.0) / max(view.haze_colour.g, 0.08) + 1e-4) + 1.2 * rough - 1.0 -
+              mirror.ripple.y;
 }

@@ -17,6 +17,7 @@ constexpr float kStem_px = 6;          // high; of a smaller tree with leaves it
 constexpr float kStemWidth_px = 1.3F;  // at least
 constexpr float kWidenedAt = 1.6F;     // times as far away as where the coarsest wood begins
 constexpr float kBareStem_px = 0.7F;   // where no crown joins it: a dead wood is no palisade
+constexpr float kThinTrunk_px = 0.8F;  // its radius; of a leafless crown that is thinner the stem is widened
 constexpr float kStandsFrom_px = 44;   // high; larger ones stand for themselves
 constexpr float kStandsTo_px = 24;
 constexpr float kMassStandsFrom_px = 22;
@@ -53,9 +54,9 @@ constexpr float kLeaving = 1.5F;    // a level begins to become the next with so
 constexpr float kLimb_px = 1.3F;    // as thick are limbs that begin to be missed
 constexpr float kShape_px = 11;     // a shorter blade shows no more than that it is one
 constexpr float kFewestNear = 360;  // blades, of a crown near by,
-constexpr float kFewestNearShare = 0.45F;  // or this share of all
-constexpr float kWoodNear = 0.12F;          // and has limbs that bear them, as with this fineness
-constexpr float kNearFrom_px = 280;        // as high, and more so than it is where it is large on the screen
+constexpr float kFewestNearShare = 0.7F;  // or this share of all
+constexpr float kWoodNear = 0.3F;         // and has limbs that bear them, as with this fineness
+constexpr float kNearFrom_px = 280;       // as high, and more so than it is where it is large on the screen
 constexpr float kNearTo_px = 500;
 
 float nearness(float height_px, float looked_at) {
@@ -194,7 +195,7 @@ Closeness closeness(const Kind& kind, float height_px, float fineness, float loo
         how.mass_to_coarser = mass.to_coarser;
         how.merged = merged;
         // The stem behind it is at its coarsest, which becomes nothing coarser. Strokes hide none.
-        if (!kind.are_slivers) {
+        if (!kind.are_slivers || kind.trunk_m < kThinTrunk_px * m_a_px) {
             if (how.wood_level < kind.wood_triangles.size()) how.wood_level = kind.wood_triangles.size() - 1;
             how.to_coarser = widened(kind, m_a_px);
         }

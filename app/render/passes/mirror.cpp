@@ -49,7 +49,7 @@ glm::vec3 light_at(const scene::Scene& scene, int x, int y) {
 
 glm::vec4 ripple_block(float ripple) {
     const float rough = 0.22F + 0.78F * ripple;
-    return {0.010F + 0.055F * ripple, 17.0F * rough, 70.0F / rough, 2.8F * rough};
+    return {0.024F + 0.132F * ripple, 41.0F * rough, 70.0F / rough, 2.8F * rough};
 }
 
 void add_mirror(gl::Slices& slices, MirrorOnGpu& mirror, const std::shared_ptr<gl::TexturePool>& pool,

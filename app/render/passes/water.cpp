@@ -78,8 +78,10 @@ struct Wave {
     float steepness;
 };
 
-std::array<Wave, kWaves> waves() {
-    std::array<Wave, kWaves> all{};
+using Waves = std::array<Wave, kWaves>;
+
+Waves ripple_waves() {
+    Waves all{};
     for (std::uint64_t i = 0; i < kWaves; ++i) {
         base::RandomStream stream{base::Seed{0x52'69'70'70'6c'65}.child(i)};
         // Of half a metre to four: a few longer ones would show as the tile's own lattice.
@@ -102,9 +104,27 @@ std::vector<glm::vec2> turned_along(float turns, float phase) {
     return along;
 }
 
-mesh::Image ripple_slopes() {
+// Where the wind comes down on the water: streaks along it, many times as long as ripples, and within them finer ones.
+Waves gust_waves() {
+    constexpr float kLongest = 6;  // turns over the tile, which is the land's
+    constexpr float kShortest = 180;
+    Waves all{};
+    for (std::uint64_t i = 0; i < kWaves; ++i) {
+        base::RandomStream stream{base::Seed{0x67'75'73'74}.child(i)};
+        const float turns = kLongest * std::pow(kShortest / kLongest, stream.unit_f());
+        // Across the wind they change sooner than along it.
+        const float bearing = 2.0F + 0.55F * stream.normal();
+        all[i].turns = {std::round(turns * std::cos(bearing)), 1 + std::round(turns * std::sin(bearing))};
+        all[i].phase = 6.2832F * stream.unit_f();
+        all[i].steepness = 0.8F / std::pow(std::max(glm::length(all[i].turns), 1.0F), 0.35F);
+    }
+    return all;
+}
+
+// By rows.
+std::vector<float> slopes_of(const Waves& waves) {
     std::vector<float> sums(static_cast<std::size_t>(kRippleSide) * kRippleSide);
-    for (const Wave& wave : waves()) {
+    for (const Wave& wave : waves) {
         const auto across = turned_along(wave.turns.x, wave.phase);
         const auto down = turned_along(wave.turns.y, 0);
         for (std::size_t y = 0; y < down.size(); ++y) {
@@ -113,8 +133,17 @@ mesh::Image ripple_slopes() {
             for (std::size_t x = 0; x < across.size(); ++x) row[x] += across[x].x * d.x - across[x].y * d.y;
         }
     }
-    mesh::Image image(kRippleSide, kRippleSide, 1);
-    for (std::size_t i = 0; i < sums.size(); ++i) image.bytes[i] = unsigned_byte(0.5F + 0.15F * sums[i]);
+    return sums;
+}
+
+mesh::Image ripples_and_gusts() {
+    const std::vector<float> ripples = slopes_of(ripple_waves());
+    const std::vector<float> gusts = slopes_of(gust_waves());
+    mesh::Image image(kRippleSide, kRippleSide, 2);
+    for (std::size_t i = 0; i < ripples.size(); ++i) {
+        image.bytes[2 * i] = unsigned_byte(0.5F + 0.15F * ripples[i]);
+        image.bytes[2 * i + 1] = unsigned_byte(0.5F + 0.225F * gusts[i]);
+    }
     return image;
 }
 
@@ -185,9 +214,8 @@ WaterPass::WaterPass()
     sectors_ = Sectors(std::move(ways), indices.size() / kSectors);
     gl::Slices slices;
     gl::TextureShape shape;
-    shape.channels = 1;
     shape.wrap_s = shape.wrap_t = gl::Wrap::Repeat;
-    gl::add_picture(slices, ripples_, std::make_shared<mesh::Image>(ripple_slopes()), shape);
+    gl::add_picture(slices, ripples_, std::make_shared<mesh::Image>(ripples_and_gusts()), shape);
     while (!slices.advance(std::size_t{1} << 20U)) continue;
 }
 
