@@ -209,7 +209,7 @@ Closeness closeness(const Kind& kind, float height_px, float fineness, float loo
     how.stand = std::clamp(wanted_blades / fewest, least_stand(height_px), 1.0F);
     how.stand = std::max(how.stand, how.merged * least_stand_of_masses(height_px));
     how.is_plain = kind.triangles_per_plain_blade > 0 &&
-                   blade_px * std::sqrt(std::sqrt(std::max(fineness / how.share, near))) < kShape_px;
+                   blade_px * std::sqrt(std::sqrt(std::max(std::max(fineness, least) / how.share, near))) < kShape_px;
     return how;
 }
 
