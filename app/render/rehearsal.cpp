@@ -111,7 +111,7 @@ scene::Flora tree() {
 
 scene::Sky rainy_night() {
     scene::Sky sky;
-    sky.disc.picture = picture(1);
+    sky.disc.picture = picture(2);
     sky.stars.push_back({{0, 0.6F, -0.8F}, 1});
     for (scene::CloudLayer& layer : sky.clouds) layer.density = layer.lit = picture(1);
     sky.precipitation.kind = scene::Precipitation::Kind::Rain;

@@ -121,7 +121,8 @@ passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, f
     const scene::Mist& mist = sky.mist;
     b.mist = {kLog2E * mist.per_m, air.floor_m + mist.level_m, kLog2E / mist.depth_m,
               7.0F + 0.005F * sky.haze_distance_m};
-    b.disc = {encode(sky.disc.colour * left), sky.disc.radius_rad};
+    // However long the night is exposed: its moon is no white disc.
+    b.disc = {encode(sky.disc.colour * std::min(left, kept(view.dim))), sky.disc.radius_rad};
     b.glare = {sky.glare * kept_shown, 0.20F * sky.bow * kept_shown};
     set_water(b, air, left);
     set_clouds(b, view, left, seconds);

@@ -70,7 +70,7 @@ class Dome {
 
 // The sun's disc, or the moon's.
 struct Disc {
-    mesh::Image picture;  // one channel: light, 0 outside the disc
+    mesh::Image picture;  // r: light; g: how much of the sky behind it it hides; both 0 outside the disc
     glm::vec3 colour{1};
     float radius_rad = 0.0105F;  // of the picture's half side
     friend bool operator==(const Disc&, const Disc&) = default;

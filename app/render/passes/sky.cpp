@@ -290,10 +290,12 @@ gl::Work SkyPass::draw_lights(const SkyOnGpu& sky, int height_px, float share_of
     }
     if (sky.has_disc) {
         disc_.use();
+        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // what hides the sky hides one that is added later, too
         sky.disc.bind(2);
         disc_vertices_.bind();
         disc_vertices_.feed(0, disc_corners_.name());
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+        glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
         work += {1, 2, 4};
     }
     if (sky.bow > 0) {

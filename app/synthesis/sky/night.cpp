@@ -14,18 +14,25 @@ namespace {
 
 std::uint8_t byte_of(float unit) { return static_cast<std::uint8_t>(255.0F * std::clamp(unit, 0.0F, 1.0F) + 0.5F); }
 
+struct OnDisc {
+    float light;
+    float hides;
+};
+
 // Calls with each pixel's place, -1 to 1 from the picture's middle; the disc fills nine tenths of it.
-template <typename Light>
-mesh::Image disc_picture(int side_px, const Light& light) {
+template <typename Look>
+mesh::Image disc_picture(int side_px, const Look& look) {
     constexpr float kFilled = 0.9F;
-    mesh::Image picture(side_px, side_px, 1);
+    mesh::Image picture(side_px, side_px, 2);
     const float per_px = 2.0F / (kFilled * static_cast<float>(side_px));
     for (int y = 0; y < side_px; ++y) {
         for (int x = 0; x < side_px; ++x) {
             const glm::vec2 at{(static_cast<float>(x) + 0.5F) * per_px - 1.0F / kFilled,
                                1.0F / kFilled - (static_cast<float>(y) + 0.5F) * per_px};
             const float edge = std::clamp((1.0F - glm::length(at)) / (2.0F * per_px) + 0.5F, 0.0F, 1.0F);
-            *picture.pixel(x, y) = byte_of(edge * light(at));
+            const OnDisc seen = look(at);
+            picture.pixel(x, y)[0] = byte_of(edge * seen.light);
+            picture.pixel(x, y)[1] = byte_of(edge * seen.hides);
         }
     }
     return picture;
@@ -53,7 +60,7 @@ glm::vec3 in_the_band(base::RandomStream& random, float tilt_rad) {
 mesh::Image sun_picture(int side_px) {
     return disc_picture(side_px, [](const glm::vec2& at) {
         const float cosine = std::sqrt(std::max(1.0F - glm::dot(at, at), 0.0F));
-        return 0.4F + 0.6F * cosine;  // limb darkening
+        return OnDisc{0.4F + 0.6F * cosine, 0};  // limb darkening; its light comes on top of the sky's
     });
 }
 
@@ -65,8 +72,9 @@ mesh::Image moon_picture(int side_px, float phase, base::Seed seed) {
         const float rim = std::sqrt(std::max(1.0F - at.y * at.y, 0.0F));
         const float day = std::clamp(0.5F + (at.x - terminator * rim) * 9.0F, 0.0F, 1.0F);
         const float seas = noise::fbm(key, 1.9F * at.x + 5.0F, 1.9F * at.y + 5.0F, {.count = 4, .gain = 0.5F});
-        const float ground = 0.88F - 0.36F * std::clamp(3.2F * seas, 0.0F, 1.0F);
-        return ground * (0.045F + 0.955F * day);
+        const float ground = 1.0F - 0.26F * std::clamp(3.2F * seas, 0.0F, 1.0F);
+        // Added to a sky that it lights up itself, its seas would be as white as all else.
+        return OnDisc{ground * (0.045F + 0.955F * day), day};
     });
 }
 

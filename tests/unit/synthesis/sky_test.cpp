@@ -285,12 +285,36 @@ TEST(Moon, ShowsTheShareOfItsDiscThatIsLit) {
         const mesh::Image moon = moon_picture(128, phase, base::Seed{1});
         double lit = 0;
         double disc = 0;
-        for (const std::uint8_t b : moon.bytes) {
+        for (std::size_t i = 0; i < moon.bytes.size(); i += 2) {
+            const std::uint8_t b = moon.bytes[i];
             lit += b > 70 ? 1 : 0;
             disc += b > 0 ? 1 : 0;
         }
         EXPECT_NEAR(lit / disc, phase, 0.06) << phase;
     }
+}
+
+TEST(Moon, HidesTheSkyBehindItsLitPartAndTheSunDoesNot) {
+    const mesh::Image half = moon_picture(128, 0.5F, base::Seed{1});
+    EXPECT_EQ(half.pixel(96, 64)[1], 255);
+    EXPECT_LT(half.pixel(32, 64)[1], 5);
+    EXPECT_EQ(half.pixel(1, 1)[1], 0);
+    const mesh::Image sun = sun_picture(64);
+    for (std::size_t i = 1; i < sun.bytes.size(); i += 2) ASSERT_EQ(sun.bytes[i], 0);
+}
+
+TEST(Moon, HasSeas) {
+    const mesh::Image full = moon_picture(128, 1, base::Seed{1});
+    std::uint8_t darkest = 255;
+    std::uint8_t lightest = 0;
+    for (int y = 40; y < 88; ++y) {
+        for (int x = 40; x < 88; ++x) {
+            darkest = std::min(darkest, full.pixel(x, y)[0]);
+            lightest = std::max(lightest, full.pixel(x, y)[0]);
+        }
+    }
+    EXPECT_GT(lightest, 245);
+    EXPECT_LT(darkest, 210);
 }
 
 TEST(Stars, ComeOnlyByNightAndThreeTimesAsManyForEachMagnitude) {
