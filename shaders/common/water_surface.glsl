@@ -31,6 +31,6 @@ void show_water(vec3 at_m, float foams) {
     float rough = sin(gust.x + 1.7 * sin(gust.y)) + sin(1.9 * gust.y - 0.7 * gust.x) + 0.6 * sin(3.1 * gust.x + gust.y);
     // It is many times as bright as the sky that it is seen with, by night too.
     glitter = (dot(away, view.to_sun.xyz) - 1.0) * mirror.ripple.z - mirror.ripple.w +
-              log2(clear * min(view.sunlight.g, 1.0) / max(view.haze_colour.g, 0.08) + 1e-4) + 1.2 * rough - 1.0 -
+              log2(clear * min(view.sunlight.g, 1.0) / max(view.haze_colour.g, 0.08) + 1e-4) + 1.2 * rough - 1.9 -
               mirror.ripple.y;
 }

@@ -30,7 +30,25 @@ std::shared_ptr<const scene::Scene> sea() {
     return scene;
 }
 
-class MirrorOnWater : public Gpu {};
+class MirrorOnWater : public Gpu {
+  protected:
+    mesh::Image drawn(const scene::Camera& camera) {
+        Renderer renderer;
+        const auto upload = renderer.begin_upload(sea());
+        while (!upload->advance(std::size_t{1} << 22U)) continue;
+        View view;
+        view.scene = upload->take();
+        view.camera = camera;
+        view.viewport = {0, 0, kSize.x, kSize.y};
+        Frame frame;
+        frame.size = kSize;
+        frame.framebuffer = canvas_.framebuffer;
+        frame.measured = {false, false, false, true, false};
+        frame.views = {view};
+        renderer.draw(frame);
+        return renderer.read_pixels(frame);
+    }
+};
 
 // Brightness of a row of pixels on average, from the nearest water to the farthest.
 std::vector<float> rows_of(const mesh::Image& picture) {
@@ -44,20 +62,7 @@ std::vector<float> rows_of(const mesh::Image& picture) {
 }
 
 TEST_F(MirrorOnWater, ShowsNoEdgeWhereTheShoreOfItsPictureIs) {
-    Renderer renderer;
-    const auto upload = renderer.begin_upload(sea());
-    while (!upload->advance(std::size_t{1} << 22U)) continue;
-    View view;
-    view.scene = upload->take();
-    view.camera = {{0, 30, 100}, {0, 0, -40}, 30};
-    view.viewport = {0, 0, kSize.x, kSize.y};
-    Frame frame;
-    frame.size = kSize;
-    frame.framebuffer = canvas_.framebuffer;
-    frame.measured = {false, false, false, true, false};
-    frame.views = {view};
-    renderer.draw(frame);
-    const std::vector<float> rows = rows_of(renderer.read_pixels(frame));
+    const std::vector<float> rows = rows_of(drawn({{0, 30, 100}, {0, 0, -40}, 30}));
     // Toward the shore what it mirrors is lower and lower, and beyond it no higher again, but for gusts.
     constexpr float kGust = 3;
     const auto brightest = std::max_element(rows.begin() + 8, rows.begin() + 40);
@@ -65,6 +70,23 @@ TEST_F(MirrorOnWater, ShowsNoEdgeWhereTheShoreOfItsPictureIs) {
     for (auto row = brightest + 1; row < brightest + 20; ++row)
         EXPECT_LT(*row, *(row - 1) + kGust) << row - rows.begin();
     EXPECT_LT(*(brightest + 20), 0.85F * *brightest);
+}
+
+// Ripples are finer than a pixel there: without gusts a lake would be a flat plate.
+TEST_F(MirrorOnWater, GustsAreSeenFromAfar) {
+    const mesh::Image picture = drawn({{0, 60, 700}, {0, 0, 100}, 30});
+    int flat = 0;
+    int rows = 0;
+    for (int row = picture.height / 2; row < picture.height; ++row, ++rows) {
+        int least = 255;
+        int most = 0;
+        for (int x = 0; x < picture.width; ++x) {
+            least = std::min<int>(least, picture.pixel(x, row)[1]);
+            most = std::max<int>(most, picture.pixel(x, row)[1]);
+        }
+        flat += most - least < 8;
+    }
+    EXPECT_LT(flat, rows / 10);
 }
 
 }  // namespace
