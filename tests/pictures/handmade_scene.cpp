@@ -353,7 +353,9 @@ void bake(scene::Scene& scene) {
 std::shared_ptr<const scene::Scene> handmade_scene(Hour hour, Ground ground) {
     auto scene = std::make_shared<scene::Scene>();
     scene->flora = flora(ground);
-    scene->land = land(ground);
+    const auto country = land(ground);
+    if (hour == Hour::Snow) country->snow_line_m = 0;  // above it snow falls
+    scene->land = country;
     scene->sky = sky(hour);
     plant(*scene);
     bake(*scene);
