@@ -121,7 +121,7 @@ passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, f
     const scene::Mist& mist = sky.mist;
     b.mist = {kLog2E * mist.per_m, air.floor_m + mist.level_m, kLog2E / mist.depth_m,
               7.0F + 0.005F * sky.haze_distance_m};
-    // However long the night is exposed: its moon is no white disc.
+    // However long a picture is exposed, its sun or moon is not: a moon would be a white disc.
     b.disc = {encode(sky.disc.colour * std::min(left, kept(view.dim))), sky.disc.radius_rad};
     b.glare = {sky.glare * kept_shown, 0.20F * sky.bow * kept_shown};
     set_water(b, air, left);

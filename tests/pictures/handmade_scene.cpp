@@ -242,7 +242,7 @@ scene::CloudLayer clouds(float tile_m, float height_m, float cover, const Palett
 }
 
 mesh::Image disc() {
-    mesh::Image picture(32, 32, 1);
+    mesh::Image picture(32, 32, 2);
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 32; ++x)
             *picture.pixel(x, y) =

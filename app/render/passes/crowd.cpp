@@ -2,8 +2,8 @@
 #include "render/passes/crowd.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -216,15 +216,16 @@ void find_hidden(std::span<const scene::Plant> plants, std::span<const Kind> kin
 
 // Continuous in what each plant is worth: none becomes a subject, or ceases to be one, from one frame to the next.
 void find_subjects(std::span<const Kind> kinds, Sight& sight) {
-    std::vector<Seen*> trees;
-    for (Seen& seen : sight.seen)
-        if (kinds[seen.species].height_m >= kLowPlant_m) trees.push_back(&seen);
-    const std::size_t largest = std::min(kSubjects + 1, trees.size());
-    std::ranges::partial_sort(trees, trees.begin() + static_cast<std::ptrdiff_t>(largest), std::greater{},
-                              [](const Seen* seen) { return seen->worth_px; });
-    const float next_px = largest > kSubjects ? trees[kSubjects]->worth_px : 0;
-    for (std::size_t i = 0; i < std::min(kSubjects, trees.size()); ++i) {
-        Seen& seen = *trees[i];
+    std::array<Seen*, kSubjects + 1> largest{};  // largest first
+    for (Seen& seen : sight.seen) {
+        if (kinds[seen.species].height_m < kLowPlant_m) continue;
+        Seen* smaller = &seen;
+        for (Seen*& place : largest)
+            if (smaller && (!place || place->worth_px < smaller->worth_px)) std::swap(place, smaller);
+    }
+    const float next_px = largest.back() ? largest.back()->worth_px : 0;
+    for (std::size_t i = 0; i < kSubjects && largest[i]; ++i) {
+        Seen& seen = *largest[i];
         seen.looked_at = between(kSubjectFrom * next_px, kSubjectTo * next_px + 1e-3F, seen.worth_px) *
                          between(kSubjectFrom_px, kSubjectTo_px, seen.worth_px);
     }

@@ -243,8 +243,11 @@ Form form_of(const scene::TreeParameters& p, Rank rank) {
     f.colours.autumn = festive(own.autumn);
     f.colours.blossom = blossom_colour(p.tree_blossom_hue);
     f.colours.fruit = fruit_colour(p.tree_fruit_hue);
-    f.bark =
-        glm::clamp(no_redder(scene::shifted_colour(tinted(wear.bark, k.bark_tint), own.bark_lightness)), 0.0F, 0.85F);
+    // What has a skin of its own colour keeps it: as light as a birch, or as grey as barks are, a cactus is a ghost.
+    const bool is_own = k.bark_tint.share >= 1;
+    const float bark_lightness = is_own ? std::clamp(own.bark_lightness, 0.7F, 1.1F) : own.bark_lightness;
+    const glm::vec3 bark = scene::shifted_colour(tinted(wear.bark, k.bark_tint), bark_lightness);
+    f.bark = glm::clamp(is_own ? bark : no_redder(bark), 0.0F, 0.85F);
     return f;
 }
 

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
-#include "scene/colour.hpp"
 #include "synthesis/trees/bare_twigs.hpp"
 #include "synthesis/trees/bark.hpp"
 #include "synthesis/trees/crown_fringe.hpp"
@@ -165,11 +163,7 @@ scene::Species species_of(TreeSkeleton skeleton, const Form& f, base::Seed seed)
         species.crown_radius_m = std::max(species.crown_radius_m, 0.8F * foliage.length_m);
         species.height_m += 0.3F * foliage.length_m;
     }
-    // A cactus has a green skin, whatever barks are here.
-    constexpr float kSkin = 0.72F;
-    constexpr std::uint32_t kGreenSkin = 0x566F42;
-    species.bark_colour =
-        is_all_limbs ? scene::mix_colours(f.bark, scene::linear_from_srgb_hex(kGreenSkin), kSkin) : f.bark;
+    species.bark_colour = f.bark;
     const Bark bark = k.own_bark.value_or(static_cast<Bark>(f.bark_kind));
     species.bark = bark_picture(bark_relief(bark, seed.child("bark"), kBarkSide), f.bark_depth);
     if (species.leaves.blades > 0) species.leaf = leaf_picture(f.leaf, seed.child("leaf"));

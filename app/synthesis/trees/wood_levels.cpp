@@ -207,46 +207,57 @@ std::vector<scene::Wood> wood_levels(const TreeSkeleton& skeleton, float barenes
     return levels;
 }
 
+namespace {
+
+constexpr float kFlare = 1.15F;  // of a coarsest stem's foot, to the trunk's radius
+
+// One of three about a coarsest stem, or its tip. around_m: across its bark.
+void set_stem_vertex(scene::Wood& wood, std::size_t i, const glm::vec3& at_m, const glm::vec3& outward, float around_m,
+                     bool is_top) {
+    wood.mesh.positions_m[i] = at_m;
+    wood.mesh.normals[i] = outward;
+    wood.mesh.texcoords[i] = {around_m, at_m.y};
+    wood.grains[i] = {0, 1, 0, 1};
+    wood.ages[i] = is_top ? 0.6F : 0;
+    wood.sways[i] = is_top ? 0.3F : 0;
+}
+
+glm::vec3 third_of_turn(std::size_t i) {
+    const float turn = 2.0944F * static_cast<float>(i);
+    return {std::cos(turn), 0, -std::sin(turn)};
+}
+
+void add_coarsest(std::vector<scene::Wood>& levels, scene::Wood wood, float radius_m) {
+    wood.left_out_m = std::max(2 * radius_m, kLeastStep * levels.back().left_out_m);
+    levels.push_back(std::move(wood));
+}
+
+}  // namespace
+
 void add_spindle(std::vector<scene::Wood>& levels, float height_m, float radius_m) {
     scene::Wood wood;
     resize_vertices(wood, 4);
-    for (std::size_t i = 0; i < 4; ++i) {
-        const bool is_top = i == 3;
-        const float turn = 2.0944F * static_cast<float>(i);
-        const glm::vec3 outward = is_top ? glm::vec3{0, 1, 0} : glm::vec3{std::cos(turn), 0, -std::sin(turn)};
-        const float up_m = is_top ? 0.85F * height_m : 0;
-        wood.mesh.positions_m[i] = is_top ? glm::vec3{0, up_m, 0} : outward * radius_m * 1.15F;
-        wood.mesh.normals[i] = outward;
-        wood.mesh.texcoords[i] = {is_top ? 0 : 1.4F * radius_m, up_m};
-        wood.grains[i] = {0, 1, 0, 1};
-        wood.ages[i] = is_top ? 0.6F : 0;
-        wood.sways[i] = is_top ? 0.3F : 0;
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+        set_stem_vertex(wood, i, third_of_turn(i) * radius_m * kFlare, third_of_turn(i), 1.4F * radius_m, false);
+    set_stem_vertex(wood, 3, {0, 0.85F * height_m, 0}, {0, 1, 0}, 0, true);
     wood.mesh.indices = {0, 1, 3, 1, 2, 3, 2, 0, 3, 0, 2, 1};
-    wood.left_out_m = std::max(2 * radius_m, kLeastStep * levels.back().left_out_m);
-    levels.push_back(std::move(wood));
+    add_coarsest(levels, std::move(wood), radius_m);
 }
 
 void add_column(std::vector<scene::Wood>& levels, const Limb& trunk) {
     scene::Wood wood;
     resize_vertices(wood, 6);
-    const float radius_m = trunk.nodes.front().radius_m;
-    for (std::size_t i = 0; i < 6; ++i) {
-        const bool is_top = i >= 3;
-        const float turn = 2.0944F * static_cast<float>(i % 3);
-        const glm::vec3 outward{std::cos(turn), 0, -std::sin(turn)};
-        const Limb::Node& node = is_top ? trunk.nodes.back() : trunk.nodes.front();
-        const float off_m = is_top ? std::max(node.radius_m, 0.5F * radius_m) : 1.15F * radius_m;
-        wood.mesh.positions_m[i] = node.at_m + off_m * outward;
-        wood.mesh.normals[i] = outward;
-        wood.mesh.texcoords[i] = {1.4F * off_m, node.at_m.y};
-        wood.grains[i] = {0, 1, 0, 1};
-        wood.ages[i] = is_top ? 0.6F : 0;
-        wood.sways[i] = is_top ? 0.3F : 0;
+    const Limb::Node& foot = trunk.nodes.front();
+    const Limb::Node& top = trunk.nodes.back();
+    const float foot_m = kFlare * foot.radius_m;
+    const float top_m = std::max(top.radius_m, 0.5F * foot.radius_m);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::vec3 outward = third_of_turn(i);
+        set_stem_vertex(wood, i, foot.at_m + foot_m * outward, outward, 1.4F * foot_m, false);
+        set_stem_vertex(wood, 3 + i, top.at_m + top_m * outward, outward, 1.4F * top_m, true);
     }
     wood.mesh.indices = {0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4, 2, 0, 5, 0, 3, 5, 0, 2, 1, 3, 4, 5};
-    wood.left_out_m = std::max(2 * radius_m, kLeastStep * levels.back().left_out_m);
-    levels.push_back(std::move(wood));
+    add_coarsest(levels, std::move(wood), foot.radius_m);
 }
 
 void set_coarser(std::vector<scene::Wood>& levels, float trunk_radius_m) {
