@@ -84,19 +84,19 @@ void add_grass(CoverMesh& to) {
         base::RandomStream& random = tufts.random();
         const glm::vec2 foot = tufts.foot(row);
         const glm::vec2 way = any_way(random);
-        const float width = random.between(0.045F, 0.075F);
+        const float width = random.between(0.065F, 0.11F);
         const float tone = random.between(0.86F, 1.14F);
         const glm::vec2 lean = random.between(0.10F, 0.45F) * any_way(random);
         tufts.begin(row);
         for (int k = 0; k <= kBladesARow; ++k) {
             const glm::vec2 out = width * (static_cast<float>(k) - 1.5F) * way;
-            tufts.vertex({foot.x, 0, foot.y}, {out.x, 0, out.y}, (k % 2 == 0 ? 0.50F : 0.58F) * tone);
+            tufts.vertex({foot.x, 0, foot.y}, {out.x, 0, out.y}, (k % 2 == 0 ? 0.44F : 0.50F) * tone);
         }
         for (int k = 0; k < kBladesARow; ++k) {
             const glm::vec2 out = width * (static_cast<float>(k) - 1) * way;
             const glm::vec2 tip = 0.88F * foot + lean + random.between(0.10F, 0.40F) * any_way(random);
             const float light = random.between(0.92F, 1.08F);
-            tufts.vertex({tip.x, random.between(0.55F, 1.1F), tip.y}, {out.x, 0, out.y}, 1.38F * tone * light);
+            tufts.vertex({tip.x, random.between(0.55F, 1.1F), tip.y}, {out.x, 0, out.y}, 1.5F * tone * light);
             tufts.triangle(k, k + 1, kBladesARow + 1 + k);
         }
     }
@@ -112,12 +112,12 @@ void add_cushion(CoverMesh& to) {
         const float dome = 1 - 0.75F * glm::dot(foot, foot);
         const glm::vec2 out = 0.30F * foot + 0.25F * any_way(random);
         const glm::vec2 way = any_way(random);
-        const glm::vec3 aside = random.between(0.10F, 0.17F) * glm::vec3{way.x, 0.35F * random.between(-1, 1), way.y};
+        const glm::vec3 aside = random.between(0.13F, 0.24F) * glm::vec3{way.x, 0.35F * random.between(-1, 1), way.y};
         const float tone = random.between(0.86F, 1.14F);
         tufts.begin(i);
-        tufts.vertex({foot.x, 0.35F * dome, foot.y}, -aside, 0.72F * tone);
-        tufts.vertex({foot.x, 0.45F * dome, foot.y}, aside, 0.92F * tone);
-        tufts.vertex({foot.x + out.x, dome * random.between(0.75F, 1.1F), foot.y + out.y}, glm::vec3{0}, 1.22F * tone);
+        tufts.vertex({foot.x, 0.35F * dome, foot.y}, -aside, 0.60F * tone);
+        tufts.vertex({foot.x, 0.45F * dome, foot.y}, aside, 0.84F * tone);
+        tufts.vertex({foot.x + out.x, dome * random.between(0.75F, 1.1F), foot.y + out.y}, glm::vec3{0}, 1.40F * tone);
         tufts.triangle(0, 1, 2);
     }
 }

@@ -20,11 +20,12 @@ namespace quadrat::synthesis {
 namespace {
 
 constexpr float kReach_m = 64;
+constexpr float kLowest_m = 0.15F;     // above the sea: sand is bare by itself, and marshes are green
 constexpr float kWidestAside = 0.95F;  // of the view; a flight turns its eyes a little
 constexpr float kSpacing_m = 0.58F;    // between tufts where cover is closed
 constexpr int kSide = 8;               // places of a cell
 constexpr float kCell_m = kSide * kSpacing_m;
-constexpr float kLean = 0.34F;  // of the ground's colour toward the grass's
+constexpr float kLean = 0.6F;  // of the ground's colour toward the grass's
 
 // How far the ground is soft, which bears plants, and how far stone. Each 0 to 1.
 glm::vec2 material_at(const scene::Land& land, glm::vec2 at_m) {
@@ -112,10 +113,12 @@ class Sower {
         if (!ground_.is_on_land(at_m)) return false;
         const View view = sight_.view_of(at_m);
         if (view.along_m < -2.0F || view.to_way_m > kReach_m || view.to_way_m < 1.2F) return false;
-        if (!ground_.is_free(at_m, 0.1F)) return false;
+        if (!ground_.is_free(at_m, 0.1F, kLowest_m)) return false;
         const glm::vec2 material = material_at(land_, at_m);
         const float bears = glm::smoothstep(0.28F, 0.72F, material.x);
-        const float closed = std::clamp(cover_.density + 1.1F * patches.thin + 0.12F, 0.0F, 1.0F) * bears;
+        // Between patches it is short rather than none: a felt of colour alone is no grass near by.
+        const float least = 0.25F + 0.5F * cover_.density;
+        const float closed = std::clamp(cover_.density + 1.1F * patches.thin + 0.12F, least, 1.0F) * bears;
         tuft.root_m = {at_m.x, scene::ground_height_m(land_, at_m) - 0.03F, at_m.y};
         if (stay < closed) {
             grow(tuft, patches, {kind, size, hue});
@@ -140,7 +143,7 @@ class Sower {
     void grow(scene::Tuft& tuft, const Patches& patches, const Draw& draw) const {
         const float flowers = cover_.flowers * std::clamp(0.15F + 4.0F * patches.blossoms, 0.0F, 1.6F) *
                               (1 - snow_at(land_, tuft.root_m));
-        const float cushions = std::clamp(cover_.cushions + 2.2F * patches.kinds, 0.0F, 1.0F);
+        const float cushions = std::clamp(cover_.cushions + 2.2F * patches.kinds, 0.0F, 0.65F);
         // Lower where it is thin: patches end in short grass, not in a wall of it.
         const float tall = (0.55F + 0.75F * draw.size) * std::clamp(0.85F + 1.6F * patches.thin, 0.45F, 1.35F);
         tuft.radius_m = 0.34F + 0.18F * draw.size;
@@ -149,7 +152,7 @@ class Sower {
             tuft.height_m = cover_.height_m * (0.8F + 0.5F * draw.size);
         } else if (draw.kind < flowers + cushions * (1 - flowers)) {
             tuft.kind = scene::CoverKind::Cushion;
-            tuft.height_m = 0.10F + 0.42F * cover_.height_m * tall;
+            tuft.height_m = 0.10F + 0.30F * cover_.height_m * tall;
         } else {
             tuft.kind = scene::CoverKind::Grass;
             tuft.height_m = cover_.height_m * tall;

@@ -118,7 +118,7 @@ scene::Cover cover_of(const scene::TreeParameters& p, const Wear& wear) {
     const Meadow meadow = meadow_in(p.tree_season);
     scene::Cover cover;
     cover.density = std::clamp(0.25F + 0.85F * p.grass_share, 0.0F, 1.0F);
-    cover.height_m = meadow.height * (0.20F + 1.1F * p.grass_height_m);
+    cover.height_m = meadow.height * (0.45F + 1.1F * p.grass_height_m);
     cover.spread = p.grass_spread;
     cover.cushions = std::clamp(0.45F * (1.2F - p.grass_share), 0.05F, 0.5F);
     cover.flowers = std::min(0.35F * meadow.flowers * p.flower_share, 0.35F);
