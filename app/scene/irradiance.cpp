@@ -2,6 +2,8 @@
 // Axes: the paper's z is our y, up; its y is our z.
 #include "scene/irradiance.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -54,12 +56,16 @@ std::array<glm::vec4, 3> Irradiance::linear() const {
     const glm::vec3 middle = 0.25F * (up + down) + 0.5F * level;
     std::array<glm::vec4, 3> rows{};
     for (int c = 0; c < 3; ++c) {
-        // A low sun's glow would take all its red from a wall that looks away: no wall has less than a share of the
-        // mean.
+        // A low sun's glow would take all its red from a wall that looks away, and all light from a leaf that looks
+        // away and down: nothing has less than a share of the mean.
         constexpr float kMost = 0.66F;
+        constexpr float kMostAnyWay = 0.9F;
+        const float steep = 0.5F * (up[c] - down[c]);
+        const float left = std::sqrt(std::max(kMostAnyWay * kMostAnyWay * middle[c] * middle[c] - steep * steep, 0.0F));
+        const float most = std::min(kMost * middle[c], left);
         const float aside = glm::length(glm::vec2{east[c], south[c]});
-        const float kept = aside > kMost * middle[c] ? kMost * middle[c] / aside : 1.0F;
-        rows[static_cast<std::size_t>(c)] = {kept * east[c], 0.5F * (up[c] - down[c]), kept * south[c], middle[c]};
+        const float kept = aside > most ? most / aside : 1.0F;
+        rows[static_cast<std::size_t>(c)] = {kept * east[c], steep, kept * south[c], middle[c]};
     }
     return rows;
 }

@@ -172,7 +172,10 @@ Closeness closeness(const Kind& kind, float height_px, float fineness, float loo
     // Large ones near by are seen as what they are, sooner than in a crown that is small.
     const float largest =
         std::clamp(kLargestBlade_px / blade_px, std::max(0.55F * kind.largest_blade, 1.0F), kind.largest_blade);
-    const auto enlarged_by = [&](float blades) { return std::min(1 / std::sqrt(share_of(blades)), largest); };
+    const auto enlarged_by = [&](float blades) {
+        const float s = share_of(blades);
+        return std::min(s > 1 ? std::pow(s, -0.25F) : 1 / std::sqrt(s), largest);
+    };
     how.enlarged = enlarged_by(wanted_blades);
     how.mass_level = kind.mass_triangles.size();
     const float leafy = leafiness(fineness);

@@ -182,10 +182,12 @@ class Ground {
     bool is_on_land(glm::vec2 at) const {
         return std::max(std::abs(at.x), std::abs(at.y)) < 0.5F * land_.side_m() - kEdge_m;
     }
+    bool is_dry(glm::vec2 at, float lowest_m = kShore_m) const {
+        return scene::ground_height_m(land_, at) >= lowest_m && scene::water_depth_m(land_, at) <= 0;
+    }
     // Neither in the water nor on a road or a settlement's ground, nor nearer to one than room_m.
     bool is_free(glm::vec2 at, float room_m, float lowest_m = kShore_m) const {
-        return scene::ground_height_m(land_, at) >= lowest_m && scene::water_depth_m(land_, at) <= 0 &&
-               scene::to_road_m(land_, at) > room_m;
+        return is_dry(at, lowest_m) && scene::to_road_m(land_, at) > room_m;
     }
 
     Soil soil(glm::vec2 at) const {

@@ -21,11 +21,15 @@ namespace {
 
 constexpr float kReach_m = 64;
 constexpr float kLowest_m = 0.15F;     // above the sea: sand is bare by itself, and marshes are green
+constexpr float kMown = 0.4F;          // to the height of what grows as it likes
+constexpr float kMown_m = 0.22F;       // at most
 constexpr float kWidestAside = 0.95F;  // of the view; a flight turns its eyes a little
 constexpr float kSpacing_m = 0.58F;    // between tufts where cover is closed
 constexpr int kSide = 8;               // places of a cell
 constexpr float kCell_m = kSide * kSpacing_m;
 constexpr float kLean = 0.6F;  // of the ground's colour toward the grass's
+
+bool is_green(const glm::vec3& linear) { return linear.g > 1.05F * linear.r && linear.g > 1.2F * linear.b; }
 
 // How far the ground is soft, which bears plants, and how far stone. Each 0 to 1.
 glm::vec2 material_at(const scene::Land& land, glm::vec2 at_m) {
@@ -113,7 +117,10 @@ class Sower {
         if (!ground_.is_on_land(at_m)) return false;
         const View view = sight_.view_of(at_m);
         if (view.along_m < -2.0F || view.to_way_m > kReach_m || view.to_way_m < 1.2F) return false;
-        if (!ground_.is_free(at_m, 0.1F, kLowest_m)) return false;
+        if (!ground_.is_dry(at_m, kLowest_m)) return false;
+        // On ground that people use grass is mown, and grows where it was painted green: on lawns and green fields.
+        const bool is_used = scene::to_road_m(land_, at_m) <= 0.1F;
+        if (is_used && !is_green(albedo_at(land_, at_m))) return false;
         const glm::vec2 material = material_at(land_, at_m);
         const float bears = glm::smoothstep(0.28F, 0.72F, material.x);
         // Between patches it is short rather than none: a felt of colour alone is no grass near by.
@@ -121,9 +128,10 @@ class Sower {
         const float closed = std::clamp(cover_.density + 1.1F * patches.thin + 0.12F, least, 1.0F) * bears;
         tuft.root_m = {at_m.x, scene::ground_height_m(land_, at_m) - 0.03F, at_m.y};
         if (stay < closed) {
-            grow(tuft, patches, {kind, size, hue});
+            grow(tuft, patches, {kind, size, hue}, is_used);
             return true;
         }
+        if (is_used) return false;
         // Between what grows, and where nothing does, lie stones.
         // Sand has none.
         const float bare = glm::smoothstep(0.0F, 0.08F, material.y);
@@ -140,14 +148,16 @@ class Sower {
         float kind, size, hue;
     };
 
-    void grow(scene::Tuft& tuft, const Patches& patches, const Draw& draw) const {
+    void grow(scene::Tuft& tuft, const Patches& patches, const Draw& draw, bool is_mown) const {
         const float flowers = cover_.flowers * std::clamp(0.15F + 4.0F * patches.blossoms, 0.0F, 1.6F) *
                               (1 - snow_at(land_, tuft.root_m));
         const float cushions = std::clamp(cover_.cushions + 2.2F * patches.kinds, 0.0F, 0.65F);
         // Lower where it is thin: patches end in short grass, not in a wall of it.
         const float tall = (0.55F + 0.75F * draw.size) * std::clamp(0.85F + 1.6F * patches.thin, 0.45F, 1.35F);
         tuft.radius_m = 0.34F + 0.18F * draw.size;
-        if (draw.kind < flowers) {
+        if (is_mown) {
+            tuft.height_m = std::min(kMown * cover_.height_m, kMown_m) * (0.7F + 0.6F * draw.size);
+        } else if (draw.kind < flowers) {
             tuft.kind = scene::CoverKind::Flower;
             tuft.height_m = cover_.height_m * (0.8F + 0.5F * draw.size);
         } else if (draw.kind < flowers + cushions * (1 - flowers)) {
@@ -162,7 +172,7 @@ class Sower {
         const glm::vec3 own = bare * scene::withering_of(bare, cover_.withered);
         const float light = 0.78F + 0.40F * draw.hue;
         const float yellow = 0.10F * (draw.hue - 0.5F) + 0.35F * patches.kinds;
-        const glm::vec3 leaned = scene::mix_colours(own, cover_.grass, kLean);
+        const glm::vec3 leaned = scene::mix_colours(own, cover_.grass, is_mown ? 0.25F * kLean : kLean);
         tuft.tint = light * glm::vec3{1 + 0.5F * yellow, 1 + 0.15F * yellow, 1 - yellow} * leaned /
                     glm::max(own, glm::vec3{0.004F});
         tuft.tint = glm::clamp(tuft.tint, glm::vec3{0.35F}, glm::vec3{2.2F});

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <map>
 #include <span>
 
 #include "scene/colour.hpp"
@@ -87,6 +91,52 @@ class CrownLight {
     std::array<float, kCells * kCells * kCells> above_{};
 };
 
+// A crown is lit as the clumps that it falls into, each with a light top and a dark side, not as one ball: leaves that
+// are close to one another look away from the middle of them all.
+class Clumps {
+  public:
+    Clumps(const Crown& crown, std::span<const glm::vec3> sites, base::Seed seed)
+        : low_m_(crown.middle_m - crown.half_m), side_m_(kSide * std::max({crown.half_m.x, crown.half_m.z, 0.2F})) {
+        // No two trees fall apart alike.
+        base::RandomStream random{seed};
+        low_m_ -= side_m_ * glm::vec3{random.unit_f(), random.unit_f(), random.unit_f()};
+        for (const glm::vec3& site : sites) {
+            Clump& clump = clumps_[key(site)];
+            clump.sum_m += site;
+            clump.count += 1;
+            clump.tone = 1 + kTone * (base::unit_of(base::hash_of(seed, key(site), 0)) - 0.5F);
+        }
+    }
+    // From the middle of its clump, 1 at about its rim.
+    glm::vec3 out(const glm::vec3& at_m) const {
+        const auto clump = clumps_.find(key(at_m));
+        if (clump == clumps_.end()) return glm::vec3{0};
+        const glm::vec3 off = (at_m - clump->second.sum_m / clump->second.count) / (0.5F * side_m_);
+        return off / std::max(glm::length(off), 1.0F);
+    }
+    // How light its leaves are, to the crown's.
+    float tone(const glm::vec3& at_m) const {
+        const auto clump = clumps_.find(key(at_m));
+        return clump == clumps_.end() ? 1 : clump->second.tone;
+    }
+
+  private:
+    static constexpr float kSide = 0.55F;  // of a clump, to the crown's radius
+    static constexpr float kTone = 0.30F;
+    struct Clump {
+        glm::vec3 sum_m{0};
+        float count = 0;
+        float tone = 1;
+    };
+    std::int64_t key(const glm::vec3& at_m) const {
+        const glm::ivec3 cell{glm::floor((at_m - low_m_) / side_m_)};
+        return (static_cast<std::int64_t>(cell.y) * 64 + cell.z) * 64 + cell.x;
+    }
+    glm::vec3 low_m_;
+    float side_m_;
+    std::map<std::int64_t, Clump> clumps_;
+};
+
 struct Place {
     glm::vec3 at_m;
     const Site* site;
@@ -108,7 +158,7 @@ std::vector<Place> shuffled_places(const TreeSkeleton& skeleton, const FoliageOp
             passed += skeleton.sites[++at_site].weight;
         std::size_t at = at_site;
         // A tuft: the blade moves to the first of its group of neighbours.
-        if (random.unit_f() < options.clumping) at -= at % 5;
+        if (random.unit_f() < 0.5F * options.clumping) at -= at % 5;
         const Site& site = skeleton.sites[at];
         const glm::vec3 way = any_direction(random);
         const glm::vec3 off = options.scatter_m * (1 - 0.55F * options.clumping) * random.unit_f() * way;
@@ -324,6 +374,7 @@ scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& o
     for (const Place& place : places)
         if (place.site->organ != Organ::None) at.push_back(place.at_m);
     const CrownLight light(crown, at);
+    const Clumps clumps(crown, at, seed.child("clumps"));
     const Palette palette(options.colours);
     const LeafShape shape = shape_of(options);
     leaves.are_sprays = !shape.twig_foot.empty();
@@ -341,10 +392,11 @@ scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& o
         if (!options.is_rosette) blade.twig_m = twig_to(place, skeleton, blade.length_m);
         scene::Leaves::Vertex vertex;
         // Mostly the crown's own: leaves that are lit each for itself read as paper, not as a mass.
-        vertex.normal = unit_or(0.22F * blade.face + out_unit + glm::vec3{0, 0.25F, 0}, {0, 1, 0});
+        vertex.normal = unit_or(
+            0.22F * blade.face + 0.6F * out_unit + 0.8F * clumps.out(place.at_m) + glm::vec3{0, 0.25F, 0}, {0, 1, 0});
         const float depth = 1.0F - std::min(out, 1.0F);
         vertex.shade = light.at(place.at_m) * (1.0F - 0.55F * depth);
-        vertex.colour = palette.pick(*place.site, out, random);
+        vertex.colour = clumps.tone(place.at_m) * palette.pick(*place.site, out, random);
         const float share = std::min(place.site->path_m / std::max(skeleton.longest_path_m, 1.0e-3F), 1.0F);
         vertex.age = std::min(0.12F + 0.83F * share, 1.0F);
         vertex.sway = std::clamp(place.sway, 0.0F, 1.0F);

@@ -65,6 +65,15 @@ glm::vec3 no_redder(const glm::vec3& bark) {
     return glm::max(scene::linear_from_oklab(lab), glm::vec3{0});
 }
 
+// No leaf is lighter than a birch's in autumn, nor a bark than a birch's: lighter ones take the light's colour, and are
+// blue trees by night.
+constexpr float kLightestLeaf = 0.36F;
+constexpr float kLightestBark = 0.55F;
+glm::vec3 no_lighter(const glm::vec3& colour, float most) {
+    const float light = scene::luminance(colour);
+    return light > most ? colour * (most / light) : colour;
+}
+
 // The hue and lightness that go with a kind, whatever the palette: firs are darker, cacti bluer.
 glm::vec3 tinted(const glm::vec3& colour, const Tint& tint) {
     const glm::vec3 other = scene::linear_from_srgb_hex(tint.srgb);
@@ -234,7 +243,7 @@ Form form_of(const scene::TreeParameters& p, Rank rank) {
     const auto dress = [&](const glm::vec3& colour) {
         const glm::vec3 shifted =
             scene::shifted_colour(tinted(colour, k.leaf_tint), std::clamp(own.lightness, 0.65F, 1.35F));
-        return glm::clamp(yellower(shifted, std::clamp(own.yellowness, -1.2F, 1.2F)), 0.0F, 0.9F);
+        return no_lighter(yellower(shifted, std::clamp(own.yellowness, -1.2F, 1.2F)), kLightestLeaf);
     };
     f.colours.leaf = dress(wear.leaf);
     f.colours.second = dress(wear.second);
@@ -247,7 +256,7 @@ Form form_of(const scene::TreeParameters& p, Rank rank) {
     const bool is_own = k.bark_tint.share >= 1;
     const float bark_lightness = is_own ? std::clamp(own.bark_lightness, 0.7F, 1.1F) : own.bark_lightness;
     const glm::vec3 bark = scene::shifted_colour(tinted(wear.bark, k.bark_tint), bark_lightness);
-    f.bark = glm::clamp(is_own ? bark : no_redder(bark), 0.0F, 0.85F);
+    f.bark = no_lighter(is_own ? bark : no_redder(bark), kLightestBark);
     return f;
 }
 

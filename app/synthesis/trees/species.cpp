@@ -20,8 +20,8 @@ constexpr int kBarkSide = 128;
 
 // Sprays that stand for more of them are larger, but never boards.
 float larger_for(float wanted) {
-    constexpr float kAll = 1.8F;
-    constexpr float kBeyond = 0.3F;  // of what is wanted beyond that
+    constexpr float kAll = 2.2F;
+    constexpr float kBeyond = 0.4F;  // of what is wanted beyond that
     return wanted < kAll ? wanted : kAll + kBeyond * (wanted - kAll);
 }
 
