@@ -61,7 +61,7 @@ void cover_with_sand(GroundLook& look, const Palette& palette, float share) {
 
 // Beside snow rock is dark, or neither would be seen for the other.
 void darken_beside_snow(GroundLook& look, const scene::LandParameters& p) {
-    constexpr float kPalest = 0.72F;  // in OKLab
+    constexpr float kPalest = 0.85F;  // in OKLab
     const float snowy = std::clamp(1.4F - snow_line_m(p) / std::max(p.land_relief_m, 1.0F), 0.0F, 1.0F);
     for (Material* m : {&look.rock_dark, &look.rock_light, &look.scree}) {
         const float dark = 1.35F * kPalest * m->l / (kPalest + m->l);
