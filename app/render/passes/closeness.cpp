@@ -10,7 +10,8 @@ namespace {
 
 constexpr float kBladesA_px2 = 0.22F;  // of a plant as high as wide, where all that is asked for is drawn
 constexpr float kSlivers = 10;  // of a triangle each stand for a blade of many: it is no dearer, and they are thin
-constexpr float kCopiesWanted = 0.16F;      // of the blades that are asked for and are not there, those that copies are
+constexpr float kCopiesWanted = 0.16F;  // of the blades that are asked for and are not there, those that copies are
+constexpr float kCopied = -0.25F;  // a copy's size to their number, to this power: together they hide more of the limbs
 constexpr float kFewestBladesA_px = 0.15F;  // of its height: large blades that are few are flags
 constexpr float kLeastStand = 0.3F;    // of plants that are but a few blades: the fewest that stand for all of them
 constexpr float kStem_px = 6;          // high; of a smaller tree with leaves it is left out
@@ -173,8 +174,8 @@ Closeness closeness(const Kind& kind, float height_px, float fineness, float loo
     const float largest =
         std::clamp(kLargestBlade_px / blade_px, std::max(0.55F * kind.largest_blade, 1.0F), kind.largest_blade);
     const auto enlarged_by = [&](float blades) {
-        const float s = share_of(blades);
-        return std::min(s > 1 ? std::pow(s, -0.25F) : 1 / std::sqrt(s), largest);
+        const float share = share_of(blades);
+        return std::min(std::pow(share, share > 1 ? kCopied : -0.5F), largest);
     };
     how.enlarged = enlarged_by(wanted_blades);
     how.mass_level = kind.mass_triangles.size();

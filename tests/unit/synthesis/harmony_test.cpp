@@ -84,6 +84,7 @@ TEST(Harmony, NoGeneMakesBlueLeavesOrVioletBark) {
             for (const glm::vec3& leaf : {form.colours.leaf, form.colours.second}) {
                 const Tone tone = tone_of(leaf);
                 EXPECT_LE(tone.chroma, 0.2F) << seed;
+                EXPECT_LE(scene::luminance(leaf), 0.37F) << seed << ": it would take the colour of the light";
                 // Pink is blossom among them.
                 EXPECT_TRUE(tone.chroma < 0.05F || tone.hue_deg < 215 || tone.hue_deg > 340)
                     << seed << ": hue " << tone.hue_deg;

@@ -193,6 +193,27 @@ TEST(Irradiance, LeavesAWallThatLooksAwayFromTheGlowAShareOfTheMean) {
         }
 }
 
+TEST(Irradiance, LeavesNothingBlackWhichWayItLooks) {
+    scene::Irradiance dusk;  // a bright sky, brighter in the east, over dark ground
+    constexpr int kN = 24;
+    for (int i = 0; i < kN; ++i)
+        for (int k = 0; k < kN; ++k) {
+            const float y = 2 * (static_cast<float>(i) + 0.5F) / kN - 1;
+            const float turn = 2 * kPi * (static_cast<float>(k) + 0.5F) / kN;
+            const float flat = std::sqrt(1 - y * y);
+            const glm::vec3 d{flat * std::sin(turn), y, flat * std::cos(turn)};
+            dusk.add(d, glm::vec3{y > 0 ? 1 + 2 * std::max(d.x, 0.0F) : 0.15F}, 4 * kPi / (kN * kN));
+        }
+    for (const glm::vec4& row : dusk.linear())
+        for (const float steep : {-0.9F, -0.5F, 0.0F, 0.5F})
+            for (int i = 0; i < 12; ++i) {
+                const float turn = 0.5235988F * static_cast<float>(i);
+                const float flat = std::sqrt(1 - steep * steep);
+                const glm::vec4 way(flat * std::sin(turn), steep, flat * std::cos(turn), 1);
+                EXPECT_GE(glm::dot(row, way), 0.09F * row.w) << steep << ", " << turn;
+            }
+}
+
 TEST(Irradiance, AsALinearFormKeepsTheLightFromAboveAndBelow) {
     const genome::Recipe recipe = genome::random_recipe(base::Seed{3});
     const scene::Sky sky = grow_sky(scene::realise_sky(recipe.values), recipe.seeds[genome::Aspect::Sky]);

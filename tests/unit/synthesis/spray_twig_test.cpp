@@ -53,6 +53,31 @@ TEST(SprayTwigs, BeginOnALimbOrTowardOneThatIsFar) {
     }
 }
 
+// One ball's leaves all look away from its middle.
+TEST(Foliage, IsLitAsTheClumpsThatItFallsInto) {
+    scene::TreeParameters p;
+    p.tree_habit = static_cast<float>(habit_named("oak"));
+    const TreeSkeleton skeleton = skeleton_of_species(form_of(p, Rank::First), base::Seed{7});
+    glm::vec3 low{1.0e6F};
+    glm::vec3 high{-1.0e6F};
+    for (const Site& site : skeleton.sites) {
+        low = glm::min(low, site.at_m);
+        high = glm::max(high, site.at_m);
+    }
+    const scene::Leaves leaves = make_foliage(skeleton, {}, base::Seed{3});
+    float sum = 0;
+    float inward = 0;
+    for (const scene::Leaves::Vertex& vertex : leaves.vertices) {
+        const glm::vec3 out = glm::normalize((vertex.site_m - 0.5F * (low + high)) / (0.5F * (high - low)));
+        const float cosine = glm::dot(vertex.normal, out);
+        sum += cosine;
+        if (cosine < 0.7F) ++inward;
+    }
+    const auto count = static_cast<float>(leaves.vertices.size());
+    EXPECT_GT(sum / count, 0.5F) << "the crown is round all the same";
+    EXPECT_GT(inward / count, 0.08F) << "the sides of clumps that face one another";
+}
+
 TEST(SprayTwigs, AreNoneOfFlowersAndOfSingleLeaves) {
     EXPECT_TRUE(leaf_shape(LeafKind::Ovate).twig_foot.empty());
     EXPECT_TRUE(spray_shape(LeafKind::Needles).twig_foot.empty());

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "genome/parameter_table.hpp"
@@ -82,6 +84,48 @@ TEST(Sward, LeavesSandBare) {
     const std::size_t grass = sown(-1);
     ASSERT_GT(grass, 1000U);
     EXPECT_LT(sown(1), grass / 3);
+}
+
+TEST(Sward, ReachesDownToTheWaterWhereTheGroundIsGreen) {
+    scene::Land marsh = shore();
+    for (float& height_m : marsh.height_m.samples) height_m = height_m > 0 ? 0.3F : height_m;
+    EXPECT_GT(laid(marsh).tufts.size(), laid(shore()).tufts.size() / 2);
+}
+
+TEST(Sward, IsMownOnGreenGroundThatPeopleUseAndGrowsOnNoneOfTheirEarth) {
+    scene::Land used = shore();
+    const scene::Sward wild = laid(used);
+    used.kept_clear = scene::kept_clear_of(mesh::Field(257, 257));
+    const scene::Sward lawn = laid(used);
+    const auto tallest_m = [](const scene::Sward& sward) {
+        float most = 0;
+        for (const scene::Tuft& tuft : sward.tufts) most = std::max(most, tuft.height_m);
+        return most;
+    };
+    ASSERT_GT(lawn.tufts.size(), wild.tufts.size() / 2);
+    EXPECT_LT(tallest_m(lawn), 0.6F * tallest_m(wild));
+    EXPECT_TRUE(
+        std::ranges::all_of(lawn.tufts, [](const scene::Tuft& tuft) { return tuft.kind == scene::CoverKind::Grass; }));
+    mesh::Image earth(64, 64, 4);
+    for (std::size_t i = 0; i < earth.bytes.size(); i += 4) {
+        earth.bytes[i] = 130;
+        earth.bytes[i + 1] = 115;
+        earth.bytes[i + 2] = 90;
+    }
+    used.albedo = scene::GroundColours(earth);
+    EXPECT_TRUE(laid(used).tufts.empty());
+}
+
+TEST(Sward, HasNoPatchWithoutAnyWhereTheFloraIsClosed) {
+    // By squares of 4 m before the eye, on dry ground.
+    scene::Cover closed;
+    closed.density = 1;
+    closed.patch_m = 6;
+    std::map<std::pair<int, int>, int> tufts;
+    for (const scene::Tuft& tuft : laid(shore(), closed).tufts)
+        ++tufts[{static_cast<int>(tuft.root_m.x / 4), static_cast<int>(tuft.root_m.z / 4)}];
+    for (int x = 1; x < 3; ++x)
+        for (int z = 2; z < 11; ++z) EXPECT_GE((tufts[{x, z}]), 15) << x << ", " << z;
 }
 
 TEST(Sward, KeepsTheTuftsOfACellTogetherKindByKind) {
