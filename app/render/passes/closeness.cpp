@@ -123,6 +123,9 @@ float fewest_blades(const Kind& kind, float height_px, float nearness) {
     return std::min(static_cast<float>(kind.blades), fewest);
 }
 
+// Of a blade, where a share of them stands for all, or copies do.
+float size_for(float share) { return std::pow(share, share > 1 ? kCopied : -0.5F); }
+
 // A crown that is one mass needs no others of its kind to stand for, but where it is a speck.
 float least_stand_of_masses(float height_px) {
     return kLeastStand + (1 - kLeastStand) * between(kMassStandsTo_px, kMassStandsFrom_px, height_px);
@@ -173,10 +176,7 @@ Closeness closeness(const Kind& kind, float height_px, float fineness, float loo
     // Large ones near by are seen as what they are, sooner than in a crown that is small.
     const float largest =
         std::clamp(kLargestBlade_px / blade_px, std::max(0.55F * kind.largest_blade, 1.0F), kind.largest_blade);
-    const auto enlarged_by = [&](float blades) {
-        const float share = share_of(blades);
-        return std::min(std::pow(share, share > 1 ? kCopied : -0.5F), largest);
-    };
+    const auto enlarged_by = [&](float blades) { return std::min(size_for(share_of(blades)), largest); };
     how.enlarged = enlarged_by(wanted_blades);
     how.mass_level = kind.mass_triangles.size();
     const float leafy = leafiness(fineness);
