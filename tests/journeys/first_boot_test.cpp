@@ -15,25 +15,29 @@ using testing::Not;
 class AFirstBoot : public testing::Test {
   protected:
     void SetUp() override {
-        for (const char* name : {"root/etc/quadrat", "root/usr/share/zoneinfo/Europe", "root/usr/share/zoneinfo/Etc",
-                                 "root/usr/share/quadrat", "root/var/lib/quadrat", "boot"})
+        for (const char* name :
+             {"root/etc/quadrat", "root/usr/share/zoneinfo/Europe", "root/usr/share/zoneinfo/Etc",
+              "root/usr/share/quadrat", "root/var/lib/quadrat", "root/boot/efi", "root/boot/firmware"})
             fs::create_directories(folder / name);
         fs::copy(QUADRAT_SOURCE_DIR "/deploy/quadrat.toml", folder / "root/etc/quadrat/quadrat.toml");
         for (const char* name : {"root/usr/share/zoneinfo/Europe/Berlin", "root/usr/share/zoneinfo/Etc/UTC"})
             folder.write(name, "TZif");
         folder.write("root/usr/share/quadrat/overlayroot.conf", "overlayroot=\"tmpfs\"\n");
-        fs::copy(QUADRAT_SOURCE_DIR "/deploy/first-boot/quadrat-setup.txt", folder / "boot/quadrat-setup.txt");
+        folder.write("root/etc/fstab", fstab("/boot/efi"));
+        fs::copy(QUADRAT_SOURCE_DIR "/deploy/first-boot/quadrat-setup.txt", folder / "root/boot/efi/quadrat-setup.txt");
     }
-    void fill_in(const std::string& text) const { folder.write("boot/quadrat-setup.txt", text); }
+    static std::string fstab(const std::string& boot) {
+        return "LABEL=quadrat-root / ext4 defaults 0 1\nLABEL=QUADRAT " + boot + " vfat ro 0 2\n";
+    }
+    void fill_in(const std::string& text) const { folder.write("root/boot/efi/quadrat-setup.txt", text); }
     Ended start() const {
         const std::string programs = fs::path(QUADRAT_BINARY).parent_path().string();
-        return run(
-            {"env", "QUADRAT_ROOT=" + (folder / "root").string(), "QUADRAT_BOOT=" + (folder / "boot").string(), "bash",
-             "-c", "PATH=" + programs + ":$PATH exec " QUADRAT_SOURCE_DIR "/deploy/first-boot/quadrat-first-boot"},
-            elsewhere);
+        return run({"env", "QUADRAT_ROOT=" + (folder / "root").string(), "bash", "-c",
+                    "PATH=" + programs + ":$PATH exec " QUADRAT_SOURCE_DIR "/deploy/first-boot/quadrat-first-boot"},
+                   elsewhere);
     }
     std::string file(const std::string& name) const { return contents_of(folder / name); }
-    std::string answer() const { return file("boot/quadrat-answer.txt"); }
+    std::string answer() const { return file("root/boot/efi/quadrat-answer.txt"); }
 
     TemporaryFolder folder, elsewhere;
 };
@@ -48,12 +52,20 @@ TEST_F(AFirstBoot, TakesWhatWasFilledInAndClosesTheDisk) {
     EXPECT_EQ(fs::read_symlink(folder / "root/etc/localtime"), "/usr/share/zoneinfo/Europe/Berlin");
     EXPECT_THAT(file("root/etc/quadrat/quadrat.toml"), HasSubstr("\nlanguage = \"de\" "));
     EXPECT_THAT(file("root/var/lib/quadrat/desk.passphrase"), AllOf(Not(HasSubstr("sentence")), Not("")));
-    EXPECT_THAT(file("boot/quadrat-setup.txt"), AllOf(HasSubstr("passphrase ="), Not(HasSubstr("sentence"))));
+    EXPECT_THAT(file("root/boot/efi/quadrat-setup.txt"), AllOf(HasSubstr("passphrase ="), Not(HasSubstr("sentence"))));
     EXPECT_EQ(file("root/etc/overlayroot.local.conf"), "overlayroot=\"tmpfs\"\n");
     EXPECT_EQ(answer(), "name: foyer-2\r\nzone: Europe/Berlin\r\nlanguage: de\r\npassphrase: kept\r\n");
     fill_in("name = another\n");
     ASSERT_TRUE(succeeds(start()));
     EXPECT_EQ(file("root/etc/hostname"), "foyer-2\n") << "it asks once";
+}
+
+TEST_F(AFirstBoot, FindsTheFileWhereARaspberryPiHasIt) {
+    folder.write("root/etc/fstab", fstab("/boot/firmware"));
+    folder.write("root/boot/firmware/quadrat-setup.txt", "name = foyer-3\n");
+    ASSERT_TRUE(succeeds(start()));
+    EXPECT_EQ(file("root/etc/hostname"), "foyer-3\n");
+    EXPECT_THAT(file("root/boot/firmware/quadrat-answer.txt"), HasSubstr("name: foyer-3\r\n"));
 }
 
 TEST_F(AFirstBoot, SaysWhatIsWrongAndKeepsWhatStandsInBrackets) {
@@ -74,7 +86,7 @@ TEST_F(AFirstBoot, IsContentWithTheFileAsItComesAndWithNone) {
     ASSERT_TRUE(succeeds(start()));
     EXPECT_EQ(answer(), "name: quadrat\r\nzone: Etc/UTC\r\nlanguage: en\r\npassphrase: none\r\n");
     fs::remove(folder / "root/etc/quadrat/set-up");
-    fs::remove(folder / "boot/quadrat-setup.txt");
+    fs::remove(folder / "root/boot/efi/quadrat-setup.txt");
     ASSERT_TRUE(succeeds(start())) << "cut off before its end, it begins anew";
     EXPECT_THAT(answer(), HasSubstr("there is no quadrat-setup.txt"));
 }
