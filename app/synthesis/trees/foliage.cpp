@@ -96,7 +96,9 @@ class CrownLight {
 class Clumps {
   public:
     Clumps(const Crown& crown, std::span<const glm::vec3> sites, base::Seed seed)
-        : low_m_(crown.middle_m - crown.half_m), side_m_(kSide * std::max({crown.half_m.x, crown.half_m.z, 0.2F})) {
+        : low_m_(crown.middle_m - crown.half_m),
+          side_m_(kSide * std::max({crown.half_m.x, crown.half_m.z, 0.2F})),
+          tones_(seed) {
         // No two trees fall apart alike.
         base::RandomStream random{seed};
         low_m_ -= side_m_ * glm::vec3{random.unit_f(), random.unit_f(), random.unit_f()};
@@ -104,20 +106,18 @@ class Clumps {
             Clump& clump = clumps_[key(site)];
             clump.sum_m += site;
             clump.count += 1;
-            clump.tone = 1 + kTone * (base::unit_of(base::hash_of(seed, key(site), 0)) - 0.5F);
         }
     }
-    // From the middle of its clump, 1 at about its rim.
-    glm::vec3 out(const glm::vec3& at_m) const {
-        const auto clump = clumps_.find(key(at_m));
-        if (clump == clumps_.end()) return glm::vec3{0};
-        const glm::vec3 off = (at_m - clump->second.sum_m / clump->second.count) / (0.5F * side_m_);
-        return off / std::max(glm::length(off), 1.0F);
-    }
-    // How light its leaves are, to the crown's.
-    float tone(const glm::vec3& at_m) const {
-        const auto clump = clumps_.find(key(at_m));
-        return clump == clumps_.end() ? 1 : clump->second.tone;
+
+    struct Light {
+        glm::vec3 out;  // from the middle of its clump, 1 at about its rim
+        float tone;     // how light its leaves are, to the crown's
+    };
+    Light at(const glm::vec3& site) const {
+        const auto& [key, clump] = *clumps_.find(this->key(site));
+        const glm::vec3 off = (site - clump.sum_m / clump.count) / (0.5F * side_m_);
+        return {off / std::max(glm::length(off), 1.0F),
+                1 + kTone * (base::unit_of(base::hash_of(tones_, key, 0)) - 0.5F)};
     }
 
   private:
@@ -126,7 +126,6 @@ class Clumps {
     struct Clump {
         glm::vec3 sum_m{0};
         float count = 0;
-        float tone = 1;
     };
     std::int64_t key(const glm::vec3& at_m) const {
         const glm::ivec3 cell{glm::floor((at_m - low_m_) / side_m_)};
@@ -134,6 +133,7 @@ class Clumps {
     }
     glm::vec3 low_m_;
     float side_m_;
+    base::Seed tones_;
     std::map<std::int64_t, Clump> clumps_;
 };
 
@@ -392,11 +392,12 @@ scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& o
         if (!options.is_rosette) blade.twig_m = twig_to(place, skeleton, blade.length_m);
         scene::Leaves::Vertex vertex;
         // Mostly the crown's own: leaves that are lit each for itself read as paper, not as a mass.
-        vertex.normal = unit_or(
-            0.22F * blade.face + 0.6F * out_unit + 0.8F * clumps.out(place.at_m) + glm::vec3{0, 0.25F, 0}, {0, 1, 0});
+        const Clumps::Light clump = clumps.at(place.at_m);
+        vertex.normal =
+            unit_or(0.22F * blade.face + 0.6F * out_unit + 0.8F * clump.out + glm::vec3{0, 0.25F, 0}, {0, 1, 0});
         const float depth = 1.0F - std::min(out, 1.0F);
         vertex.shade = light.at(place.at_m) * (1.0F - 0.55F * depth);
-        vertex.colour = clumps.tone(place.at_m) * palette.pick(*place.site, out, random);
+        vertex.colour = clump.tone * palette.pick(*place.site, out, random);
         const float share = std::min(place.site->path_m / std::max(skeleton.longest_path_m, 1.0e-3F), 1.0F);
         vertex.age = std::min(0.12F + 0.83F * share, 1.0F);
         vertex.sway = std::clamp(place.sway, 0.0F, 1.0F);

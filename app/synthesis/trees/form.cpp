@@ -65,13 +65,12 @@ glm::vec3 no_redder(const glm::vec3& bark) {
     return glm::max(scene::linear_from_oklab(lab), glm::vec3{0});
 }
 
-// No leaf is lighter than a birch's in autumn, nor a bark than a birch's: lighter ones take the light's colour, and are
-// blue trees by night.
+// What sends back more of the light takes its colour: such leaves are white by day, and blue by night.
 constexpr float kLightestLeaf = 0.36F;
 constexpr float kLightestBark = 0.55F;
 glm::vec3 no_lighter(const glm::vec3& colour, float most) {
     const float light = scene::luminance(colour);
-    return light > most ? colour * (most / light) : colour;
+    return glm::max(light > most ? colour * (most / light) : colour, glm::vec3{0});
 }
 
 // The hue and lightness that go with a kind, whatever the palette: firs are darker, cacti bluer.
