@@ -84,7 +84,7 @@ CrownShade cast_crowns(const scene::Land& land, const glm::vec3& sun_direction, 
         if (stem_m > fine_m)
             darken(shade.sun, px_m, half_m,
                    shown({0.5F * (root + spot), away, stem_m, std::max(0.22F * radius_m, fine_m), 0.5F}, least_m));
-        darken(shade.sky, px_m, half_m, shown({root, {1, 0}, 1.25F * radius_m, 1.25F * radius_m, 0.42F}, least_m));
+        darken(shade.sky, px_m, half_m, shown({root, {1, 0}, 1.15F * radius_m, 1.15F * radius_m, 0.60F}, least_m));
     }
     return shade;
 }

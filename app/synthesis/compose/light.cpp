@@ -139,6 +139,7 @@ struct Pixel {
     float height_m;
     float sun;   // past crowns and stone, 0 to 1
     float open;  // of the sky, past land, crowns and stone, 0 to 1
+    float bare;  // of the ground about it, what is not below the same crown, 0 to 1
 };
 
 glm::vec3 light_on(const Pixel& p, const scene::Land& land, const scene::Sky& sky, const LandShadow& shadow,
@@ -147,7 +148,7 @@ glm::vec3 light_on(const Pixel& p, const scene::Land& land, const scene::Sky& sk
     const glm::vec3 normal = p.height_m > 0 ? scene::ground_normal(land, p.at_m) : glm::vec3{0, 1, 0};
     const float facing = std::max(glm::dot(normal, sky.sun_direction), 0.0F);
     const float sun = facing * p.sun * shadow.sun_at({p.at_m.x, std::max(p.height_m, 0.0F) + 0.1F, p.at_m.y});
-    return sun * sky.sunlight + p.open * sky.ambient.on(normal) + (1.0F - p.open) * bounce.around(p.at_m);
+    return sun * sky.sunlight + p.open * sky.ambient.on(normal) + (1.0F - p.open) * p.bare * bounce.around(p.at_m);
 }
 
 }  // namespace
@@ -173,8 +174,8 @@ scene::BakedLight bake_light(const scene::Land& land, const mesh::Field& open, c
                                             (static_cast<float>(y) + 0.5F) * open_per_px - 0.5F) *
                                crowns.sky.at(x, y);
             const float left = std::clamp(1.0F - sky.occlusion * (1.0F - seen), 0.25F * seen, 1.0F);
-            const glm::vec3 c =
-                light_on({at, scene::ground_height_m(land, at), crowns.sun.at(x, y), left}, land, sky, shadow, bounce);
+            const Pixel p{at, scene::ground_height_m(land, at), crowns.sun.at(x, y), left, crowns.sky.at(x, y)};
+            const glm::vec3 c = light_on(p, land, sky, shadow, bounce);
             std::uint8_t* pixel = light.ground.pixel(x, y);
             pixel[0] = half_byte(c.x);
             pixel[1] = half_byte(c.y);

@@ -17,6 +17,7 @@
 #include "mesh/pieces.hpp"
 #include "mesh/progressive.hpp"
 #include "mesh/sparse_field.hpp"
+#include "synthesis/trees/crown_lumps.hpp"
 #include "synthesis/trees/crown_outline.hpp"
 #include "synthesis/trees/crown_reach.hpp"
 
@@ -60,6 +61,8 @@ class Density {
             high = glm::max(high, v.site_m + v.corner_m);
             reach_m_ = std::max(reach_m_, glm::length(v.site_m + v.corner_m));
         }
+        low_m_ = low;
+        high_m_ = high;
         const glm::vec3 extent = high - low;
         // The spire of a slender crown has cells of its own.
         cell_m_ = std::max({std::max(extent.x, extent.z) / kAcross, extent.y / kUp, 0.001F});
@@ -77,6 +80,7 @@ class Density {
 
     const glm::ivec3& size() const { return size_; }
     float cell_m() const { return cell_m_; }
+    CrownLumps lumps() const { return {low_m_, high_m_}; }
     float reach_m() const { return reach_m_; }  // of the leaves, from the root
     float area_m2(bool is_inside_only) const {
         float sum = 0;
@@ -100,15 +104,16 @@ class Density {
         }
         return sum;
     }
-    // Outward, not of unit length.
-    glm::vec3 falling(glm::vec3 at_m) const {
+    // Of unit length.
+    glm::vec3 outward(glm::vec3 at_m) const {
         glm::vec3 fall{0};
         for (int axis = 0; axis < 3; ++axis) {
             glm::vec3 step{0};
             step[axis] = cell_m_;
             fall[axis] = between(at_m - step).area_m2 - between(at_m + step).area_m2;
         }
-        return fall;
+        const float length = glm::length(fall);
+        return length > 1e-9F ? fall / length : glm::vec3{0, 1, 0};
     }
 
   private:
@@ -180,6 +185,7 @@ class Density {
 
     glm::ivec3 size_{0};
     float dense_;
+    glm::vec3 low_m_, high_m_;  // the box about the leaves
     glm::vec3 origin_m_{0};
     float cell_m_ = 1;
     float reach_m_ = 0;
@@ -223,16 +229,15 @@ scene::CrownMass coloured(const mesh::Mesh& mesh, const Density& density, float 
     mass.share = share;
     mass.mesh = mesh;
     mass.mesh.normals.clear();
+    const CrownLumps lumps = density.lumps();
     for (const glm::vec3& at_m : mesh.positions_m) {
-        const glm::vec3 fall = density.falling(at_m);
-        const float length = glm::length(fall);
-        const glm::vec3 out = length > 1e-9F ? fall / length : glm::vec3{0, 1, 0};
+        const glm::vec3 out = density.outward(at_m);
         // The leaves that are seen of a crown are those outside.
         Sample near = density.between(at_m + out * density.cell_m());
         if (near.area_m2 <= 0) near = density.between(at_m);
         const float per_m2 = 1 / std::max(near.area_m2, 1e-9F);
-        mass.mesh.normals.push_back(out);
-        mass.colours.push_back(near.colour * per_m2 * mottle(at_m));
+        mass.mesh.normals.push_back(lumps.normal(at_m, out));
+        mass.colours.push_back(near.colour * per_m2 * mottle(at_m) * lumps.light(at_m));
         mass.shades.push_back(std::clamp(kSeen * near.shade * per_m2, 0.0F, 1.0F));
         mass.ages.push_back(std::clamp(near.age * per_m2, 0.0F, 1.0F));
         mass.sways.push_back(std::clamp(near.sway * per_m2, 0.0F, 1.0F));
@@ -361,8 +366,10 @@ std::vector<scene::CrownMass> crown_masses(const scene::Leaves& leaves, float de
     if (inside < kFewestInside) return {};
     const mesh::Surface surface = mesh::polygonise(field);
     mesh::Mesh whole;
+    const CrownLumps lumps = density.lumps();
     for (const glm::vec3& p : surface.positions) {
-        whole.positions_m.push_back(within(density.place_m(p), density.reach_m()));
+        const glm::vec3 at_m = density.place_m(p);
+        whole.positions_m.push_back(within(at_m + lumps.outward_m(at_m) * density.outward(at_m), density.reach_m()));
     }
     whole.indices = surface.indices;
     mesh::ProgressiveOptions options;

@@ -122,7 +122,7 @@ class Clumps {
 
   private:
     static constexpr float kSide = 0.55F;  // of a clump, to the crown's radius
-    static constexpr float kTone = 0.30F;
+    static constexpr float kTone = 0.44F;
     struct Clump {
         glm::vec3 sum_m{0};
         float count = 0;
@@ -208,7 +208,7 @@ class Palette {
         if (site.organ == Organ::Flower) return colours_.blossom * light;
         if (site.organ == Organ::Fruit) return colours_.fruit * light;
         if (site.organ == Organ::YoungLeaf) return young_ * light;
-        const float varied = 1 + 1.2F * colours_.variety * (light - 1);
+        const float varied = 1 + (3.0F + 0.6F * colours_.variety) * (light - 1);
         if (site.organ == Organ::TurnedLeaf) return turning_[step_at(lean)] * varied;
         const bool has_turned = when * (1.25F - 0.35F * std::min(out, 1.0F)) < colours_.autumn;
         const float t = has_turned ? lean : lean * lean * (0.35F + colours_.variety);
@@ -394,7 +394,7 @@ scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& o
         // Mostly the crown's own: leaves that are lit each for itself read as paper, not as a mass.
         const Clumps::Light clump = clumps.at(place.at_m);
         vertex.normal =
-            unit_or(0.22F * blade.face + 0.6F * out_unit + 0.8F * clump.out + glm::vec3{0, 0.25F, 0}, {0, 1, 0});
+            unit_or(0.5F * blade.face + 0.6F * out_unit + 0.8F * clump.out + glm::vec3{0, 0.25F, 0}, {0, 1, 0});
         const float depth = 1.0F - std::min(out, 1.0F);
         vertex.shade = light.at(place.at_m) * (1.0F - 0.55F * depth);
         vertex.colour = clump.tone * palette.pick(*place.site, out, random);

@@ -42,7 +42,7 @@ LeafShape unfold(const Half& half) {
     shape.outline.push_back({1, 0});
     for (std::uint32_t k = n; k-- > 0;) shape.outline.push_back({half.points[k].x, -half.points[k].y});
     for (const glm::vec2& p : shape.outline)
-        shape.lightness.push_back(0.90F + 0.16F * p.x + 0.10F * (p.y < 0 ? -p.y : p.y));
+        shape.lightness.push_back(0.74F + 0.42F * p.x + 0.14F * (p.y < 0 ? -p.y : p.y));
     const auto other = [n](std::uint32_t v) { return v == 0 || v == n + 1 ? v : 2 * (n + 1) - v; };
     const auto add = [&](std::vector<std::uint32_t>& to, const std::array<std::uint32_t, 3>& t) {
         to.insert(to.end(), {t[0], t[2], t[1]});
@@ -85,8 +85,8 @@ void add_leaflet(LeafShape& shape, const Twig& twig, glm::vec2 foot, float angle
     const glm::vec2 at = first == 0 ? glm::vec2{0} : (1.05F - kFlower) * way;
     for (const glm::vec2& p : {-way, glm::vec2{way.y, -way.x}, way, glm::vec2{-way.y, way.x}})
         shape.cluster.push_back(at + kFlower * p);
-    const float light = 0.92F + 0.14F * foot.x;  // the youngest leaves are the lightest
-    shape.lightness.insert(shape.lightness.end(), {0.86F * light, light, 1.12F * light, light});
+    const float light = 0.76F + 0.36F * foot.x;  // the youngest leaves are the lightest
+    shape.lightness.insert(shape.lightness.end(), {0.78F * light, light, 1.18F * light, light});
     for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U}) shape.triangles.push_back(first + k);
 }
 
@@ -202,7 +202,7 @@ LeafShape with_plain_form(LeafShape shape, const Twig& twig) {
             const glm::vec2 p = kMiddle + size * (is_tip ? 1.0F : kGap) * glm::vec2{std::cos(at), std::sin(at)};
             shape.outline.push_back({p.x, p.y / shape.width});
             shape.on_blade.push_back(is_tip ? glm::vec2{0, 1} : glm::vec2{1, 0.1F});
-            shape.lightness.push_back(is_tip ? 1.14F : 0.90F);
+            shape.lightness.push_back(is_tip ? 1.24F : 0.80F);
             // A disc's is a star about it.
             shape.disc.push_back((is_tip ? 1.3F : 0.75F) * glm::vec2{std::cos(at), std::sin(at)});
             shape.cluster.push_back(shape.disc.back());
