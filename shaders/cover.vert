@@ -28,7 +28,7 @@ void main() {
                               turn_size.x * in_tuft.z - turn_size.y * in_tuft.x + 0.6 * sway_m);
     gl_Position = view.clip_from_world * vec4(at_m, 1.0);
     // What is far melts into the ground: tips that stand for many would light up as a field of its own.
-    float tone = 1.0 + (2.0 * tone_accent.x - 1.0) / max(0.6 * turn_size.w, 1.0);
+    float tone = 1.0 + (2.0 * tone_accent.x - 1.0) / max(0.6 * min(turn_size.w, 4.5), 1.0);
     vec3 own = mix(ground_lit.rgb * tone, blossom.rgb * ground_lit.a, tone_accent.y);
     shown = own + veil_gust.rgb;
 }

@@ -19,7 +19,9 @@
 namespace quadrat::synthesis {
 namespace {
 
-constexpr float kReach_m = 64;
+constexpr float kReach_m = 130;
+constexpr float kAll_m = 26;           // from the way: to here a tuft stands at each place that bears one
+constexpr float kWidest = 2.6F;        // a tuft that stands for many, to one that stands for itself
 constexpr float kLowest_m = 0.15F;     // above the sea: sand is bare by itself, and marshes are green
 constexpr float kMown = 0.4F;          // to the height of what grows as it likes
 constexpr float kMown_m = 0.22F;       // at most
@@ -27,7 +29,7 @@ constexpr float kWidestAside = 0.95F;  // of the view; a flight turns its eyes a
 constexpr float kSpacing_m = 0.58F;    // between tufts where cover is closed
 constexpr int kSide = 8;               // places of a cell
 constexpr float kCell_m = kSide * kSpacing_m;
-constexpr float kLean = 0.6F;  // of the ground's colour toward the grass's
+constexpr float kLean = 0.6F;  // of the ground's colour toward the grass's, near by
 
 bool is_green(const glm::vec3& linear) { return linear.g > 1.05F * linear.r && linear.g > 1.2F * linear.b; }
 
@@ -117,6 +119,9 @@ class Sower {
         if (!ground_.is_on_land(at_m)) return false;
         const View view = sight_.view_of(at_m);
         if (view.along_m < -2.0F || view.to_way_m > kReach_m || view.to_way_m < 1.2F) return false;
+        // Farther on fewer and wider ones stand, about as many to a piece of the picture.
+        const float stands_for = std::max(view.to_way_m / kAll_m, 1.0F);
+        if (random.unit_f() * stands_for * stands_for > 1) return false;
         if (!ground_.is_dry(at_m, kLowest_m)) return false;
         // On ground that people use grass is mown, and grows where it was painted green: on lawns and green fields.
         const bool is_used = scene::to_road_m(land_, at_m) <= 0.1F;
@@ -128,7 +133,9 @@ class Sower {
         const float closed = std::clamp(cover_.density + 1.1F * patches.thin + 0.12F, least, 1.0F) * bears;
         tuft.root_m = {at_m.x, scene::ground_height_m(land_, at_m) - 0.03F, at_m.y};
         if (stay < closed) {
-            grow(tuft, patches, {kind, size, hue}, is_used);
+            // Far off it melts into the ground, whose colour is all there is beyond.
+            grow(tuft, patches, {kind, size, hue, kLean / stands_for}, is_used);
+            tuft.radius_m *= std::min(std::pow(stands_for, 0.8F), kWidest);
             return true;
         }
         if (is_used) return false;
@@ -140,12 +147,14 @@ class Sower {
         tuft.kind = scene::CoverKind::Stone;
         tuft.height_m = 0.05F + 0.40F * std::pow(size, 5.0F);
         tuft.radius_m = 1.1F * tuft.height_m + 0.05F;
+        if (stands_for > 1.5F && tuft.height_m < 0.12F) return false;
         tuft.tint = glm::vec3{0.55F + 0.75F * hue};
         return true;
     }
 
     struct Draw {
         float kind, size, hue;
+        float lean;  // of the ground's colour toward the grass's
     };
 
     void grow(scene::Tuft& tuft, const Patches& patches, const Draw& draw, bool is_mown) const {
@@ -172,7 +181,7 @@ class Sower {
         const glm::vec3 own = bare * scene::withering_of(bare, cover_.withered);
         const float light = 0.78F + 0.40F * draw.hue;
         const float yellow = 0.10F * (draw.hue - 0.5F) + 0.35F * patches.kinds;
-        const glm::vec3 leaned = scene::mix_colours(own, cover_.grass, is_mown ? 0.25F * kLean : kLean);
+        const glm::vec3 leaned = scene::mix_colours(own, cover_.grass, (is_mown ? 0.25F : 1.0F) * draw.lean);
         tuft.tint = light * glm::vec3{1 + 0.5F * yellow, 1 + 0.15F * yellow, 1 - yellow} * leaned /
                     glm::max(own, glm::vec3{0.004F});
         tuft.tint = glm::clamp(tuft.tint, glm::vec3{0.35F}, glm::vec3{2.2F});
