@@ -26,7 +26,7 @@ using Parameters = scene::SkyParameters;
 constexpr float kPi = std::numbers::pi_v<float>;
 // Of the sun's light; a hundred times the true moon's, because an eye would have adapted and a picture cannot.
 constexpr float kMoonlight = 2.5e-4F;
-constexpr float kLeastBlue = 0.55F;  // of a night: a green meadow under stars is a day that has gone wrong
+constexpr float kLeastBlue = 0.85F;  // of a night: a green meadow under stars is a day that has gone wrong
 constexpr float kFill = 1.95F;       // how far an illustrator opens the shadows
 
 float brightest(const glm::vec3& c) { return std::max({c.x, c.y, c.z, 1.0e-9F}); }
@@ -234,7 +234,9 @@ Daylight make_daylight(const Parameters& p, const Lights& lights) {
             return by_sun.at(d, row) + by_moon.at(d, row) + glm::vec3{p.moon_glow * moon * about_moon(lights, d)} +
                    airglow * (1.3F - 0.6F * d.y) + galaxy(p, d) * (0.055F * kMoonlight * lights.darkness);
         });
-        light = moon * glm::sqrt(dark.transmittance(lights.moon.y));
+        const glm::vec3 through = glm::sqrt(dark.transmittance(lights.moon.y));
+        // An eye sees no colour in so little light: a low moon reddens no land.
+        light = moon * glm::mix(through, glm::vec3{scene::luminance(through)}, 0.85F * lights.darkness);
         light = warmed(light, p.moon_warmth, kAmber, kColdLight);
         // At nightfall the sky is red yet: blue trees before it would be out of place.
         light = warmed(light, lights.darkness * std::max(p.night_blue, kLeastBlue), kMoonBlue, kMoonBlue);
@@ -254,7 +256,7 @@ Daylight make_daylight(const Parameters& p, const Lights& lights) {
     const glm::vec2 flat{lights.sun.x, lights.sun.z};
     const Grade grade{p, lights, flat / std::max(glm::length(flat), 1.0e-4F)};
     // A night's sky is darker than what its moon lights, or no star would show.
-    const float night_sky = glm::mix(1.0F, 0.26F, lights.darkness);
+    const float night_sky = glm::mix(1.0F, 0.17F, lights.darkness);
     const float fill_light = day.exposure * kFill * (0.5F + 0.5F * p.ambient_strength) * night_sky;
     fill(day.dome,
          [&](const glm::vec3& d, int column, int row) { return grade(day.dome.at(column, row) * fill_light, d); });
