@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
+#include <vector>
 
 #include "scene/scene.hpp"
 
@@ -49,6 +51,19 @@ void darken(mesh::Field& field, float px_m, float half_m, const Ellipse& e) {
     }
 }
 
+// The share of light from above that its crown takes: leaves lie in it by chance (Beer & Lambert), and half of each
+// faces that way. A bare tree takes little.
+float taken_by(const scene::Species& species) {
+    const scene::Leaves& leaves = species.leaves;
+    float leaves_m2 = 0;
+    for (std::size_t i = 0; i + 2 < leaves.indices.size(); i += 3) {
+        const auto corner = [&](std::size_t k) { return leaves.vertices[leaves.indices[i + k]].corner_m; };
+        leaves_m2 += 0.5F * glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+    }
+    const float crown_m2 = std::numbers::pi_v<float> * species.crown_radius_m * species.crown_radius_m;
+    return 1 - 0.85F * std::exp(-0.9F * leaves_m2 / std::max(crown_m2, 0.01F));
+}
+
 }  // namespace
 
 CrownShade cast_crowns(const scene::Land& land, const glm::vec3& sun_direction, const scene::Flora& flora,
@@ -63,8 +78,11 @@ CrownShade cast_crowns(const scene::Land& land, const glm::vec3& sun_direction, 
     const float flat_length = std::max(glm::length(flat), 1.0e-3F);
     const glm::vec2 away = -flat / flat_length;
     const float run_per_rise = std::min(flat_length / std::max(sun_direction.y, 0.02F), 9.0F);
+    std::vector<float> taken;
+    for (const scene::Species& species : flora.species) taken.push_back(taken_by(species));
     for (const scene::Plant& plant : plants) {
         const scene::Species& species = flora.species[plant.species];
+        const float share = taken[plant.species];
         if (species.storey == scene::Storey::Herb) continue;
         const float radius_m = std::max(species.crown_radius_m * plant.scale, 0.75F * fine_m);
         const float high_m = species.height_m * plant.scale;
@@ -78,13 +96,15 @@ CrownShade cast_crowns(const scene::Land& land, const glm::vec3& sun_direction, 
             spot = root + away * (0.5F * glm::length(spot - root) + 0.5F * run_per_rise * drop_m);
         }
         const float tall_m = 0.40F * high_m * run_per_rise;
-        darken(shade.sun, px_m, half_m, shown({spot, away, std::hypot(radius_m, tall_m), radius_m, 0.80F}, least_m));
+        darken(shade.sun, px_m, half_m,
+               shown({spot, away, std::hypot(radius_m, tall_m), radius_m, 0.80F * share}, least_m));
         // The stem's shadow ties the crown's to the root.
         const float stem_m = 0.5F * glm::length(spot - root);
         if (stem_m > fine_m)
             darken(shade.sun, px_m, half_m,
                    shown({0.5F * (root + spot), away, stem_m, std::max(0.22F * radius_m, fine_m), 0.5F}, least_m));
-        darken(shade.sky, px_m, half_m, shown({root, {1, 0}, 1.15F * radius_m, 1.15F * radius_m, 0.60F}, least_m));
+        darken(shade.sky, px_m, half_m,
+               shown({root, {1, 0}, 1.15F * radius_m, 1.15F * radius_m, 0.60F * share}, least_m));
     }
     return shade;
 }

@@ -21,6 +21,7 @@ namespace {
 constexpr float kNoShadow_m = -1.0e5F;
 constexpr float kSoftness = 0.022F;  // of a shadow's edge, to its distance: wider than the sun's, as air makes it
 constexpr float kDeepest_m = 24.0F;
+constexpr float kFolds = 1.3F;  // how far gullies are darker and ridges lighter
 
 template <typename Row>
 void for_rows(int rows, const Row& row) {
@@ -134,6 +135,24 @@ class Bounce {
     float per_m_;
 };
 
+// How the ground is folded there: 1 where it is even, less in gullies, more on ridges. Under clouds nothing else would
+// show its form.
+float fold_at(const scene::Land& land, float column, float row) {
+    const auto height_m = [&](float east, float south) {
+        const auto within = [](float at, int samples) {
+            return std::clamp(static_cast<int>(at + 0.5F), 0, samples - 1);
+        };
+        return land.height_m.at(within(column + east, land.height_m.columns), within(row + south, land.height_m.rows));
+    };
+    float fold = 0;
+    for (const float reach : {2.0F, 6.0F}) {
+        const float about_m =
+            0.25F * (height_m(reach, 0) + height_m(-reach, 0) + height_m(0, reach) + height_m(0, -reach));
+        fold += (height_m(0, 0) - about_m) / (reach * land.cell_m);
+    }
+    return 1 + kFolds * fold / (1 + 2 * std::abs(fold));
+}
+
 struct Pixel {
     glm::vec2 at_m;
     float height_m;
@@ -148,7 +167,8 @@ glm::vec3 light_on(const Pixel& p, const scene::Land& land, const scene::Sky& sk
     const glm::vec3 normal = p.height_m > 0 ? scene::ground_normal(land, p.at_m) : glm::vec3{0, 1, 0};
     const float facing = std::max(glm::dot(normal, sky.sun_direction), 0.0F);
     const float sun = facing * p.sun * shadow.sun_at({p.at_m.x, std::max(p.height_m, 0.0F) + 0.1F, p.at_m.y});
-    return sun * sky.sunlight + p.open * sky.ambient.on(normal) + (1.0F - p.open) * p.bare * bounce.around(p.at_m);
+    return sun * sky.sunlight + p.open * sky.ambient.on(normal) +
+           std::max(1.0F - p.open, 0.0F) * p.bare * bounce.around(p.at_m);
 }
 
 }  // namespace
@@ -173,7 +193,10 @@ scene::BakedLight bake_light(const scene::Land& land, const mesh::Field& open, c
             const float seen = mesh::sample(open, (static_cast<float>(x) + 0.5F) * open_per_px - 0.5F,
                                             (static_cast<float>(y) + 0.5F) * open_per_px - 0.5F) *
                                crowns.sky.at(x, y);
-            const float left = std::clamp(1.0F - sky.occlusion * (1.0F - seen), 0.25F * seen, 1.0F);
+            const float per_px = static_cast<float>(land.height_m.columns - 1) / static_cast<float>(side_px);
+            const float fold =
+                fold_at(land, (static_cast<float>(x) + 0.5F) * per_px, (static_cast<float>(y) + 0.5F) * per_px);
+            const float left = fold * std::clamp(1.0F - sky.occlusion * (1.0F - seen), 0.25F * seen, 1.0F);
             const Pixel p{at, scene::ground_height_m(land, at), crowns.sun.at(x, y), left, crowns.sky.at(x, y)};
             const glm::vec3 c = light_on(p, land, sky, shadow, bounce);
             std::uint8_t* pixel = light.ground.pixel(x, y);
