@@ -20,7 +20,7 @@ out vec2 over_beds;
 out vec3 bedded;  // what the beds scale: what is shown of the stone itself
 
 const float kTile_m = 3.4;
-const vec3 kPale = vec3(0.70, 0.73, 0.64);  // roots of linear light
+const vec3 kPale = vec3(0.64, 0.67, 0.59);  // roots of linear light
 const vec3 kOrange = vec3(0.72, 0.53, 0.26);
 const float kDense = 0.75; // the stone shows through what covers it
 
@@ -28,10 +28,10 @@ void main() {
     show_ground(at_m, facet_normal.xyz, root_colour.rgb);
     vec3 stone = shown;
     vec4 haze = haze_at(at_m);
-    bedded = (shown - haze.rgb * haze.a) * (0.7 * kBedded * view.scales.z);
-    over_beds = 2.0 * beds_at(at_m);
+    bedded = (shown - haze.rgb * haze.a) * (0.42 * kBedded * view.scales.z);
+    over_beds = 3.4 * beds_at(at_m);
     // As light as the stone is in its own light and shade.
-    float brightness = 0.55 + 0.75 * max(root_colour.r, root_colour.g);
+    float brightness = 0.45 + 0.65 * max(root_colour.r, root_colour.g);
     show_ground(at_m, facet_normal.xyz, brightness * kPale);
     to_pale = kDense * root_colour.a * (shown - stone);
     show_ground(at_m, facet_normal.xyz, brightness * kOrange);

@@ -21,7 +21,7 @@ namespace {
 
 constexpr float kTurn_rad = 6.2831853F;
 constexpr float kGoldenAngle_rad = 2.3999632F;
-constexpr float kWhole_m = 4.8F;  // to this distance, in a quarter of a screen of 1080 lines, all blades are drawn
+constexpr float kWhole_m = 4.4F;  // to this distance, in a quarter of a screen of 1080 lines, all blades are drawn
 constexpr float kUsual_px = 703;  // pixels per radian there
 constexpr float kGust = 0.22F;    // of a blade's height, at most
 

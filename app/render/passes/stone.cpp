@@ -10,6 +10,7 @@
 #include "render/gl/buffer_upload.hpp"
 #include "render/gl/picture_upload.hpp"
 #include "render/passes/packing.hpp"
+#include "scene/colour.hpp"
 
 namespace quadrat::render::passes {
 namespace {
@@ -22,6 +23,20 @@ float lichen_of(const Pieces::Corner& corner) {
     const glm::vec3& at = corner.at_m;
     const float here = 0.62F + 0.45F * std::sin(0.41F * at.x + 2 * std::sin(0.23F * at.z)) * std::cos(0.47F * at.y);
     return std::min(open * here, 1.0F) * std::clamp((brightest - 0.03F) / 0.06F, 0.0F, 1.0F);
+}
+
+// Rain throws earth against its foot, and little light comes there: so it lies on the ground, not before it.
+float light_at_foot(const scene::Land& land, const glm::vec3& at_m) {
+    constexpr float kFoot_m = 0.8F;
+    constexpr float kLeast = 0.5F;
+    const float over_m = at_m.y - scene::ground_height_m(land, {at_m.x, at_m.z});
+    return kLeast + (1 - kLeast) * std::clamp(over_m / kFoot_m, 0.0F, 1.0F);
+}
+
+// In the sun what is paler would be a white sheet without form.
+glm::vec3 shown_colour(const glm::vec3& colour) {
+    constexpr float kPalest = 0.40F;
+    return colour * std::min(kPalest / std::max(scene::luminance(colour), 1e-3F), 1.0F);
 }
 
 // Of stone without lichen: one pixel of none.
@@ -43,9 +58,10 @@ void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<cons
     });
     gl::add_made<glm::vec3>(slices, stone.corners, GL_ARRAY_BUFFER, most,
                             [corners](std::size_t i) { return (*corners)[i].at_m; });
-    gl::add_made<Facing>(slices, stone.facings, GL_ARRAY_BUFFER, most, [corners](std::size_t i) {
+    gl::add_made<Facing>(slices, stone.facings, GL_ARRAY_BUFFER, most, [corners, land](std::size_t i) {
         const Pieces::Corner& corner = (*corners)[i];
-        const auto root = [&](int c) { return unsigned_byte(std::sqrt(std::max(corner.colour[c], 0.0F))); };
+        const glm::vec3 colour = light_at_foot(*land, corner.at_m) * shown_colour(corner.colour);
+        const auto root = [&](int c) { return unsigned_byte(std::sqrt(std::max(colour[c], 0.0F))); };
         return Facing{packed_normal(corner.normal), {root(0), root(1), root(2), unsigned_byte(lichen_of(corner))}};
     });
     const auto lichen = lichen_on(land);

@@ -97,7 +97,7 @@ CrownShade cast_crowns(const scene::Land& land, const glm::vec3& sun_direction, 
         }
         const float tall_m = 0.40F * high_m * run_per_rise;
         darken(shade.sun, px_m, half_m,
-               shown({spot, away, std::hypot(radius_m, tall_m), radius_m, 0.80F * share}, least_m));
+               shown({spot, away, std::hypot(radius_m, tall_m), radius_m, 0.80F * std::max(share, 0.5F)}, least_m));
         // The stem's shadow ties the crown's to the root.
         const float stem_m = 0.5F * glm::length(spot - root);
         if (stem_m > fine_m)

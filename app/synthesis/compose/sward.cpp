@@ -121,7 +121,7 @@ class Sower {
         if (view.along_m < -2.0F || view.to_way_m > kReach_m || view.to_way_m < 1.2F) return false;
         // Farther on fewer and wider ones stand, about as many to a piece of the picture.
         const float stands_for = std::max(view.to_way_m / kAll_m, 1.0F);
-        if (random.unit_f() * stands_for * stands_for > 1) return false;
+        if (random.unit_f() * std::pow(stands_for, 1.7F) > 1) return false;
         if (!ground_.is_dry(at_m, kLowest_m)) return false;
         // On ground that people use grass is mown, and grows where it was painted green: on lawns and green fields.
         const bool is_used = scene::to_road_m(land_, at_m) <= 0.1F;

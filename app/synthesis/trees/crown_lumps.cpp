@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kCell = 0.62F;   // of a lump, to the crown's radius
 constexpr float kSwing = 0.24F;  // of it, that the surface is moved at most
-constexpr float kLight = 0.30F;  // that a bulge has more of, and a hollow less
+constexpr float kLight = 0.20F;  // that a bulge has more of, and a hollow less
 constexpr base::Seed kLattice{0x6C'75'6D'70};
 
 float corner(const glm::ivec3& at) { return 2 * base::unit_of(base::hash_of(kLattice, at.x, at.y, at.z)) - 1; }

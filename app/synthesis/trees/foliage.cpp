@@ -122,7 +122,7 @@ class Clumps {
 
   private:
     static constexpr float kSide = 0.55F;  // of a clump, to the crown's radius
-    static constexpr float kTone = 0.44F;
+    static constexpr float kTone = 0.38F;
     struct Clump {
         glm::vec3 sum_m{0};
         float count = 0;
@@ -208,7 +208,7 @@ class Palette {
         if (site.organ == Organ::Flower) return colours_.blossom * light;
         if (site.organ == Organ::Fruit) return colours_.fruit * light;
         if (site.organ == Organ::YoungLeaf) return young_ * light;
-        const float varied = 1 + (3.0F + 0.6F * colours_.variety) * (light - 1);
+        const float varied = 1 + (2.3F + 0.7F * colours_.variety) * (light - 1);
         if (site.organ == Organ::TurnedLeaf) return turning_[step_at(lean)] * varied;
         const bool has_turned = when * (1.25F - 0.35F * std::min(out, 1.0F)) < colours_.autumn;
         const float t = has_turned ? lean : lean * lean * (0.35F + colours_.variety);
