@@ -26,11 +26,21 @@ scene::Land profiled(int samples, float cell_m, const std::function<float(float 
     return land;
 }
 
-scene::Flora of_one_species(float height_m, float crown_radius_m) {
+// Its leaves have so many times the crown's area, seen from above.
+scene::Flora of_one_species(float height_m, float crown_radius_m, float leaves_to_crown = 4) {
     scene::Flora flora;
     flora.species.emplace_back();
-    flora.species[0].height_m = height_m;
-    flora.species[0].crown_radius_m = crown_radius_m;
+    scene::Species& species = flora.species[0];
+    species.height_m = height_m;
+    species.crown_radius_m = crown_radius_m;
+    constexpr std::uint32_t kLeaves = 100;
+    const float leaf_m2 = leaves_to_crown * 3.1416F * crown_radius_m * crown_radius_m / kLeaves;
+    for (std::uint32_t i = 0; i < 3 * kLeaves; ++i) {
+        scene::Leaves::Vertex corner{};
+        if (i % 3 != 0) corner.corner_m[static_cast<int>(i % 3) - 1] = std::sqrt(2 * leaf_m2);
+        species.leaves.vertices.push_back(corner);
+        species.leaves.indices.push_back(i);
+    }
     return flora;
 }
 
@@ -85,6 +95,22 @@ TEST(CrownShadow, OfATreeIsAnEllipseWhereItsCrownIsCastTo) {
     }
 }
 
+TEST(CrownShadow, OfABareTreeIsFainterThanOfOneInLeaf) {
+    const scene::Land land = profiled(129, 1, [](float) { return 0; });
+    const scene::Plant tree = standing_at({0, 0, 0});
+    const auto shade_of = [&](float leaves_to_crown) {
+        return cast_crowns(land, kFromTheEast, of_one_species(20, 5, leaves_to_crown), {&tree, 1}, 256);
+    };
+    const CrownShade leafy = shade_of(4);
+    const CrownShade bare = shade_of(0);
+    constexpr int kRoot = 128;
+    constexpr int kShadow = kRoot - 24;
+    EXPECT_LT(leafy.sky.at(kRoot, kRoot), 0.6F);
+    EXPECT_GT(bare.sky.at(kRoot, kRoot), 0.85F);
+    EXPECT_LT(bare.sun.at(kShadow, kRoot), 0.7F) << "its limbs cast one";
+    EXPECT_LT(leafy.sun.at(kShadow, kRoot), 0.5F * bare.sun.at(kShadow, kRoot));
+}
+
 // From its bottom the horizon of a valley stands at atan |sin a|, a from the valley's own direction: of the sky,
 // weighted by its height, 1 / sqrt 2 is seen, the mean of 1 / (1 + sin^2 a). Eight directions over whole samples err by
 // less than 0.05.
@@ -113,6 +139,25 @@ TEST(BakedLight, OfARedFlankFillsTheFootOfTheOppositeOne) {
     EXPECT_GE(foot[0], 5);
     EXPECT_GT(foot[0], 3 * foot[1]) << "red";
     EXPECT_LT(at(-60)[0], foot[0] / 2) << "high above it";
+}
+
+// Waves of 32 m, under a sky that is alike everywhere.
+TEST(BakedLight, UnderAnEvenSkyShowsRidgesAndGullies) {
+    scene::Land waves = profiled(129, 1, [](float east_m) { return 20 + 3 * std::cos(0.19635F * east_m); });
+    waves.far_colour = glm::vec3{0};  // nothing is thrown back
+    scene::Sky sky;
+    constexpr int kPieces = 400;
+    for (int i = 0; i < kPieces; ++i) {
+        const float y = (static_cast<float>(i) + 0.5F) / kPieces;
+        const float turn = 2.3999632F * static_cast<float>(i);
+        const float flat = std::sqrt(1 - y * y);
+        sky.ambient.add({flat * std::cos(turn), y, flat * std::sin(turn)}, glm::vec3{0.5F}, 6.2832F / kPieces);
+    }
+    const LandShadow shadow(waves, sky.sun_direction);
+    const auto light = bake_light(waves, sky_openness(waves), sky, {}, {}, shadow, 128);
+    const auto at = [&](int east_m) { return static_cast<int>(light.ground.pixel(64 + east_m, 64)[1]); };
+    EXPECT_GT(at(0), at(16) + 18) << "a ridge and a gully";
+    EXPECT_NEAR(at(0), at(32), 3) << "each ridge like the next";
 }
 
 TEST(PlantLight, OfATreeBehindATreeIsLess) {

@@ -12,6 +12,7 @@
 #include "mesh/pieces.hpp"
 #include "support/manifold.hpp"
 #include "synthesis/trees/crown_fringe.hpp"
+#include "synthesis/trees/crown_lumps.hpp"
 #include "synthesis/trees/crown_mass.hpp"
 #include "synthesis/trees/crown_outline.hpp"
 #include "synthesis/trees/foliage.hpp"
@@ -55,6 +56,40 @@ TEST(CrownMass, StandsWhereLeavesAreDenseInTheirColours) {
         const glm::vec3 out = masses.front().mesh.positions_m[i] - glm::vec3{0, 5, 0};
         EXPECT_GT(glm::dot(masses.front().mesh.normals[i], glm::normalize(out)), 0.3F);
     }
+}
+
+TEST(CrownMass, OfABallIsAHeapAndNoBall) {
+    const auto masses = crown_masses(blades_on_a_ball(3500));
+    float sum = 0;
+    float sum2 = 0;
+    const auto& positions = masses.front().mesh.positions_m;
+    for (const glm::vec3& at_m : positions) {
+        const float radius = glm::distance(at_m, glm::vec3{0, 5, 0});
+        sum += radius;
+        sum2 += radius * radius;
+    }
+    const auto count = static_cast<float>(positions.size());
+    const float mean = sum / count;
+    const float deviation = std::sqrt(std::max(sum2 / count - mean * mean, 0.0F));
+    EXPECT_GT(deviation, 0.04F * mean);
+    EXPECT_LT(deviation, 0.20F * mean);
+}
+
+TEST(CrownLumps, AreSmoothEvenAndLightOnTop) {
+    const CrownLumps lumps({-3, 2, -3}, {3, 9, 3});
+    base::RandomStream random{base::Seed{5}};
+    double mean = 0;
+    constexpr int kPlaces = 4000;
+    for (int i = 0; i < kPlaces; ++i) {
+        const glm::vec3 at{random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)};
+        const float here = lumps.at(at);
+        mean += here / kPlaces;
+        ASSERT_LE(std::abs(here), 1);
+        EXPECT_NEAR(lumps.at(at + 0.001F), here, 0.01F);
+        EXPECT_EQ(lumps.light(at) > 1, here > 0);
+        EXPECT_NEAR(glm::length(lumps.normal(at, {0, 1, 0})), 1, 1e-4F);
+    }
+    EXPECT_NEAR(mean, 0, 0.05);
 }
 
 float area_of(const mesh::Mesh& mesh) {

@@ -56,6 +56,29 @@ TEST(Sward, CoversDryGroundBeforeTheEyeAndNothingElse) {
     }
 }
 
+// About as many on a piece of the picture wherever it shows: to an area of land fewer the farther, and wider for it.
+TEST(Sward, HasFewerAndWiderTuftsTheFarther) {
+    const scene::Sward sward = laid(shore());
+    struct Ring {
+        float nearest_m, farthest_m, tufts = 0, radius_m = 0;
+    };
+    std::vector<Ring> rings{{4, 24}, {40, 60}, {90, 120}};
+    for (const scene::Tuft& tuft : sward.tufts) {
+        const float away_m = glm::distance(glm::vec2{tuft.root_m.x, tuft.root_m.z}, glm::vec2{4, 40});
+        const float aside_m = std::abs(tuft.root_m.x - 4);
+        for (Ring& ring : rings) {
+            if (away_m < ring.nearest_m || away_m >= ring.farthest_m || 2 * aside_m > away_m) continue;
+            ring.tufts += 1 / (ring.farthest_m * ring.farthest_m - ring.nearest_m * ring.nearest_m);
+            ring.radius_m = std::max(ring.radius_m, tuft.radius_m);
+        }
+    }
+    EXPECT_GT(rings[2].tufts, 0) << "it goes on to there";
+    EXPECT_LT(rings[1].tufts, 0.65F * rings[0].tufts);
+    EXPECT_LT(rings[2].tufts, 0.35F * rings[1].tufts);
+    EXPECT_GT(rings[2].tufts, 0.03F * rings[0].tufts);
+    EXPECT_GT(rings[2].radius_m, 1.8F * rings[0].radius_m);
+}
+
 TEST(Sward, IsThinnerWhereTheFloraIsBarer) {
     scene::Cover bare;
     bare.density = 0;
