@@ -62,11 +62,11 @@ scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_p
     light_plants(scene.plants, *flora, *sky, shadow);
     scene.light = bake_light(*land, layout.openness, *sky, *flora, scene.plants, shadow, fineness.light_px);
     const float left = sky->is_night ? kLeftByNight : kLeftByDay;
-    shade_what_is_near(scene.light, scene.plants, scene.track, land->side_m(), left);
+    shade_what_is_near(scene.light, scene.plants, *flora, scene.track, land->side_m(), left);
     const int shades = sky->is_night ? kShadesAgainByNight : kShadesAgain;
     const float least = sky->is_night ? kLeastByNight : kLeastRange;
     for (int again = 0; again < shades && value_range(*land, *sky, scene.light, scene.track) < least; ++again)
-        shade_what_is_near(scene.light, scene.plants, scene.track, land->side_m(), kLeftAgain);
+        shade_what_is_near(scene.light, scene.plants, *flora, scene.track, land->side_m(), kLeftAgain);
     scene.sward = std::move(layout.sward);
     light_sward(scene.sward, *land, flora->cover, scene.light);
     scene.houses_sun = sun_on(land->settlement, shadow);

@@ -156,7 +156,7 @@ struct FreshCorner {
 // What water.frag is told: a little foam at the banks of what runs, all over where it falls.
 float foam_of(glm::vec2 current_m_s) {
     const float speed_m_s = glm::length(current_m_s);
-    return 0.12F + 4.5F * std::clamp((speed_m_s - 2.4F) / 3.0F, 0.0F, 1.0F);
+    return 0.12F + 1.9F * std::clamp((speed_m_s - 2.4F) / 3.0F, 0.0F, 1.0F);
 }
 
 }  // namespace

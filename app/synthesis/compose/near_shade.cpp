@@ -11,8 +11,9 @@
 namespace quadrat::synthesis {
 namespace {
 
-constexpr float kWhole_m = 20;  // from the flight's way the shade is whole
-constexpr float kNone_m = 66;   // and from here on there is none
+constexpr float kWhole_m = 20;    // from the flight's way the shade is whole
+constexpr float kNone_m = 66;     // and from here on there is none
+constexpr float kOnTrees = 0.3F;  // of it: their crowns rise out of it into the light, and stand out
 
 class NearShade {
   public:
@@ -45,8 +46,8 @@ class NearShade {
 
 }  // namespace
 
-void shade_what_is_near(scene::BakedLight& light, std::span<scene::Plant> plants, const scene::Track& track,
-                        float side_m, float left) {
+void shade_what_is_near(scene::BakedLight& light, std::span<scene::Plant> plants, const scene::Flora& flora,
+                        const scene::Track& track, float side_m, float left) {
     if (light.ground.bytes.empty() || track.cameras.empty()) return;
     const NearShade shade(track, left);
     mesh::Image& ground = light.ground;
@@ -64,7 +65,9 @@ void shade_what_is_near(scene::BakedLight& light, std::span<scene::Plant> plants
         }
     });
     oneapi::tbb::parallel_for(std::size_t{0}, plants.size(), [&](std::size_t i) {
-        plants[i].sun *= shade.at({plants[i].root_m.x, plants[i].root_m.z});
+        const bool is_tree = flora.species[plants[i].species].storey == scene::Storey::Tree;
+        const float of_light = shade.at({plants[i].root_m.x, plants[i].root_m.z});
+        plants[i].sun *= is_tree ? glm::mix(1.0F, of_light, kOnTrees) : of_light;
     });
 }
 

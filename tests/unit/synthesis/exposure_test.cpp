@@ -94,7 +94,7 @@ TEST(ValueRange, GrowsWithTheShadeOverWhatIsNear) {
     EXPECT_GE(before, 0);
     EXPECT_LE(before, 1);
     std::vector<scene::Plant> none;
-    shade_what_is_near(even.light, none, even.track, even.land.side_m(), 0.2F);
+    shade_what_is_near(even.light, none, {}, even.track, even.land.side_m(), 0.2F);
     EXPECT_GT(range(), before + 0.05F);
 }
 

@@ -185,16 +185,22 @@ TEST(Sward, SendsInTheMeanNearlyTheLightOfTheGroundUnderIt) {
 TEST(NearShade, TakesLightNearTheWayAndNoneFarFromIt) {
     scene::BakedLight light{mesh::Image(128, 128, 4)};
     std::ranges::fill(light.ground.bytes, std::uint8_t{200});
-    std::vector<scene::Plant> plants(2);
+    scene::Flora flora;
+    flora.species.resize(2);
+    flora.species[0].storey = scene::Storey::Herb;
+    std::vector<scene::Plant> plants(3);
     plants[1].root_m = {200, 0, 0};
+    plants[2].species = 1;
     scene::Track track;
     track.cameras = {scene::Camera{}};
-    shade_what_is_near(light, plants, track, 512, kLeftByDay);
+    shade_what_is_near(light, plants, flora, track, 512, kLeftByDay);
     EXPECT_LT(light.ground.pixel(64, 64)[1], 120);
     EXPECT_EQ(light.ground.pixel(64, 64)[3], 200);  // the water's depth
     EXPECT_EQ(light.ground.pixel(2, 64)[1], 200);
     EXPECT_LT(plants[0].sun, 0.6F);
     EXPECT_EQ(plants[1].sun, 1);
+    EXPECT_GT(plants[2].sun, 0.75F) << "a tree stands out of it";
+    EXPECT_LT(plants[2].sun, 0.95F);
 }
 
 TEST(Flight, FittedToALandKeepsItsWayAndMovesALittle) {
