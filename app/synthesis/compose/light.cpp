@@ -139,10 +139,7 @@ class Bounce {
 // show its form.
 float fold_at(const scene::Land& land, float column, float row) {
     const auto height_m = [&](float east, float south) {
-        const auto within = [](float at, int samples) {
-            return std::clamp(static_cast<int>(at + 0.5F), 0, samples - 1);
-        };
-        return land.height_m.at(within(column + east, land.height_m.columns), within(row + south, land.height_m.rows));
+        return mesh::sample(land.height_m, column + east, row + south);
     };
     float fold = 0;
     for (const float reach : {2.0F, 6.0F}) {

@@ -127,7 +127,8 @@ class Sower {
         const bool is_used = scene::to_road_m(land_, at_m) <= 0.1F;
         if (is_used && !is_green(albedo_at(land_, at_m))) return false;
         const glm::vec2 material = material_at(land_, at_m);
-        const float bears = glm::smoothstep(0.28F, 0.72F, material.x);
+        // What is green there is watered, whatever the ground is.
+        const float bears = is_used ? 1 : glm::smoothstep(0.28F, 0.72F, material.x);
         // Between patches it is short rather than none: a felt of colour alone is no grass near by.
         const float least = 0.25F + 0.5F * cover_.density;
         const float closed = std::clamp(cover_.density + 1.1F * patches.thin + 0.12F, least, 1.0F) * bears;
