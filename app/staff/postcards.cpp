@@ -85,7 +85,7 @@ Ended ended(pid_t process, int from) {
 
 std::string in_one_line(std::string text) {
     for (char& c : text)
-        if (c >= 0 && c < ' ') c = ' ';
+        if (static_cast<unsigned char>(c) < ' ') c = ' ';
     while (text.ends_with(' ')) text.pop_back();
     return text;
 }
