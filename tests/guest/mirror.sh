@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# What tests/guest/package and tests/guest/image share: the mirror that this machine installs from. Sourced, never run.
+# What the scripts of tests/guest share: the mirror that this machine installs from. Sourced, never run.
 export PATH=$PATH:/sbin:/usr/sbin
 mirror=$({ cat /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources} 2>/dev/null || true; } |
     grep -oE 'https?://[^ ]+/debian/?( |$)' | sed 's# *$##; s#/$##; q')
