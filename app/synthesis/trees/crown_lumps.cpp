@@ -2,13 +2,11 @@
 #include "synthesis/trees/crown_lumps.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include "base/seed.hpp"
+#include "mesh/value_noise.hpp"
 
 namespace quadrat::synthesis::trees {
 namespace {
@@ -18,8 +16,6 @@ constexpr float kSwing = 0.24F;  // of it, that the surface is moved at most
 constexpr float kLight = 0.20F;  // that a bulge has more of, and a hollow less
 constexpr base::Seed kLattice{0x6C'75'6D'70};
 
-float corner(const glm::ivec3& at) { return 2 * base::unit_of(base::hash_of(kLattice, at.x, at.y, at.z)) - 1; }
-
 }  // namespace
 
 CrownLumps::CrownLumps(const glm::vec3& low_m, const glm::vec3& high_m)
@@ -27,22 +23,12 @@ CrownLumps::CrownLumps(const glm::vec3& low_m, const glm::vec3& high_m)
       radius_m_(std::max(0.25F * (high_m.x - low_m.x + high_m.z - low_m.z), 0.01F)),
       cell_m_(kCell * radius_m_) {}
 
-// Values on a lattice, turned against the axes, between which they go smoothly.
+// Turned, so that the lattice's directions are not the crown's.
 float CrownLumps::at(const glm::vec3& at_m) const {
     const glm::vec3 off = (at_m - middle_m_) / cell_m_;
-    const glm::vec3 turned{0.36F * off.x + 0.48F * off.y - 0.8F * off.z, -0.8F * off.x + 0.6F * off.y,
-                           0.48F * off.x + 0.64F * off.y + 0.6F * off.z};
-    const glm::vec3 low = glm::floor(turned);
-    const glm::ivec3 cell{low};
-    const glm::vec3 in = turned - low;
-    const glm::vec3 t = in * in * (3.0F - 2.0F * in);
-    float sum = 0;
-    for (int k = 0; k < 8; ++k) {
-        const glm::ivec3 step{k & 1, (k >> 1) & 1, k >> 2};
-        const glm::vec3 share = glm::mix(1.0F - t, t, glm::vec3{step});
-        sum += corner(cell + step) * share.x * share.y * share.z;
-    }
-    return sum;
+    return mesh::value_noise({0.36F * off.x + 0.48F * off.y - 0.8F * off.z, -0.8F * off.x + 0.6F * off.y,
+                              0.48F * off.x + 0.64F * off.y + 0.6F * off.z},
+                             kLattice);
 }
 
 // About the axis a spire is thin: it keeps its tip.

@@ -15,7 +15,7 @@ class CrownLumps {
     float at(const glm::vec3& at_m) const;
     // How far the surface there is moved outward.
     float outward_m(const glm::vec3& at_m) const;
-    // The normal of the surface there that was moved so; of unit length, as the smooth one that is given.
+    // The normal of the surface that was moved so. Both are of unit length.
     glm::vec3 normal(const glm::vec3& at_m, const glm::vec3& smooth) const;
     // Of the light on the smooth crown, what reaches it: hollows are darker.
     float light(const glm::vec3& at_m) const;
