@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/flora.hpp"
 
+#include <glm/geometric.hpp>
+
 namespace quadrat::scene {
 namespace {
 
@@ -10,6 +12,17 @@ std::size_t bytes_in(const std::vector<Element>& elements) {
 }
 
 }  // namespace
+
+float area_m2(const Leaves& leaves) {
+    float area_m2 = 0;
+    const auto corner = [&](std::size_t i) {
+        const Leaves::Vertex& v = leaves.vertices[leaves.indices[i]];
+        return v.site_m + v.corner_m;
+    };
+    for (std::size_t i = 0; i + 2 < leaves.indices.size(); i += 3)
+        area_m2 += 0.5F * glm::length(glm::cross(corner(i + 1) - corner(i), corner(i + 2) - corner(i)));
+    return area_m2;
+}
 
 std::size_t bytes_of(const Species& species) {
     std::size_t bytes = species.bark.bytes.size() + species.leaf.bytes.size() + species.foliage.bytes.size() +

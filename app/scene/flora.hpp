@@ -51,6 +51,9 @@ struct Leaves {
     std::size_t indices_per_plain_blade() const { return blades == 0 ? 0 : plain_indices.size() / blades; }
 };
 
+// Of all the blades together, one side.
+float area_m2(const Leaves& leaves);
+
 // A crown as one mass, for when it is too far away for its leaves: a closed mesh about where they are dense, so that
 // the sky still shows through what is thin, and sprays that stand off it. Its vertices are coloured and shaded as the
 // leaves about them are.

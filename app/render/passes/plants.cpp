@@ -203,17 +203,10 @@ float largest_blade(const scene::Species& species) {
 // Of a crown of leaves that lie by chance (Beer's law over the leaf area that stands before one, seen from aside), but
 // for the gaps that twigs leave between them.
 float opacity_of(const scene::Species& species) {
-    float area_m2 = 0;
-    const auto corner = [&](std::size_t i) {
-        const scene::Leaves::Vertex& v = species.leaves.vertices[species.leaves.indices[i]];
-        return v.site_m + v.corner_m;
-    };
-    for (std::size_t i = 0; i + 2 < species.leaves.indices.size(); i += 3)
-        area_m2 += 0.5F * glm::length(glm::cross(corner(i + 1) - corner(i), corner(i + 2) - corner(i)));
     const float crown_m2 = 0.785F * 2 * species.crown_radius_m * 0.7F * species.height_m;
     constexpr float kTurned = 0.5F;  // of a leaf's area, seen from anywhere
     constexpr float kMost = 0.85F;
-    return kMost * (1 - std::exp(-kTurned * area_m2 / std::max(crown_m2, 1e-3F)));
+    return kMost * (1 - std::exp(-kTurned * scene::area_m2(species.leaves) / std::max(crown_m2, 1e-3F)));
 }
 
 // What stands for it far away is strokes about nothing.

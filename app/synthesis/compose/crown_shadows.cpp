@@ -54,14 +54,8 @@ void darken(mesh::Field& field, float px_m, float half_m, const Ellipse& e) {
 // The share of light from above that its crown takes: leaves lie in it by chance (Beer & Lambert), and half of each
 // faces that way. A bare tree takes little.
 float taken_by(const scene::Species& species) {
-    const scene::Leaves& leaves = species.leaves;
-    float leaves_m2 = 0;
-    for (std::size_t i = 0; i + 2 < leaves.indices.size(); i += 3) {
-        const auto corner = [&](std::size_t k) { return leaves.vertices[leaves.indices[i + k]].corner_m; };
-        leaves_m2 += 0.5F * glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
-    }
     const float crown_m2 = std::numbers::pi_v<float> * species.crown_radius_m * species.crown_radius_m;
-    return 1 - 0.85F * std::exp(-0.9F * leaves_m2 / std::max(crown_m2, 0.01F));
+    return 1 - 0.85F * std::exp(-0.9F * scene::area_m2(species.leaves) / std::max(crown_m2, 0.01F));
 }
 
 }  // namespace
@@ -79,11 +73,12 @@ CrownShade cast_crowns(const scene::Land& land, const glm::vec3& sun_direction, 
     const glm::vec2 away = -flat / flat_length;
     const float run_per_rise = std::min(flat_length / std::max(sun_direction.y, 0.02F), 9.0F);
     std::vector<float> taken;
-    for (const scene::Species& species : flora.species) taken.push_back(taken_by(species));
+    for (const scene::Species& species : flora.species)
+        taken.push_back(species.storey == scene::Storey::Herb ? 0 : taken_by(species));
     for (const scene::Plant& plant : plants) {
         const scene::Species& species = flora.species[plant.species];
-        const float share = taken[plant.species];
         if (species.storey == scene::Storey::Herb) continue;
+        const float share = taken[plant.species];
         const float radius_m = std::max(species.crown_radius_m * plant.scale, 0.75F * fine_m);
         const float high_m = species.height_m * plant.scale;
         const float crown_m = 0.58F * high_m;
