@@ -53,7 +53,7 @@ void sky(Results& results) {
         bakes.push_back(least_ms(3, [&] {
             const synthesis::LandShadow shadow(g.land, g.sky.sun_direction, g.sky.shadow_softness);
             synthesis::light_plants(g.plants, g.flora, g.sky, shadow);
-            synthesis::bake_light(g.land, synthesis::sky_openness(g.land), g.sky, g.flora, g.plants, shadow,
+            synthesis::bake_light(g.land, synthesis::openness_of(g.land), g.sky, g.flora, g.plants, shadow,
                                   scene::Fineness{}.light_px);
         }));
     }

@@ -5,6 +5,7 @@
 #include "base/seed.hpp"
 #include "scene/parameters_fwd.hpp"
 #include "scene/scene.hpp"
+#include "synthesis/compose/openness.hpp"
 
 // The growers. Each is a pure function of its arguments, bit for bit, on any number of threads, and may be called from
 // any thread. They run on the caller's oneTBB arena.
@@ -19,7 +20,7 @@ struct Layout {
     scene::Track track;
     std::vector<scene::Plant> plants;  // sun is left at 1
     scene::Sward sward;                // its light is left at 0
-    mesh::Field openness;              // of the sky, past the land
+    Openness openness;
 };
 // flight names the path over the land, the same for the four scenes of a round; the height follows each land.
 Layout lay_out(const scene::Flora& flora, const scene::Land& land, base::Seed planting, base::Seed flight);

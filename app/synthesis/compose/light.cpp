@@ -21,7 +21,6 @@ namespace {
 constexpr float kNoShadow_m = -1.0e5F;
 constexpr float kSoftness = 0.022F;  // of a shadow's edge, to its distance: wider than the sun's, as air makes it
 constexpr float kDeepest_m = 24.0F;
-constexpr float kFolds = 1.3F;  // how far gullies are darker and ridges lighter
 
 template <typename Row>
 void for_rows(int rows, const Row& row) {
@@ -135,21 +134,6 @@ class Bounce {
     float per_m_;
 };
 
-// How the ground is folded there: 1 where it is even, less in gullies, more on ridges. Under clouds nothing else would
-// show its form.
-float fold_at(const scene::Land& land, float column, float row) {
-    const auto height_m = [&](float east, float south) {
-        return mesh::sample(land.height_m, column + east, row + south);
-    };
-    float fold = 0;
-    for (const float reach : {2.0F, 6.0F}) {
-        const float about_m =
-            0.25F * (height_m(reach, 0) + height_m(-reach, 0) + height_m(0, reach) + height_m(0, -reach));
-        fold += (height_m(0, 0) - about_m) / (reach * land.cell_m);
-    }
-    return 1 + kFolds * fold / (1 + 2 * std::abs(fold));
-}
-
 struct Pixel {
     glm::vec2 at_m;
     float height_m;
@@ -170,7 +154,7 @@ glm::vec3 light_on(const Pixel& p, const scene::Land& land, const scene::Sky& sk
 
 }  // namespace
 
-scene::BakedLight bake_light(const scene::Land& land, const mesh::Field& open, const scene::Sky& sky,
+scene::BakedLight bake_light(const scene::Land& land, const Openness& open, const scene::Sky& sky,
                              const scene::Flora& flora, std::span<const scene::Plant> plants, const LandShadow& shadow,
                              int side_px) {
     scene::BakedLight light{mesh::Image(side_px, side_px, 4)};
@@ -182,18 +166,16 @@ scene::BakedLight bake_light(const scene::Land& land, const mesh::Field& open, c
     darken(crowns.sky, cast_houses(land, {0, 1, 0}, side_px), 0.5F);
     const float px_m = land.side_m() / static_cast<float>(side_px);
     const float half_m = 0.5F * land.side_m();
-    const float open_per_px = static_cast<float>(open.columns) / static_cast<float>(side_px);
+    const float open_per_px = static_cast<float>(open.sky.columns) / static_cast<float>(side_px);
     for_rows(side_px, [&](int y) {
         for (int x = 0; x < side_px; ++x) {
             const glm::vec2 at{(static_cast<float>(x) + 0.5F) * px_m - half_m,
                                (static_cast<float>(y) + 0.5F) * px_m - half_m};
-            const float seen = mesh::sample(open, (static_cast<float>(x) + 0.5F) * open_per_px - 0.5F,
-                                            (static_cast<float>(y) + 0.5F) * open_per_px - 0.5F) *
-                               crowns.sky.at(x, y);
-            const float per_px = static_cast<float>(land.height_m.columns - 1) / static_cast<float>(side_px);
-            const float fold =
-                fold_at(land, (static_cast<float>(x) + 0.5F) * per_px, (static_cast<float>(y) + 0.5F) * per_px);
-            const float left = fold * std::clamp(1.0F - sky.occlusion * (1.0F - seen), 0.25F * seen, 1.0F);
+            const float column = (static_cast<float>(x) + 0.5F) * open_per_px - 0.5F;
+            const float row = (static_cast<float>(y) + 0.5F) * open_per_px - 0.5F;
+            const float seen = mesh::sample(open.sky, column, row) * crowns.sky.at(x, y);
+            const float left = mesh::sample(open.folds, column, row) *
+                               std::clamp(1.0F - sky.occlusion * (1.0F - seen), 0.25F * seen, 1.0F);
             const Pixel p{at, scene::ground_height_m(land, at), crowns.sun.at(x, y), left, crowns.sky.at(x, y)};
             const glm::vec3 c = light_on(p, land, sky, shadow, bounce);
             std::uint8_t* pixel = light.ground.pixel(x, y);

@@ -4,6 +4,7 @@
 
 #include "mesh/field.hpp"
 #include "scene/scene.hpp"
+#include "synthesis/compose/openness.hpp"
 
 namespace quadrat::synthesis {
 
@@ -25,8 +26,8 @@ class LandShadow {
 };
 
 // Light on the ground: sun past land and crowns, sky past the land, and what the ground around throws back into
-// hollows (one bounce). openness: sky_openness(land).
-scene::BakedLight bake_light(const scene::Land& land, const mesh::Field& openness, const scene::Sky& sky,
+// hollows (one bounce). openness: openness_of(land).
+scene::BakedLight bake_light(const scene::Land& land, const Openness& openness, const scene::Sky& sky,
                              const scene::Flora& flora, std::span<const scene::Plant> plants, const LandShadow& shadow,
                              int side_px);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace quadrat::synthesis {
 
@@ -42,5 +43,34 @@ mesh::Field sky_openness(const scene::Land& land) {
     });
     return open;
 }
+
+namespace {
+
+mesh::Field folds_of(const scene::Land& land) {
+    constexpr float kStrength = 1.3F;
+    const mesh::Field& heights = land.height_m;
+    const int side = (heights.columns - 1) / 2;
+    mesh::Field folds(side, side);
+    oneapi::tbb::parallel_for(0, side, [&](int y) {
+        for (int x = 0; x < side; ++x) {
+            const auto height_m = [&](int east, int south) {
+                return heights.at(std::clamp(2 * x + 1 + east, 0, heights.columns - 1),
+                                  std::clamp(2 * y + 1 + south, 0, heights.rows - 1));
+            };
+            float fold = 0;
+            for (const int reach : {2, 6}) {
+                const float about_m =
+                    0.25F * (height_m(reach, 0) + height_m(-reach, 0) + height_m(0, reach) + height_m(0, -reach));
+                fold += (height_m(0, 0) - about_m) / (static_cast<float>(reach) * land.cell_m);
+            }
+            folds.at(x, y) = 1 + kStrength * fold / (1 + 2 * std::abs(fold));
+        }
+    });
+    return folds;
+}
+
+}  // namespace
+
+Openness openness_of(const scene::Land& land) { return {sky_openness(land), folds_of(land)}; }
 
 }  // namespace quadrat::synthesis

@@ -53,7 +53,7 @@ std::shared_ptr<const scene::Scene> stand_alone(const genome::ParameterValues& v
     made->plants.push_back(plant);
     made->flora = flora;
     const synthesis::LandShadow shadow(*made->land, made->sky->sun_direction);
-    made->light = synthesis::bake_light(*made->land, synthesis::sky_openness(*made->land), *made->sky, *flora,
+    made->light = synthesis::bake_light(*made->land, synthesis::openness_of(*made->land), *made->sky, *flora,
                                         made->plants, shadow, 256);
     return made;
 }

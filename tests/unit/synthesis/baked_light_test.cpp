@@ -132,7 +132,7 @@ TEST(BakedLight, OfARedFlankFillsTheFootOfTheOppositeOne) {
     scene::Sky sky;  // without any light of its own: what is not lit by the sun is lit by the flanks
     sky.sun_direction = glm::normalize(glm::vec3{-1, 1, 0});
     const LandShadow shadow(valley, sky.sun_direction);
-    const scene::BakedLight light = bake_light(valley, sky_openness(valley), sky, {}, {}, shadow, kSide);
+    const scene::BakedLight light = bake_light(valley, openness_of(valley), sky, {}, {}, shadow, kSide);
     const auto at = [&](int east_px) { return light.ground.pixel(kSide / 2 + east_px, kSide / 2); };
     EXPECT_GT(at(20)[0], 100) << "the flank that faces the sun";
     const auto* foot = at(-2);
@@ -154,7 +154,7 @@ TEST(BakedLight, UnderAnEvenSkyShowsRidgesAndGullies) {
         sky.ambient.add({flat * std::cos(turn), y, flat * std::sin(turn)}, glm::vec3{0.5F}, 6.2832F / kPieces);
     }
     const LandShadow shadow(waves, sky.sun_direction);
-    const auto light = bake_light(waves, sky_openness(waves), sky, {}, {}, shadow, 128);
+    const auto light = bake_light(waves, openness_of(waves), sky, {}, {}, shadow, 128);
     const auto at = [&](int east_m) { return static_cast<int>(light.ground.pixel(64 + east_m, 64)[1]); };
     EXPECT_GT(at(0), at(16) + 18) << "a ridge and a gully";
     EXPECT_NEAR(at(0), at(32), 3) << "each ridge like the next";

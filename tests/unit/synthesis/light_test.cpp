@@ -63,9 +63,9 @@ TEST(StoneShadow, DarkensTheGroundThatIsLit) {
     scene::Sky sky;
     sky.sun_direction = glm::normalize(glm::vec3{1, 1, 0});
     const LandShadow shadow(land, sky.sun_direction);
-    const scene::BakedLight with = bake_light(land, sky_openness(land), sky, {}, {}, shadow, kSide);
+    const scene::BakedLight with = bake_light(land, openness_of(land), sky, {}, {}, shadow, kSide);
     land.stone = {};
-    const scene::BakedLight without = bake_light(land, sky_openness(land), sky, {}, {}, shadow, kSide);
+    const scene::BakedLight without = bake_light(land, openness_of(land), sky, {}, {}, shadow, kSide);
     const auto green = [](const scene::BakedLight& light, int x) { return light.ground.pixel(x, kSide / 2)[1]; };
     EXPECT_LT(green(with, kSide / 2 - 8), 0.7 * green(without, kSide / 2 - 8));
     EXPECT_EQ(green(with, kSide / 2 + 8), green(without, kSide / 2 + 8));
