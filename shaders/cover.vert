@@ -27,7 +27,8 @@ void main() {
     vec3 at_m = root_m + vec3(turn_size.x * in_tuft.x + turn_size.y * in_tuft.z + sway_m, in_tuft.y * height_m,
                               turn_size.x * in_tuft.z - turn_size.y * in_tuft.x + 0.6 * sway_m);
     gl_Position = view.clip_from_world * vec4(at_m, 1.0);
-    // What is far melts into the ground: tips that stand for many would light up as a field of its own.
+    // What is far melts into the ground, though not all of it: tips that stand for many would light up as a field of
+    // its own.
     float tone = 1.0 + (2.0 * tone_accent.x - 1.0) / max(0.6 * min(turn_size.w, 4.5), 1.0);
     vec3 own = mix(ground_lit.rgb * tone, blossom.rgb * ground_lit.a, tone_accent.y);
     shown = own + veil_gust.rgb;

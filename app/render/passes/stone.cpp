@@ -54,14 +54,15 @@ void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<cons
     slices.prepare([&stone, &source, land, corners, most] {
         stone.pieces = Pieces(source);
         *corners = stone.pieces.take_corners();
+        for (Pieces::Corner& corner : *corners)
+            corner.colour = light_at_foot(*land, corner.at_m) * shown_colour(corner.colour);
         corners->resize(most);
     });
     gl::add_made<glm::vec3>(slices, stone.corners, GL_ARRAY_BUFFER, most,
                             [corners](std::size_t i) { return (*corners)[i].at_m; });
-    gl::add_made<Facing>(slices, stone.facings, GL_ARRAY_BUFFER, most, [corners, land](std::size_t i) {
+    gl::add_made<Facing>(slices, stone.facings, GL_ARRAY_BUFFER, most, [corners](std::size_t i) {
         const Pieces::Corner& corner = (*corners)[i];
-        const glm::vec3 colour = light_at_foot(*land, corner.at_m) * shown_colour(corner.colour);
-        const auto root = [&](int c) { return unsigned_byte(std::sqrt(std::max(colour[c], 0.0F))); };
+        const auto root = [&](int c) { return unsigned_byte(std::sqrt(std::max(corner.colour[c], 0.0F))); };
         return Facing{packed_normal(corner.normal), {root(0), root(1), root(2), unsigned_byte(lichen_of(corner))}};
     });
     const auto lichen = lichen_on(land);

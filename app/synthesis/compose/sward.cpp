@@ -22,6 +22,7 @@ namespace {
 constexpr float kReach_m = 130;
 constexpr float kAll_m = 26;           // from the way: to here a tuft stands at each place that bears one
 constexpr float kWidest = 2.6F;        // a tuft that stands for many, to one that stands for itself
+constexpr float kPebble_m = 0.12F;     // high at most
 constexpr float kLowest_m = 0.15F;     // above the sea: sand is bare by itself, and marshes are green
 constexpr float kMown = 0.4F;          // to the height of what grows as it likes
 constexpr float kMown_m = 0.22F;       // at most
@@ -68,15 +69,15 @@ class Sower {
         sward.blossom = cover_.blossom;
         sward.reach_m = kReach_m;
         if (low_.x >= high_.x || low_.y >= high_.y) return sward;
-        const NoiseMap thin(seed_.child("thin"), low_, high_, 1.6F * cover_.patch_m, 3);
-        const NoiseMap kinds(seed_.child("kinds"), low_, high_, cover_.patch_m, 2);
-        const NoiseMap blossoms(seed_.child("blossoms"), low_, high_, 0.8F * cover_.patch_m, 2);
+        const Maps maps{{seed_.child("thin"), low_, high_, 1.6F * cover_.patch_m, 3},
+                        {seed_.child("kinds"), low_, high_, cover_.patch_m, 2},
+                        {seed_.child("blossoms"), low_, high_, 0.8F * cover_.patch_m, 2}};
         const int columns = static_cast<int>((high_.x - low_.x) / kCell_m) + 1;
         const int rows = static_cast<int>((high_.y - low_.y) / kCell_m) + 1;
         std::vector<std::vector<scene::Tuft>> cells(static_cast<std::size_t>(columns * rows));
         oneapi::tbb::parallel_for(0, columns * rows, [&](int i) {
             const glm::vec2 corner = low_ + kCell_m * glm::vec2{i % columns, i / columns};
-            cells[static_cast<std::size_t>(i)] = cell(corner, thin, kinds, blossoms);
+            cells[static_cast<std::size_t>(i)] = cell(corner, maps);
         });
         for (const std::vector<scene::Tuft>& cell : cells)
             if (!cell.empty()) add(sward, cell);
@@ -84,8 +85,15 @@ class Sower {
     }
 
   private:
-    std::vector<scene::Tuft> cell(glm::vec2 corner, const NoiseMap& thin, const NoiseMap& kinds,
-                                  const NoiseMap& blossoms) const {
+    struct Patches {
+        float thin, kinds, blossoms;
+    };
+    struct Maps {
+        NoiseMap thin, kinds, blossoms;
+        Patches at(glm::vec2 at_m) const { return {thin.at(at_m), kinds.at(at_m), blossoms.at(at_m)}; }
+    };
+
+    std::vector<scene::Tuft> cell(glm::vec2 corner, const Maps& maps) const {
         std::vector<scene::Tuft> tufts;
         if (!region_.may_hold(corner + 0.5F * kCell_m)) return tufts;
         // The places of a cell by turns, so that a prefix of its tufts is even over it.
@@ -101,16 +109,12 @@ class Sower {
             const float down = random.unit_f();
             const glm::vec2 at_m = corner + kSpacing_m * (glm::vec2{at} + glm::vec2{right, down});
             scene::Tuft tuft;
-            if (draw(tuft, at_m, {thin.at(at_m), kinds.at(at_m), blossoms.at(at_m)}, random)) tufts.push_back(tuft);
+            if (draw(tuft, at_m, maps, random)) tufts.push_back(tuft);
         }
         return tufts;
     }
 
-    struct Patches {
-        float thin, kinds, blossoms;
-    };
-
-    bool draw(scene::Tuft& tuft, glm::vec2 at_m, const Patches& patches, base::RandomStream& random) const {
+    bool draw(scene::Tuft& tuft, glm::vec2 at_m, const Maps& maps, base::RandomStream& random) const {
         const float stay = random.unit_f();
         const float kind = random.unit_f();
         const float size = random.unit_f();
@@ -131,6 +135,7 @@ class Sower {
         const float bears = is_used ? 1 : glm::smoothstep(0.28F, 0.72F, material.x);
         // Between patches it is short rather than none: a felt of colour alone is no grass near by.
         const float least = 0.25F + 0.5F * cover_.density;
+        const Patches patches = maps.at(at_m);
         const float closed = std::clamp(cover_.density + 1.1F * patches.thin + 0.12F, least, 1.0F) * bears;
         tuft.root_m = {at_m.x, scene::ground_height_m(land_, at_m) - 0.03F, at_m.y};
         if (stay < closed) {
@@ -148,7 +153,7 @@ class Sower {
         tuft.kind = scene::CoverKind::Stone;
         tuft.height_m = 0.05F + 0.40F * std::pow(size, 5.0F);
         tuft.radius_m = 1.1F * tuft.height_m + 0.05F;
-        if (stands_for > 1.5F && tuft.height_m < 0.12F) return false;
+        if (tuft.height_m < kPebble_m && stands_for > 1.5F) return false;  // nobody sees it from here
         tuft.tint = glm::vec3{0.55F + 0.75F * hue};
         return true;
     }

@@ -185,7 +185,7 @@ class Density {
 
     glm::ivec3 size_{0};
     float dense_;
-    glm::vec3 low_m_, high_m_;  // the box about the leaves
+    glm::vec3 low_m_{0}, high_m_{0};  // the box about the leaves
     glm::vec3 origin_m_{0};
     float cell_m_ = 1;
     float reach_m_ = 0;

@@ -235,7 +235,7 @@ TEST(BakedLight, OfAWhiteGroundIsTheIrradianceOfSunAndSkyWithinTwoPercent) {
         const scene::Sky sky = grow_sky(scene::realise_sky(recipe.values), recipe.seeds[genome::Aspect::Sky]);
         if (sky.is_night) continue;  // the eye opens a night's shadows
         const LandShadow shadow(land, sky.sun_direction);
-        const scene::BakedLight baked = bake_light(land, sky_openness(land), sky, {}, {}, shadow, 32);
+        const scene::BakedLight baked = bake_light(land, openness_of(land), sky, {}, {}, shadow, 32);
         const glm::vec3 expected =
             level_irradiance([&](const glm::vec3& d) { return scene::mean_radiance(sky, d); }) / kPi +
             sky.sunlight * sky.sun_direction.y;
@@ -414,6 +414,19 @@ TEST(Sky, OfANightIsDarkerThanItsLandByMoonlight) {
     EXPECT_LT(luminance(night.dome.radiance({0, 1, 0})), 0.12F);
     EXPECT_GT(luminance(night.sunlight), luminance(night.dome.radiance({0, 1, 0})));
     EXPECT_NEAR(glm::dot(night.sun_direction, toward(p.moon_azimuth_deg, p.moon_elevation_deg)), 1, 1e-5);
+}
+
+TEST(Sky, OfALowMoonReddensNoLand) {
+    scene::SkyParameters p;
+    p.night_share = 1;
+    p.moon_elevation_deg = 8;
+    p.moon_warmth = 0;
+    const scene::Sky night = grow_sky(p, base::Seed{2});
+    EXPECT_GE(night.sunlight.b, night.sunlight.r);
+    p.night_share = 0;
+    p.sun_elevation_deg = 8;
+    const scene::Sky day = grow_sky(p, base::Seed{2});
+    EXPECT_GT(day.sunlight.r, 1.5F * day.sunlight.b) << "a low sun does";
 }
 
 }  // namespace

@@ -53,6 +53,20 @@ TEST(SprayTwigs, BeginOnALimbOrTowardOneThatIsFar) {
     }
 }
 
+TEST(SprayLeaves, AreDarkerAtTheirFootThanAtTheirTip) {
+    for (const LeafKind kind : {LeafKind::Ovate, LeafKind::Lance, LeafKind::Round, LeafKind::Lobed, LeafKind::Heart}) {
+        const LeafShape& spray = spray_shape(kind);
+        int leaves = 0;
+        for (std::size_t v = 0; v + 2 < spray.on_blade.size(); ++v) {
+            // A leaf's corners run from its foot by one side to its tip.
+            if (spray.on_blade[v] != glm::vec2{0, 0} || spray.on_blade[v + 2] != glm::vec2{0, 1}) continue;
+            EXPECT_LT(spray.lightness[v], 0.8F * spray.lightness[v + 2]);
+            ++leaves;
+        }
+        EXPECT_GE(leaves, 3) << static_cast<int>(kind);
+    }
+}
+
 // One ball's leaves all look away from its middle.
 TEST(Foliage, IsLitAsTheClumpsThatItFallsInto) {
     scene::TreeParameters p;
