@@ -86,7 +86,7 @@ std::vector<Finding> examine_screen(const std::optional<machine::Account>& exhib
     if (drawing.health != Health::Good) findings.push_back(drawing);
     if (findings.empty())
         findings.push_back({"screen", Health::Doubtful, "no graphics card with outputs was found",
-                            "on a Raspberry Pi: dtoverlay=vc4-kms-v3d in config.txt; elsewhere: is the GPU's kernel "
+                            "with Raspberry Pi OS: dtoverlay=vc4-kms-v3d in config.txt; elsewhere: is the GPU's kernel "
                             "driver loaded? Headless runs need none"});
     return findings;
 }
