@@ -56,11 +56,10 @@ class Canvas {
     float per_m_, half_;
 };
 
-// A field under snow shows its rows faintly.
-float bare_of_snow(const scene::Land& land, glm::vec2 at_m) {
-    constexpr float kEdge_m = 9;
-    const float above_m = scene::ground_height_m(land, at_m) - land.snow_line_m;
-    return 1 - 0.88F * glm::smoothstep(-kEdge_m, kEdge_m, above_m);
+// Snow lies where it was painted, on a field as about it: its rows show faintly.
+float bare_of_snow(const scene::Land& land, glm::vec2 at_m, const std::uint8_t* pixel) {
+    if (scene::ground_height_m(land, at_m) <= land.snow_line_m) return 1;
+    return 1 - 0.88F * glm::smoothstep(124.0F, 173.0F, static_cast<float>(std::min({pixel[0], pixel[1], pixel[2]})));
 }
 
 void paint_field(const Canvas& canvas, const scene::Land& land, const FieldPlot& field, base::Seed seed) {
@@ -74,14 +73,14 @@ void paint_field(const Canvas& canvas, const scene::Land& land, const FieldPlot&
         const float row = field.rows > 0 ? std::sin(glm::dot(at, across) * 1.6F) : 0.0F;
         const float tone = 1 + 0.09F * (chance - 0.5F) + 0.13F * field.rows * row;
         const float edge = glm::smoothstep(0.3F, 1.9F, in + 0.5F * chance);
-        const float bare = bare_of_snow(land, at);
+        const float bare = bare_of_snow(land, at, pixel);
         if (edge < 1) blend(pixel, kBalk, 0.55F * (1 - edge) * bare);
         blend(pixel, field.colour * tone, 0.82F * edge * bare);
     });
 }
 
-void paint_yard(const Canvas& canvas, const scene::Building& building, const scene::House& house, float green,
-                base::Seed seed) {
+void paint_yard(const Canvas& canvas, const scene::Land& land, const scene::Building& building,
+                const scene::House& house, float green, base::Seed seed) {
     const glm::vec2 at_m{house.foot_m.x, house.foot_m.z};
     const float reach_m = glm::length(building.half_m) + 14;
     const scene::HouseFrame frame(building, house);
@@ -91,7 +90,7 @@ void paint_yard(const Canvas& canvas, const scene::Building& building, const sce
         if (away_m > 12 || (away_m > 3.7F && green <= 0)) return;
         const float ragged = base::unit_of(base::hash_of(seed, x, y));
         const float garden = 0.55F * green * (1 - glm::smoothstep(6.0F, 12.0F, away_m + 3 * ragged));
-        if (garden > 0) blend(pixel, lawn * (0.93F + 0.14F * ragged), garden);
+        if (garden > 0) blend(pixel, lawn * (0.93F + 0.14F * ragged), garden * bare_of_snow(land, at, pixel));
         const float worn = 0.8F * (1 - glm::smoothstep(0.4F, 2.2F + 1.4F * ragged, away_m));
         if (worn > 0) blend(pixel, kEarth * (0.9F + 0.15F * ragged), worn);
     });
@@ -116,7 +115,7 @@ void paint_grounds(mesh::Image& albedo, const scene::Land& land, const Settled& 
     for (const FieldPlot& field : fields) paint_field(canvas, land, field, seed);
     const scene::Settlement& settlement = settled.settlement;
     for (const scene::House& house : settlement.houses)
-        paint_yard(canvas, settlement.buildings[house.building], house, green, seed);
+        paint_yard(canvas, land, settlement.buildings[house.building], house, green, seed);
     for (const scene::GardenPlant& plant : land.settlement.gardens) paint_bed(canvas, plant, seed.child("beds"));
     for (const Lane& lane : settled.lanes)
         for (std::size_t i = 0; i + 1 < lane.line_m.size(); ++i) {
