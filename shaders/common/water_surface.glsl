@@ -6,7 +6,7 @@
 out vec2 over_land;
 out float drifted;  // where the gusts that are here now were over the land, eastward
 out vec3 before;    // shown, the air and the water's own colour, weighted
-out vec3 mirrored;  // xy: in the mirrored picture; z: half its share; xy where water.frag's slope is 0
+out vec3 mirrored;  // xy: in the mirrored picture; z: its share, as water.frag has it; xy where its slope is 0
 out float glitter;  // how bright the sun is in water of that slope, as a power of two
 out float white;    // from how deep water on there is no foam: at the sea's shore some, in a fall's all of it
 
@@ -24,7 +24,7 @@ void show_water(vec3 at_m, float foams) {
     float clear = 1.0 - haze.a;
     vec3 own = view.shallow_water.rgb + view.deepening.rgb;
     before = haze.rgb * haze.a + own * ((1.0 - reflected) * clear);
-    mirrored = vec3(in_mirror(at_m, away), 0.5 * reflected * clear * view.to_sun.w);
+    mirrored = vec3(in_mirror(at_m, away), 1.12 * reflected * clear * view.to_sun.w);
     mirrored.y -= mirror.ripple.x;
     // Gusts roughen some of the water and leave some of it smooth.
     vec2 gust = at_m.xz * 0.045 + view.eye_seconds.w * vec2(0.05, 0.03);
