@@ -113,8 +113,10 @@ class Wrapping {
             const bool is_bare = corners[i].off_m < 0;
             const float turn_rad = glm::two_pi<float>() * static_cast<float>(i) / static_cast<float>(corners.size());
             const glm::vec2 way{std::cos(turn_rad), std::sin(turn_rad)};
+            const float uneven = 1 + kUneven * (chance(0) - 0.25F);
+            // Nowhere wider than the crown: on a spire the farthest point is the lowest of its band.
             const float off_m =
-                (is_bare ? kArmless * usual_m : kRound * corners[i].off_m) * (1 + kUneven * (chance(0) - 0.25F));
+                is_bare ? kArmless * usual_m * uneven : std::min(kRound * uneven, 0.96F) * corners[i].off_m;
             const glm::vec2 at_m = axis_m + way * off_m;
             const float up = height + 0.3F * kUneven * chance(1);
             const glm::vec3 turned = kTurned * glm::vec3{chance(2), chance(3), chance(4)};
