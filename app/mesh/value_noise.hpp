@@ -6,8 +6,7 @@
 
 namespace quadrat::mesh {
 
-// Value noise in space: a number for each point of the unit lattice, between which it goes smoothly. In [-1, 1], mean
-// 0.
+// Value noise in space, -1 to 1: a number for each point of the unit lattice, between which it goes smoothly.
 float value_noise(const glm::vec3& at, base::Seed seed);
 
 }  // namespace quadrat::mesh

@@ -6,7 +6,8 @@
 out vec2 over_land;
 out float drifted;  // where the gusts that are here now were over the land, eastward
 out vec3 before;    // shown, the air and the water's own colour, weighted
-out vec3 mirrored;  // xy: in the mirrored picture; z: its share, as water.frag has it; xy where its slope is 0
+out vec3 mirrored;  // xy: in the mirrored picture; z: its share, to what water.frag leaves of a slope of 1; xy where
+                    // that slope is 0
 out float glitter;  // how bright the sun is in water of that slope, as a power of two
 out float white;    // from how deep water on there is no foam: at the sea's shore some, in a fall's all of it
 

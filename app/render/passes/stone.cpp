@@ -45,26 +45,30 @@ std::shared_ptr<const mesh::Image> lichen_on(const std::shared_ptr<const scene::
     return std::make_shared<mesh::Image>(1, 1, 2);
 }
 
+Facing facing_of(const scene::Land& land, const Pieces::Corner& corner) {
+    const glm::vec3 colour = light_at_foot(land, corner.at_m) * shown_colour(corner.colour);
+    const auto root = [&](int c) { return unsigned_byte(std::sqrt(std::max(colour[c], 0.0F))); };
+    return {packed_normal(corner.normal), {root(0), root(1), root(2), unsigned_byte(lichen_of(corner))}};
+}
+
 }  // namespace
 
 void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<const scene::Land>& land) {
     const scene::Stone& source = land->stone;
     const std::size_t most = Pieces::most_corners(source);
     const auto corners = std::make_shared<std::vector<Pieces::Corner>>();
-    slices.prepare([&stone, &source, land, corners, most] {
+    const auto facings = std::make_shared<std::vector<Facing>>();
+    slices.prepare([&stone, &source, land, corners, facings, most] {
         stone.pieces = Pieces(source);
         *corners = stone.pieces.take_corners();
-        for (Pieces::Corner& corner : *corners)
-            corner.colour = light_at_foot(*land, corner.at_m) * shown_colour(corner.colour);
+        for (const Pieces::Corner& corner : *corners) facings->push_back(facing_of(*land, corner));
         corners->resize(most);
+        facings->resize(most);
     });
     gl::add_made<glm::vec3>(slices, stone.corners, GL_ARRAY_BUFFER, most,
                             [corners](std::size_t i) { return (*corners)[i].at_m; });
-    gl::add_made<Facing>(slices, stone.facings, GL_ARRAY_BUFFER, most, [corners](std::size_t i) {
-        const Pieces::Corner& corner = (*corners)[i];
-        const auto root = [&](int c) { return unsigned_byte(std::sqrt(std::max(corner.colour[c], 0.0F))); };
-        return Facing{packed_normal(corner.normal), {root(0), root(1), root(2), unsigned_byte(lichen_of(corner))}};
-    });
+    gl::add_made<Facing>(slices, stone.facings, GL_ARRAY_BUFFER, most,
+                         [facings](std::size_t i) { return (*facings)[i]; });
     const auto lichen = lichen_on(land);
     gl::TextureShape tiled;
     tiled.wrap_s = tiled.wrap_t = gl::Wrap::Repeat;

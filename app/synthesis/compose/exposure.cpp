@@ -97,7 +97,7 @@ float value_at(std::vector<float>& values, float share) {
     return *at;
 }
 
-// From the 5th to the 95th hundredth. Each end is the mean of a tenth: a single ray hits a shadow or misses it.
+// From the mean of the darkest tenth to that of the lightest: a single ray hits a shadow or misses it.
 float range_of(std::vector<float>& values) {
     const auto tenth = static_cast<std::ptrdiff_t>(values.size() / 10);
     std::nth_element(values.begin(), values.begin() + tenth, values.end());

@@ -17,6 +17,7 @@ namespace {
 
 constexpr float kFewEnough = 0.75F;  // of a level's triangles, for another
 constexpr float kRound = 0.92F;      // of the farthest point: flat triangles between such would look too large
+constexpr float kWidest = 0.96F;     // likewise, whatever chance adds: on a spire that point is the lowest of its band
 constexpr float kArmless = 0.6F;     // of the ring's mean where nothing of the crown lies that way
 constexpr float kBand = 0.1F;        // of the crown's height, to each side of a ring
 constexpr float kFirstRing = 0.1F;   // how high in the crown
@@ -114,9 +115,8 @@ class Wrapping {
             const float turn_rad = glm::two_pi<float>() * static_cast<float>(i) / static_cast<float>(corners.size());
             const glm::vec2 way{std::cos(turn_rad), std::sin(turn_rad)};
             const float uneven = 1 + kUneven * (chance(0) - 0.25F);
-            // Nowhere wider than the crown: on a spire the farthest point is the lowest of its band.
             const float off_m =
-                is_bare ? kArmless * usual_m * uneven : std::min(kRound * uneven, 0.96F) * corners[i].off_m;
+                is_bare ? kArmless * usual_m * uneven : std::min(kRound * uneven, kWidest) * corners[i].off_m;
             const glm::vec2 at_m = axis_m + way * off_m;
             const float up = height + 0.3F * kUneven * chance(1);
             const glm::vec3 turned = kTurned * glm::vec3{chance(2), chance(3), chance(4)};
