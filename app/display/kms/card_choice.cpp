@@ -33,7 +33,8 @@ std::string listed(std::span<const Card> cards) {
 }
 
 std::string why_no_card(std::span<const Card> cards) {
-    if (cards.empty()) return "no graphics card in /dev/dri (with Raspberry Pi OS: dtoverlay=vc4-kms-v3d in config.txt)";
+    if (cards.empty())
+        return "no graphics card in /dev/dri (with Raspberry Pi OS: dtoverlay=vc4-kms-v3d in config.txt)";
     std::string text;
     for (const Card& card : cards) {
         const std::string why = !card.problem.empty()     ? card.problem
