@@ -13,6 +13,8 @@ constexpr float kSlivers = 10;  // of a triangle each stand for a blade of many:
 constexpr float kCopiesWanted = 0.16F;  // of the blades that are asked for and are not there, those that copies are
 constexpr float kCopied = -0.25F;  // a copy's size to their number, to this power: together they hide more of the limbs
 constexpr float kFewestBladesA_px = 0.15F;  // of its height: large blades that are few are flags
+constexpr float kFewestFronds = 0.45F;      // of a palm's: with four of them it is a stake
+constexpr float kLargestFrond = 1.5F;       // times its size, where so few stand for all
 constexpr float kLeastStand = 0.3F;    // of plants that are but a few blades: the fewest that stand for all of them
 constexpr float kStem_px = 6;          // high; of a smaller tree with leaves it is left out
 constexpr float kStemWidth_px = 1.3F;  // at least
@@ -116,10 +118,25 @@ bool is_mass_enough(const Kind& kind) {
     return kind.massed >= kMassAlone || (!kind.mass_triangles.empty() && kind.mass_triangles.back() <= kSimpleMass);
 }
 
+// Its blades are as long as its crown is wide, on a stem, and nothing fills in for those that are left out.
+bool is_palm(const Kind& kind) {
+    const bool has_stem = !kind.wood_triangles.empty() && kind.wood_triangles.front() > 0;
+    return has_stem && kind.mass_triangles.empty() && kind.largest_blade <= 1;
+}
+
+// How much larger than it is a blade may be drawn.
+float largest_blade(const Kind& kind, float blade_px) {
+    if (is_palm(kind)) return kLargestFrond;
+    // Large ones near by are seen as what they are, sooner than in a crown that is small.
+    return std::clamp(kLargestBlade_px / blade_px, std::max(0.55F * kind.largest_blade, 1.0F), kind.largest_blade);
+}
+
 // A crown that is looked at is leaves, whatever is drawn of all others: one mass so near is a hedgehog on a pole.
 float fewest_blades(const Kind& kind, float height_px, float nearness) {
     const float near = std::max(kFewestNear, kFewestNearShare * static_cast<float>(kind.blades));
-    const float fewest = std::max({static_cast<float>(kFewestBlades), kFewestBladesA_px * height_px, near * nearness});
+    const float palm = is_palm(kind) ? kFewestFronds * static_cast<float>(kind.blades) : 0;
+    const float fewest =
+        std::max({static_cast<float>(kFewestBlades), kFewestBladesA_px * height_px, near * nearness, palm});
     return std::min(static_cast<float>(kind.blades), fewest);
 }
 
@@ -173,9 +190,7 @@ Closeness closeness(const Kind& kind, float height_px, float fineness, float loo
         return std::clamp(std::min(blades, copied), fewest, static_cast<float>(kind.copies) * all) / all;
     };
     const float blade_px = kind.blade_m * height_px / std::max(kind.height_m, 0.1F);
-    // Large ones near by are seen as what they are, sooner than in a crown that is small.
-    const float largest =
-        std::clamp(kLargestBlade_px / blade_px, std::max(0.55F * kind.largest_blade, 1.0F), kind.largest_blade);
+    const float largest = largest_blade(kind, blade_px);
     const auto enlarged_by = [&](float blades) { return std::min(size_for(share_of(blades)), largest); };
     how.enlarged = enlarged_by(wanted_blades);
     how.mass_level = kind.mass_triangles.size();
