@@ -21,12 +21,12 @@ layout(location = 0) out vec4 pixel;
 
 void main() {
     float deep = texture(ground, over_land).a;
-    float slope = mix(texture(ripples, carried.xy).r, texture(ripples, carried.zw).r, turn) +
-                  texture(ripples, vec2(drifted, over_land.y)).g;  // 1: level
+    float ripple = mix(texture(ripples, carried.xy).r, texture(ripples, carried.zw).r, turn);
+    float slope = ripple + texture(ripples, vec2(drifted, over_land.y)).g;  // 1: level
     // A ripple that leans away shows what is higher, and more of it: within a slope of a tenth Fresnel's share changes by
-    // its half. One that leans just so shows the sun.
+    // its half. One that leans just so shows the sun, whatever the gust: a gust tilts a bay.
     vec3 sky = texture(picture, vec2(mirrored.x, slope * mirror.ripple.x + mirrored.y)).rgb;
-    float share = (slope - 0.11) * mirrored.z + exp2(slope * mirror.ripple.y + glitter);
+    float share = (slope - 0.11) * mirrored.z + exp2(ripple * mirror.ripple.y + glitter);
     float foam = max(white * slope - deep * 13.0, 0.0) * view.mirrored.w;
     // The bed shows through where it is near, and at the very shore there is only a film. The target clamps.
     pixel = vec4(sky * share + before + foam, deep * 1.4 + (min(deep * 14.0, 0.25) + foam));

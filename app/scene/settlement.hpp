@@ -64,6 +64,18 @@ struct GardenPlant {
     friend bool operator==(const GardenPlant&, const GardenPlant&) = default;
 };
 
+// Land that is tilled or mown.
+enum class Crop : std::uint8_t { Meadow, MownMeadow, YoungCorn, RipeCorn, Stubble, Ploughed, Roots };
+inline constexpr std::size_t kCrops = 7;
+struct FieldPlot {
+    std::vector<glm::vec2> outline_m;  // convex, either way round
+    glm::vec2 along{1, 0};             // of its rows, unit
+    Crop crop = Crop::Meadow;
+    glm::vec3 colour{0.5F};  // sRGB
+    float rows = 0;          // how much they show, 0 to 1
+    bool has_hedge = false;
+};
+
 inline constexpr float kStainsTile_m = 4;
 
 // What people have built on a land.
@@ -71,6 +83,7 @@ struct Settlement {
     std::vector<Building> buildings;
     std::vector<House> houses;   // in the order they were built: a younger settlement has the first of them
     std::vector<Masses> bounds;  // fences, walls, hedges along plots and fields, a piece a plot, where they stand
+    std::vector<FieldPlot> fields;
     std::vector<GardenPlant> gardens;
     float lit_share = 0.5F;  // of the windows, on a dark night
     // How far weather has stained walls and roofs, one channel, tileable: kStainsTile_m wide. The same for all

@@ -30,8 +30,8 @@ void show_water(vec3 at_m, float foams) {
     // Gusts roughen some of the water and leave some of it smooth.
     vec2 gust = at_m.xz * 0.045 + view.eye_seconds.w * vec2(0.05, 0.03);
     float rough = sin(gust.x + 1.7 * sin(gust.y)) + sin(1.9 * gust.y - 0.7 * gust.x) + 0.6 * sin(3.1 * gust.x + gust.y);
-    // It is many times as bright as the sky that it is seen with, by night too.
-    glitter = (dot(away, view.to_sun.xyz) - 1.0) * mirror.ripple.z - mirror.ripple.w +
-              log2(clear * min(view.sunlight.g, 1.0) / max(view.haze_colour.g, 0.08) + 1e-4) + 1.2 * rough - 1.9 -
-              mirror.ripple.y;
+    // It is many times as bright as the sky that it is seen with, by night too, when that is darker still.
+    float bright = clear * min(view.sunlight.g, 1.0) / max(view.haze_colour.g, 0.08);
+    glitter = (dot(away, view.to_sun.xyz) - 1.0) * mirror.ripple.z - mirror.ripple.w + 0.5 * log2(bright + 1e-4) +
+              min(1.2 * rough, 1.2) - 0.7 - 0.5 * mirror.ripple.y;
 }

@@ -14,6 +14,7 @@
 #include "synthesis/compose/gardens.hpp"
 #include "synthesis/houses/bounds.hpp"
 #include "synthesis/houses/bridges.hpp"
+#include "synthesis/houses/fields.hpp"
 #include "synthesis/houses/grounds.hpp"
 #include "synthesis/houses/waterside.hpp"
 
@@ -35,6 +36,17 @@ void for_samples(mesh::Field& field, float cell_m, glm::vec2 low_m, glm::vec2 hi
             visit(field.at(x, y), cell_m * (glm::vec2{static_cast<float>(x), static_cast<float>(y)} - half));
 }
 
+void keep_fields_clear(const scene::Land& land, mesh::Field& to_edge_m) {
+    constexpr float kHedge_m = 2;  // left to trees at a field's edge
+    for (const scene::FieldPlot& field : land.settlement.fields) {
+        const auto [low, high] = houses::extent_of(field.outline_m);
+        const houses::Inside inside(field.outline_m);
+        for_samples(to_edge_m, land.cell_m, low, high, [&](float& to_edge, glm::vec2 at) {
+            to_edge = std::min(to_edge, std::max(kHedge_m - inside.by_m(at), -4.0F));
+        });
+    }
+}
+
 }  // namespace
 
 void HouseBuilders::build(scene::Land& land) {
@@ -48,19 +60,21 @@ void HouseBuilders::build(scene::Land& land) {
     }
     land.settlement = std::move(settled_.settlement);
     settled_.settlement = land.settlement.without_masses();
+    std::vector<scene::FieldPlot> fields;
     std::vector<scene::GardenPlant> gardens;
     std::vector<scene::Masses> bounds, waterside;
     // Neither knows of the other.
     oneapi::tbb::parallel_invoke(
         [&] {
-            fields_ = houses::lay_fields(land, settled_, parameters_, seed_.child("fields"));
-            bounds = houses::add_bounds(land, settled_, fields_, parameters_, seed_.child("bounds"));
+            fields = houses::lay_fields(land, settled_, parameters_, seed_.child("fields"));
+            bounds = houses::add_bounds(land, settled_, fields, parameters_, seed_.child("bounds"));
         },
         [&] {
             gardens = lay_gardens(land, parameters_, seed_.child("gardens"));
             waterside = houses::add_jetties(land, settled_, parameters_, seed_.child("jetties"));
             std::ranges::move(houses::add_bridges(land, settled_, parameters_), std::back_inserter(waterside));
         });
+    land.settlement.fields = std::move(fields);
     land.settlement.gardens = std::move(gardens);
     land.settlement.bounds = std::move(bounds);
     std::ranges::move(waterside, std::back_inserter(land.settlement.bounds));
@@ -91,18 +105,6 @@ void HouseBuilders::keep_clear(const scene::Land& land, mesh::Field& to_edge_m) 
         }
     keep_fields_clear(land, to_edge_m);
 }
-
-void HouseBuilders::keep_fields_clear(const scene::Land& land, mesh::Field& to_edge_m) const {
-    constexpr float kHedge_m = 2;  // left to trees at a field's edge
-    for (const houses::FieldPlot& field : fields_) {
-        const auto [low, high] = houses::extent_of(field.outline_m);
-        const houses::Inside inside(field.outline_m);
-        for_samples(to_edge_m, land.cell_m, low, high, [&](float& to_edge, glm::vec2 at) {
-            to_edge = std::min(to_edge, std::max(kHedge_m - inside.by_m(at), -4.0F));
-        });
-    }
-}
-
 // From the south, where the land opens to the viewer, and from so far that it fills much of a picture.
 scene::Landmark HouseBuilders::landmark() const {
     constexpr glm::vec2 kViewer_m{0, 290};
@@ -117,7 +119,8 @@ scene::Landmark HouseBuilders::landmark() const {
 }
 
 void HouseBuilders::paint(const scene::Land& land, mesh::Image& albedo) {
-    houses::paint_grounds(albedo, land, settled_, fields_, parameters_.settle_gardens, seed_.child("grounds"));
+    houses::paint_grounds(albedo, land, settled_, land.settlement.fields, parameters_.settle_gardens,
+                          seed_.child("grounds"));
 }
 
 }  // namespace quadrat::synthesis

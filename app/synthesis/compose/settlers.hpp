@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "synthesis/houses/fields.hpp"
 #include "synthesis/houses/settle.hpp"
 #include "synthesis/land/country.hpp"
 
@@ -16,12 +15,9 @@ class HouseBuilders : public land::Settlers {
     scene::Landmark landmark() const override;
 
   private:
-    void keep_fields_clear(const scene::Land& land, mesh::Field& to_edge_m) const;
-
     const scene::LandParameters& parameters_;
     base::Seed seed_;
     houses::Settled settled_;
-    std::vector<houses::FieldPlot> fields_;
 };
 
 }  // namespace quadrat::synthesis

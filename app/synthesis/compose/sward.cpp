@@ -13,6 +13,7 @@
 
 #include "scene/colour.hpp"
 #include "scene/withering.hpp"
+#include "synthesis/compose/crops.hpp"
 #include "synthesis/compose/lookups.hpp"
 #include "synthesis/compose/site.hpp"
 
@@ -53,6 +54,7 @@ class Sower {
           seed_(seed),
           sight_(flight, half_m_),
           ground_(land),
+          crops_(land.settlement.fields),
           region_(sight_.region(kWidestAside, kReach_m)) {
         low_ = glm::vec2{1.0e6F};
         high_ = glm::vec2{-1.0e6F};
@@ -127,12 +129,16 @@ class Sower {
         const float stands_for = std::max(view.to_way_m / kAll_m, 1.0F);
         if (random.unit_f() * std::pow(stands_for, 1.7F) > 1) return false;
         if (!ground_.is_dry(at_m, kLowest_m)) return false;
+        const scene::FieldPlot* field = crops_.at(at_m);
+        if (field && stand_of(field->crop).height_m > 0)
+            return drill(tuft, *field, at_m, {stay, size, hue, std::min(std::pow(stands_for, 0.8F), kWidest)});
+        const bool is_meadow = field && field->crop == scene::Crop::Meadow;
         // On ground that people use grass is mown, and grows where it was painted green: on lawns and green fields.
-        const bool is_used = scene::to_road_m(land_, at_m) <= 0.1F;
+        const bool is_used = scene::to_road_m(land_, at_m) <= 0.1F && !is_meadow;
         if (is_used && !is_green(albedo_at(land_, at_m))) return false;
         const glm::vec2 material = material_at(land_, at_m);
         // What is green there is watered, whatever the ground is.
-        const float bears = is_used ? 1 : glm::smoothstep(0.28F, 0.72F, material.x);
+        const float bears = is_used || is_meadow ? 1 : glm::smoothstep(0.28F, 0.72F, material.x);
         // Between patches it is short rather than none: a felt of colour alone is no grass near by.
         const float least = 0.25F + 0.5F * cover_.density;
         const Patches patches = maps.at(at_m);
@@ -155,6 +161,24 @@ class Sower {
         tuft.radius_m = 1.1F * tuft.height_m + 0.05F;
         if (tuft.height_m < kPebble_m && stands_for > 1.5F) return false;  // nobody sees it from here
         tuft.tint = glm::vec3{0.55F + 0.75F * hue};
+        return true;
+    }
+
+    struct Sown {
+        float stay, size, hue;
+        float wide;  // times its width, where it stands for many
+    };
+
+    // What grows on a field, in its rows.
+    bool drill(scene::Tuft& tuft, const scene::FieldPlot& field, glm::vec2 at_m, const Sown& sown) const {
+        const Stand stand = stand_of(field.crop);
+        const glm::vec2 root_m = in_row(field, stand.rows_m, at_m);
+        tuft.root_m = {root_m.x, scene::ground_height_m(land_, root_m) - 0.03F, root_m.y};
+        if (sown.stay > stand.closed * (1 - snow_at(land_, tuft.root_m))) return false;
+        tuft.kind = stand.kind;
+        tuft.height_m = stand.height_m * (0.85F + 0.3F * sown.size);
+        tuft.radius_m = stand.radius_m * sown.wide;
+        tuft.tint = stand.tint * (0.85F + 0.3F * sown.hue);
         return true;
     }
 
@@ -217,6 +241,7 @@ class Sower {
     base::Seed seed_;
     Sight sight_;
     Ground ground_;
+    Crops crops_;
     Sight::Region region_;
     glm::vec2 low_{0};
     glm::vec2 high_{0};

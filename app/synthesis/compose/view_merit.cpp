@@ -2,8 +2,10 @@
 #include "synthesis/compose/view_merit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "synthesis/compose/view_rays.hpp"
@@ -79,6 +81,43 @@ float housed_share(const scene::Land& land, const scene::Camera& camera) {
     return looked_at > 0 ? sum / static_cast<float>(looked_at) : 0.0F;
 }
 
+// How high arches, outcrops and boulders about an eye rise in its picture, by bearing.
+class NearStone {
+  public:
+    NearStone(const scene::Land& land, const glm::vec3& eye_m) {
+        constexpr float kBuried_m = 0.3F;
+        for (const glm::vec3& p : land.stone.mesh.positions_m) {
+            const glm::vec2 off_m{p.x - eye_m.x, p.z - eye_m.z};
+            const float away_m = glm::length(off_m);
+            if (away_m > kNear_m || away_m < kTooNear_m) continue;
+            if (p.y < scene::ground_height_m(land, {p.x, p.z}) + kBuried_m) continue;
+            Side& side = sides_[side_of(off_m)];
+            side.rise = std::max(side.rise, (p.y - eye_m.y) / away_m);
+            side.nearest_m = std::min(side.nearest_m, away_m);
+        }
+    }
+
+    bool stands_before(const glm::vec3& ray, float land_m) const {
+        const float level = std::hypot(ray.x, ray.z);
+        const Side& side = sides_[side_of({ray.x, ray.z})];
+        return ray.y < side.rise * level && side.nearest_m < land_m * level;
+    }
+
+  private:
+    static constexpr float kNear_m = 55;
+    static constexpr float kTooNear_m = 1;
+    static constexpr std::size_t kSides = 72;  // five degrees each: as far apart as rays are
+    struct Side {
+        float rise = -1.0e6F;  // of the highest point, over its distance
+        float nearest_m = 1.0e6F;
+    };
+    static std::size_t side_of(const glm::vec2& to) {
+        const float turns = std::atan2(to.x, -to.y) / glm::two_pi<float>() + 1;
+        return static_cast<std::size_t>(turns * kSides) % kSides;
+    }
+    std::array<Side, kSides> sides_;
+};
+
 // The houses about an eye as boxes, to ask of many rays.
 class NearHouses {
   public:
@@ -127,10 +166,15 @@ Outlook outlook(const scene::Land& land, const scene::Camera& camera) {
     const std::vector<glm::vec3> rays = view_rays(camera);
     const float share = 1.0F / static_cast<float>(rays.size());
     const NearHouses houses(land.settlement, camera.eye_m);
+    const NearStone stone(land, camera.eye_m);
     for (const glm::vec3& ray : rays) {
         const Hit hit = first_hit(land, camera.eye_m, ray);
         if (houses.stand_before(ray, hit.distance_m)) {
             seen.roofed += share;
+            continue;
+        }
+        if (stone.stands_before(ray, hit.distance_m)) {
+            seen.stony += share;
             continue;
         }
         if (hit.distance_m >= kFarthest_m)
@@ -155,7 +199,8 @@ float view_merit(const Outlook& seen) {
     const float too_much = std::max(seen.near - 0.42F, 0.0F) + std::max(seen.water - 0.30F, 0.0F);
     return up_to(seen.near, 0.16F) + 0.9F * up_to(seen.far, 0.10F) + 0.8F * up_to(seen.water, 0.10F) +
            1.2F * up_to(seen.made, 0.7F) + 1.4F * up_to(seen.housed, 0.6F) - 0.8F * off_sky * off_sky - 3 * too_much -
-           4 * std::max(seen.walled - 0.10F, 0.0F) - 4 * std::max(seen.roofed - 0.20F, 0.0F);
+           4 * std::max(seen.walled - 0.10F, 0.0F) - 4 * std::max(seen.roofed - 0.20F, 0.0F) -
+           5 * std::max(seen.stony - 0.10F, 0.0F);
 }
 
 }  // namespace quadrat::synthesis

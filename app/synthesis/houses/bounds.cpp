@@ -218,8 +218,8 @@ class Bounds {
 }  // namespace
 
 std::vector<scene::Masses> add_bounds(const scene::Land& land, const Settled& settled,
-                                      const std::vector<FieldPlot>& fields, const scene::LandParameters& parameters,
-                                      base::Seed seed) {
+                                      const std::vector<scene::FieldPlot>& fields,
+                                      const scene::LandParameters& parameters, base::Seed seed) {
     std::vector<scene::Masses> all;
     Bounds bounds(land, settled, parameters);
     const scene::Settlement& settlement = settled.settlement;

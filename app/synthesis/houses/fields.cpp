@@ -18,18 +18,18 @@ namespace {
 constexpr float kSteepest = 0.17F;
 constexpr float kMost_m = 250;  // from the middle
 
-struct Crop {
+struct Look {
     std::uint32_t colour;
     float rows;
 };
-// Meadow, mown meadow, young corn, ripe corn, stubble, ploughed earth, roots.
-constexpr std::array<Crop, 7> kCrops{{{0x6F8A42, 0.0F},
-                                      {0x8FA257, 0.25F},
-                                      {0x7C9A4A, 0.35F},
-                                      {0xC9B260, 0.2F},
-                                      {0xBCA777, 0.4F},
-                                      {0x7D6549, 0.55F},
-                                      {0x5F7F45, 0.6F}}};
+// By scene::Crop.
+constexpr std::array<Look, scene::kCrops> kLooks{{{0x6F8A42, 0.0F},
+                                                  {0x8FA257, 0.25F},
+                                                  {0x7C9A4A, 0.35F},
+                                                  {0xC9B260, 0.2F},
+                                                  {0xBCA777, 0.4F},
+                                                  {0x7D6549, 0.55F},
+                                                  {0x5F7F45, 0.6F}}};
 
 glm::vec3 srgb_of(std::uint32_t rgb) {
     return glm::vec3{static_cast<float>(rgb >> 16U), static_cast<float>(rgb >> 8U & 255U),
@@ -115,9 +115,9 @@ Inside::Inside(const std::vector<glm::vec2>& outline) {
     }
 }
 
-std::vector<FieldPlot> lay_fields(const scene::Land& land, const Settled& settled,
-                                  const scene::LandParameters& parameters, base::Seed seed) {
-    std::vector<FieldPlot> fields;
+std::vector<scene::FieldPlot> lay_fields(const scene::Land& land, const Settled& settled,
+                                         const scene::LandParameters& parameters, base::Seed seed) {
+    std::vector<scene::FieldPlot> fields;
     if (parameters.settle_fields <= 0.02F) return fields;
     const auto houses = static_cast<float>(settled.settlement.houses.size());
     const double reach_m =
@@ -138,7 +138,7 @@ std::vector<FieldPlot> lay_fields(const scene::Land& land, const Settled& settle
     const Tillage tillage(land, settled);
     for (std::size_t i = 0; i < plan.lots.size(); ++i) {
         base::RandomStream random{seed.child("field").child(i)};
-        FieldPlot field;
+        scene::FieldPlot field;
         for (const glm::dvec2 p : plan.lots[i].outline_m) field.outline_m.emplace_back(p);
         const float share = 0.25F + 0.75F * parameters.settle_fields;
         const float kind = random.unit_f();
@@ -152,9 +152,10 @@ std::vector<FieldPlot> lay_fields(const scene::Land& land, const Settled& settle
             longest = glm::length(side);
             field.along = side / longest;
         }
-        const Crop& crop = kCrops[std::min(static_cast<std::size_t>(kind * kCrops.size()), kCrops.size() - 1)];
-        field.colour = turn * srgb_of(crop.colour);
-        field.rows = crop.rows;
+        const auto crop = std::min(static_cast<std::size_t>(kind * scene::kCrops), scene::kCrops - 1);
+        field.crop = static_cast<scene::Crop>(crop);
+        field.colour = turn * srgb_of(kLooks[crop].colour);
+        field.rows = kLooks[crop].rows;
         field.has_hedge = hedge < parameters.settle_hedges;
         fields.push_back(std::move(field));
     }

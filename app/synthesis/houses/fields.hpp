@@ -9,19 +9,10 @@
 
 namespace quadrat::synthesis::houses {
 
-// Land that is tilled or mown.
-struct FieldPlot {
-    std::vector<glm::vec2> outline_m;
-    glm::vec2 along{1, 0};   // of its rows, unit
-    glm::vec3 colour{0.5F};  // sRGB
-    float rows = 0;          // how much they show
-    bool has_hedge = false;
-};
-
 // Fields about a settlement: cells of a Voronoi diagram, split into lots; on ground that a plough can work, off houses
 // and lanes.
-std::vector<FieldPlot> lay_fields(const scene::Land& land, const Settled& settled,
-                                  const scene::LandParameters& parameters, base::Seed seed);
+std::vector<scene::FieldPlot> lay_fields(const scene::Land& land, const Settled& settled,
+                                         const scene::LandParameters& parameters, base::Seed seed);
 
 // The corners of the box about an outline, which is not empty: the least and the most of both.
 struct Extent {

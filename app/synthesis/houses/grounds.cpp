@@ -62,7 +62,7 @@ float bare_of_snow(const scene::Land& land, glm::vec2 at_m, const std::uint8_t* 
     return 1 - 0.88F * glm::smoothstep(124.0F, 173.0F, static_cast<float>(std::min({pixel[0], pixel[1], pixel[2]})));
 }
 
-void paint_field(const Canvas& canvas, const scene::Land& land, const FieldPlot& field, base::Seed seed) {
+void paint_field(const Canvas& canvas, const scene::Land& land, const scene::FieldPlot& field, base::Seed seed) {
     const auto [low, high] = extent_of(field.outline_m);
     const glm::vec2 across{-field.along.y, field.along.x};
     const Inside inside(field.outline_m);
@@ -110,9 +110,9 @@ void paint_bed(const Canvas& canvas, const scene::GardenPlant& plant, base::Seed
 }  // namespace
 
 void paint_grounds(mesh::Image& albedo, const scene::Land& land, const Settled& settled,
-                   const std::vector<FieldPlot>& fields, float green, base::Seed seed) {
+                   const std::vector<scene::FieldPlot>& fields, float green, base::Seed seed) {
     const Canvas canvas(albedo, land.side_m());
-    for (const FieldPlot& field : fields) paint_field(canvas, land, field, seed);
+    for (const scene::FieldPlot& field : fields) paint_field(canvas, land, field, seed);
     const scene::Settlement& settlement = settled.settlement;
     for (const scene::House& house : settlement.houses)
         paint_yard(canvas, land, settlement.buildings[house.building], house, green, seed);

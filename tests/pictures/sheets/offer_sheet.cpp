@@ -146,7 +146,7 @@ int measure(std::uint64_t first, std::uint64_t seeds, const Values& extra) {
     int broken = 0;
     int count = 0;
     float flat_sum = 0;
-    fmt::print("offer    range  p95   mean  flat  sky   water near  far   subject\n");
+    fmt::print("offer    range  p95   mean  flat  sky   water near  far   stony subject\n");
     for_each_offered(first, seeds, extra, [&](const Offered& offered) {
         const pictures::Picture picture = picture_of(offered, 640, 360);
         const auto scene = nursery::grow(offered.recipe, pictures::fineness_of(picture.land_samples));
@@ -156,9 +156,9 @@ int measure(std::uint64_t first, std::uint64_t seeds, const Values& extra) {
         const Place subject = subject_of(drawn);
         const auto seen = synthesis::outlook(*scene->land, scene::camera_at(scene->track, kSeconds));
         const std::string fault = fault_of(values, flat);
-        fmt::print("{:8} {:.2f}   {:.2f}  {:.2f}  {:.2f}  {:.2f}  {:.2f}  {:.2f}  {:.2f}  {:.2f} {:.2f}{}\n",
+        fmt::print("{:8} {:.2f}   {:.2f}  {:.2f}  {:.2f}  {:.2f}  {:.2f}  {:.2f}  {:.2f}  {:.2f}  {:.2f} {:.2f}{}\n",
                    offered.name(), values.range(), values.light, values.mean, flat, seen.sky, seen.water, seen.near,
-                   seen.far, subject.across, subject.down, fault);
+                   seen.far, seen.stony, subject.across, subject.down, fault);
         flat_sum += flat;
         ++count;
         if (!fault.empty()) ++broken;

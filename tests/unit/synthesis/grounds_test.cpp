@@ -19,7 +19,7 @@ int red_in_field(std::uint8_t ground, float snow_line_m) {
     land.snow_line_m = snow_line_m;
     mesh::Image albedo(kSide_px, kSide_px, 4);
     albedo.bytes.assign(albedo.bytes.size(), ground);
-    FieldPlot field;
+    scene::FieldPlot field;
     field.outline_m = {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
     field.along = {1, 0};
     field.colour = {0.49F, 0.40F, 0.29F};

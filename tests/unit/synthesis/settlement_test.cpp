@@ -340,7 +340,7 @@ TEST(Settlement, NoBrookRunsThroughAField) {
         const base::Seed seed{static_cast<std::uint64_t>(20 + region)};
         const scene::Land land = grow_land(wild, seed, kCoarse);
         const houses::Settled settled = houses::settle(land, p, seed);
-        for (const houses::FieldPlot& field : houses::lay_fields(land, settled, p, seed)) {
+        for (const scene::FieldPlot& field : houses::lay_fields(land, settled, p, seed)) {
             ++fields;
             glm::vec2 middle{0};
             for (const glm::vec2 corner : field.outline_m)

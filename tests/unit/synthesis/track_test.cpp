@@ -68,6 +68,32 @@ TEST(Outlook, BeforeABarnIsRoofed) {
     EXPECT_EQ(outlook(hill, level(7)).roofed, 0);
 }
 
+// A rock 16 m wide and 12 m high, its foot 2 m in the ground.
+scene::Land with_rock(glm::vec3 foot_m) {
+    scene::Land land = plain(2);
+    for (int i = 0; i <= 16; ++i)
+        for (int k = 0; k <= 16; ++k)
+            for (const float height_m : {-2.0F, 3.0F, 6.0F, 10.0F})
+                land.stone.mesh.positions_m.push_back(
+                    foot_m + glm::vec3{static_cast<float>(i) - 8, height_m, static_cast<float>(k) - 8});
+    return land;
+}
+
+TEST(Outlook, BeforeARockIsStony) {
+    const Outlook seen = outlook(with_rock({0, 2, -30}), level(6));
+    EXPECT_GT(seen.stony, 0.15F);
+    EXPECT_LT(seen.stony, 0.45F);
+    EXPECT_EQ(outlook(with_rock({0, 2, 30}), level(6)).stony, 0);    // behind
+    EXPECT_EQ(outlook(with_rock({0, 2, -90}), level(6)).stony, 0);   // a subject
+    EXPECT_EQ(outlook(with_rock({0, -9, -30}), level(6)).stony, 0);  // in the ground
+    scene::Land hill = with_rock({0, 2, -40});
+    for (int column = 0; column < 129; ++column) hill.height_m.at(column, 62) = 40;  // 16 m before the eye
+    EXPECT_EQ(outlook(hill, level(6)).stony, 0);
+    Outlook open = seen;
+    open.stony = 0;
+    EXPECT_GT(view_merit(open), view_merit(seen) + 0.2F);
+}
+
 TEST(ViewMerit, LikesNearAndFarAndWater) {
     const Outlook good{.sky = 0.36F, .water = 0.12F, .near = 0.2F, .far = 0.15F};
     for (Outlook worse : {Outlook{.sky = 0.36F, .water = 0.0F, .near = 0.2F, .far = 0.15F},
