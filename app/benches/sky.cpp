@@ -30,7 +30,7 @@ Grown grown(std::uint64_t number) {
             synthesis::grow_land(p.land, recipe.seeds[genome::Aspect::Land]),
             synthesis::grow_sky(p.sky, recipe.seeds[genome::Aspect::Sky]),
             {}};
-    const auto planted = synthesis::plant_land(g.land, g.flora, synthesis::plan_flight(recipe.flight),
+    const auto planted = synthesis::plant_land(g.land, g.flora, synthesis::plan_flight(recipe.flight), {},
                                                base::Seed{number}, {.trees = kTrees});
     for (const scene::Plant& plant : planted)
         if (g.flora.species[plant.species].storey == scene::Storey::Tree) g.plants.push_back(plant);

@@ -49,8 +49,10 @@ scene::Sky grow_sky(const scene::SkyParameters& parameters, base::Seed seed) { r
 
 Layout lay_out(const scene::Flora& flora, const scene::Land& land, base::Seed planting, base::Seed flight) {
     const FlightPlan plan = fitted_to(land, plan_flight(flight));
-    return {fly(plan, land, flight), plant_land(land, flora, plan, planting),
-            lay_sward(land, flora, plan, planting.child("sward")), openness_of(land)};
+    scene::Track track = fly(plan, land, flight);
+    std::vector<scene::Plant> plants = plant_land(land, flora, plan, track, planting);
+    return {std::move(track), std::move(plants), lay_sward(land, flora, plan, planting.child("sward")),
+            openness_of(land)};
 }
 
 scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_ptr<const scene::Land> land,

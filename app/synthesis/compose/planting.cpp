@@ -20,6 +20,7 @@
 #include "synthesis/compose/clearing.hpp"
 #include "synthesis/compose/competition.hpp"
 #include "synthesis/compose/gardens.hpp"
+#include "synthesis/compose/hero_place.hpp"
 #include "synthesis/compose/kinds_of_plants.hpp"
 #include "synthesis/compose/lookups.hpp"
 #include "synthesis/compose/most_seen.hpp"
@@ -40,9 +41,10 @@ constexpr float kRingRoom_m = 0.4F;  // of a group of mushrooms
 
 class Planter {
   public:
-    Planter(const scene::Land& land, const scene::Flora& flora, const FlightPlan& flight, const PlantingBudget& budget,
-            base::Seed seed)
+    Planter(const scene::Land& land, const scene::Flora& flora, const FlightPlan& flight, const scene::Track& track,
+            const PlantingBudget& budget, base::Seed seed)
         : land_(land),
+          track_(track),
           flora_(flora),
           half_m_(0.5F * land.side_m()),
           sight_(flight, half_m_),
@@ -236,8 +238,6 @@ class Planter {
     // One grown tree on a third of the picture as the flight begins, with room about it: what the eye comes to rest on.
     // Where its kind would not do well it is smaller, and where the ground is wet it stands on what is dry of it.
     void set_hero(std::vector<Candidate>& trees) const {
-        const FlightPlan& flight = sight_.flight();
-        const FlightPlan::Station& early = flight.stations[flight.stations.size() / 5];
         base::RandomStream random{seed_.child("hero")};
         const float side = random.unit_f() < 0.5F ? -1.0F : 1.0F;
         constexpr std::array<HeroGround, 3> kGrounds{
@@ -245,7 +245,7 @@ class Planter {
         for (const HeroGround& asked : kGrounds) {
             for (int attempt = 0; attempt < 30; ++attempt) {
                 const float turn = attempt < 15 ? side : -side;
-                const Candidate c = hero(early, turn, asked.least_scale, random);
+                const Candidate c = hero(turn, asked.least_scale, random);
                 if (!is_hero_ground(c, asked)) continue;
                 std::erase_if(trees, [&](const Candidate& t) {
                     return glm::length(t.at_m - c.at_m) < 1.15F * crown_m(c) + 0.6F * crown_m(t);
@@ -260,17 +260,13 @@ class Planter {
         float least_height_m, least_welfare, least_scale;
     };
 
-    Candidate hero(const FlightPlan::Station& from, float turn, float least_scale, base::RandomStream& random) const {
-        constexpr float kPictureOverDistance = 0.7677F;  // a picture's height, 42 degrees
-        const glm::vec2 right{-from.ahead.y, from.ahead.x};
+    Candidate hero(float side, float least_scale, base::RandomStream& random) const {
         Candidate c;
         c.scale = least_scale * random.between(1.0F, 1.2F);
         c.species = kinds_.trees.front();
         c.mark = 0;
-        const float share = random.between(0.40F, 0.62F);  // of the picture's height
         const float high_m = flora_.species[c.species].height_m * c.scale;
-        const float along_m = std::clamp(high_m / (kPictureOverDistance * share), 14.0F, 72.0F);
-        c.at_m = from.at_m + along_m * from.ahead + turn * along_m * random.between(0.17F, 0.29F) * right;
+        c.at_m = hero_place(land_, sight_.flight(), track_, high_m, side, random);
         c.species = species_at(c.at_m);
         return c;
     }
@@ -424,6 +420,7 @@ class Planter {
     }
 
     const scene::Land& land_;
+    const scene::Track& track_;
     const scene::Flora& flora_;
     float half_m_;
     Sight sight_;
@@ -439,8 +436,8 @@ class Planter {
 }  // namespace
 
 std::vector<scene::Plant> plant_land(const scene::Land& land, const scene::Flora& flora, const FlightPlan& flight,
-                                     base::Seed seed, const PlantingBudget& budget) {
-    return Planter(land, flora, flight, budget, seed).plant();
+                                     const scene::Track& track, base::Seed seed, const PlantingBudget& budget) {
+    return Planter(land, flora, flight, track, budget, seed).plant();
 }
 
 }  // namespace quadrat::synthesis

@@ -19,8 +19,9 @@ struct PlantingBudget {
 
 // Who stands where: by height, slope, moisture and light, in groves with clearings, the old with room around them and
 // the young between, no two trunks or roots in one place, none in the water, none in the camera's way, some to frame
-// its view. Sorted by species; sun is left at 1.
+// its view, one to look at. The track is that flight over this land; without cameras none of it is asked for. Sorted by
+// species; sun is left at 1.
 std::vector<scene::Plant> plant_land(const scene::Land& land, const scene::Flora& flora, const FlightPlan& flight,
-                                     base::Seed seed, const PlantingBudget& budget = {});
+                                     const scene::Track& track, base::Seed seed, const PlantingBudget& budget = {});
 
 }  // namespace quadrat::synthesis

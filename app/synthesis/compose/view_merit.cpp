@@ -33,16 +33,12 @@ std::vector<scene::Landmark> landmarks_of(const scene::Land& land) {
     return all;
 }
 
-// Where the picture of 16 by 9 holds a point, its distance; less than 0 where it does not.
+// Where the picture holds a point, its distance; less than 0 where it does not.
 float distance_in_picture_m(const scene::Camera& camera, const glm::vec3& at_m) {
-    const glm::vec3 ahead = glm::normalize(camera.target_m - camera.eye_m);
-    const glm::vec3 right = glm::normalize(glm::cross(ahead, glm::vec3{0, 1, 0}));
-    const glm::vec3 to = at_m - camera.eye_m;
-    const float depth_m = glm::dot(to, ahead);
-    const float half = std::tan(glm::radians(0.5F * camera.vertical_fov_deg));
-    const bool is_in = depth_m > 4 && std::abs(glm::dot(to, right)) < 0.92F * depth_m * half * 16 / 9 &&
-                       std::abs(glm::dot(to, glm::cross(right, ahead))) < 0.92F * depth_m * half;
-    return is_in ? glm::length(to) : -1.0F;
+    constexpr float kMargin = 0.92F;
+    const std::optional<glm::vec2> at = in_picture(camera, at_m);
+    const bool is_in = at && std::max(std::abs(at->x), std::abs(at->y)) < kMargin;
+    return is_in ? glm::distance(at_m, camera.eye_m) : -1.0F;
 }
 
 bool is_behind_land(const scene::Land& land, const glm::vec3& eye_m, const glm::vec3& at_m, float distance_m) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <glm/vec2.hpp>
+#include <optional>
 #include <vector>
 
 #include "scene/camera.hpp"
@@ -9,6 +11,10 @@ namespace quadrat::synthesis {
 
 // Rays spread evenly over a picture of 16 by 9: unit directions.
 std::vector<glm::vec3> view_rays(const scene::Camera& camera);
+
+// Where a point stands in that picture, -1 to 1 rightward and up within it; nowhere if it is less than 4 m before the
+// eye.
+std::optional<glm::vec2> in_picture(const scene::Camera& camera, const glm::vec3& at_m);
 
 inline constexpr float kFarthest_m = 5000;
 struct Hit {

@@ -137,7 +137,7 @@ TEST(Gardens, ArePlantedWithTheRestAndWhatIsWildMakesWay) {
     for (const scene::GardenPlant& plant : land.settlement.gardens)
         middle += plant.at_m / static_cast<float>(land.settlement.gardens.size());
     const FlightPlan flight{{{middle + glm::vec2{0, 70}, {0, -1}}}};
-    const std::vector<scene::Plant> plants = plant_land(land, flora(), flight, base::Seed{4});
+    const std::vector<scene::Plant> plants = plant_land(land, flora(), flight, {}, base::Seed{4});
     std::size_t fruit = 0;
     std::size_t beds = 0;
     for (const scene::GardenPlant& garden : land.settlement.gardens) {

@@ -66,7 +66,7 @@ std::size_t count_if(const std::vector<scene::Plant>& plants, auto is_there) {
 std::vector<scene::Plant> planted(const scene::Land& land, const scene::Flora& flora) {
     PlantingBudget all;
     all.trees = 100'000;
-    return plant_land(land, flora, aside(), base::Seed{5}, all);
+    return plant_land(land, flora, aside(), {}, base::Seed{5}, all);
 }
 
 TEST(Planting, LeavesBareStoneToTheFrugal) {
