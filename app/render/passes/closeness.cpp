@@ -29,6 +29,9 @@ constexpr float kMergedFrom = 0.40F;  // share of its blades with which a crown 
 constexpr float kMergedTo = 0.15F;
 constexpr float kMergedFrom_px = 260;  // and how high it is then
 constexpr float kMergedTo_px = 120;
+// A crown of any size whose blades cover so much less than all of them do lets its stem be seen: a mass fills it.
+constexpr float kCoveredFrom = 0.6F;
+constexpr float kCoveredTo = 0.3F;
 constexpr float kLeastLeafy = 0.7F;
 constexpr float kLeavesMerged = 0.55F;   // of the blades are not needed then
 constexpr float kMassA_px2 = 0.15F;      // triangles, of a plant as high as wide
@@ -44,6 +47,7 @@ constexpr float kBladesFineness = 0.012F;   // nor what is never a mass: a handf
 constexpr float kSliversFineness = 0.02F;   // nor a leafless crown: a handful of its twigs float about it
 constexpr float kLimbsFineness = 0.03F;     // nor what has no crown but its limbs: without them it is a post
 constexpr float kFewestOverMass = 12;       // blades; fewer are left out
+constexpr float kMadeUpFor = 1.2F;          // a blade's size that makes up for those left out near by
 constexpr float kLargestBlade_px = 8;       // of those that a crown's size would allow to be larger
 // Blades that would have to be enlarged by so much, and are so long on the screen, are shards in a thin crown, which is
 // better one mass without them where little is drawn of anything.
@@ -127,8 +131,10 @@ bool is_palm(const Kind& kind) {
 // How much larger than it is a blade may be drawn.
 float largest_blade(const Kind& kind, float blade_px) {
     if (is_palm(kind)) return kLargestFrond;
+    const float least = kind.mass_triangles.empty() ? 1 : kMadeUpFor;
+    const float most = std::max(kind.largest_blade, least);
     // Large ones near by are seen as what they are, sooner than in a crown that is small.
-    return std::clamp(kLargestBlade_px / blade_px, std::max(0.55F * kind.largest_blade, 1.0F), kind.largest_blade);
+    return std::clamp(kLargestBlade_px / blade_px, std::max(0.55F * most, least), most);
 }
 
 // A crown that is looked at is leaves, whatever is drawn of all others: one mass so near is a hedgehog on a pole.
@@ -200,8 +206,11 @@ Closeness closeness(const Kind& kind, float height_px, float fineness, float loo
                              : between(kShardsFrom, kShardsTo, 1 / std::sqrt(share_of(wanted_blades))) *
                                    between(kShardsFrom_px, kShardsTo_px, blade_px * how.enlarged) *
                                    between(kShardsFrom_fineness, kShardsTo_fineness, fineness);
-    const float merged =
-        kind.mass_triangles.empty() ? 0 : std::max(merged_crown(share_of(wanted_blades), height_px, leafy), shards);
+    const float covered = share_of(wanted_blades) * how.enlarged * how.enlarged;
+    const float merged = kind.mass_triangles.empty()
+                             ? 0
+                             : std::max({merged_crown(share_of(wanted_blades), height_px, leafy), shards,
+                                         between(kCoveredFrom, kCoveredTo, covered)});
     const float small_px = one_or_the_other_px(kind, leafy);
     if (!is_mass_enough(kind) && small_px > 0) how.mass_size = between(small_px, 1.5F * small_px, height_px);
     if (merged > 0 && how.mass_size > 0) {

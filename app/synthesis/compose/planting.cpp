@@ -265,9 +265,16 @@ class Planter {
         c.scale = least_scale * random.between(1.0F, 1.2F);
         c.species = kinds_.trees.front();
         c.mark = 0;
-        const float high_m = flora_.species[c.species].height_m * c.scale;
-        c.at_m = hero_place(land_, sight_.flight(), track_, high_m, side, random);
+        const base::RandomStream place = random;
+        const auto stand = [&] {
+            random = place;
+            const float high_m = flora_.species[c.species].height_m * c.scale;
+            c.at_m = hero_place(land_, sight_.flight(), track_, high_m, side, random);
+        };
+        stand();
+        // What grows there may be of another height.
         c.species = species_at(c.at_m);
+        stand();
         return c;
     }
 

@@ -65,9 +65,10 @@ glm::vec3 no_redder(const glm::vec3& bark) {
     return glm::max(scene::linear_from_oklab(lab), glm::vec3{0});
 }
 
+constexpr float kPalm_m = 6;  // high; of a taller one the trunk is not that much thicker
+
 // What sends back more of the light takes its colour: such leaves are white by day, and blue by night.
 constexpr float kLightestLeaf = 0.36F;
-constexpr float kLightestBark = 0.55F;
 glm::vec3 no_lighter(const glm::vec3& colour, float most) {
     const float light = scene::luminance(colour);
     return glm::max(light > most ? colour * (most / light) : colour, glm::vec3{0});
@@ -231,6 +232,8 @@ Form form_of(const scene::TreeParameters& p, Rank rank) {
     // Such a tree has no limbs: without its tuft it is a pole.
     if (k.is_rosette) f.bareness = std::min(f.bareness, 0.25F);
     f.height_m = std::clamp(own.height_m, 2.5F, 30.0F) * k.height;
+    // A tall palm is not thicker for it, as it grows no wood.
+    if (k.is_rosette) f.girth *= std::sqrt(kPalm_m / std::max(f.height_m, kPalm_m));
     f.crown_width = own.crown_width;
     f.gnarl_deg = own.gnarl_deg;
     f.limb_density = own.limb_density;
@@ -255,7 +258,7 @@ Form form_of(const scene::TreeParameters& p, Rank rank) {
     const bool is_own = k.bark_tint.share >= 1;
     const float bark_lightness = is_own ? std::clamp(own.bark_lightness, 0.7F, 1.1F) : own.bark_lightness;
     const glm::vec3 bark = scene::shifted_colour(tinted(wear.bark, k.bark_tint), bark_lightness);
-    f.bark = no_lighter(is_own ? bark : no_redder(bark), kLightestBark);
+    f.bark = no_lighter(is_own ? bark : no_redder(bark), k.lightest_bark);
     return f;
 }
 

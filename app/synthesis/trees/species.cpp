@@ -47,7 +47,7 @@ FoliageOptions foliage_of(const Form& f, const scene::Species& species) {
     o.colours = f.colours;
     const std::size_t most = kMostLeafTriangles * 3 / shape.triangles.size();
     if (k.is_rosette) {
-        o.length_m = 0.30F * species.height_m * std::sqrt(6.0F / std::max(species.height_m, 6.0F)) *
+        o.length_m = 0.30F * species.height_m * std::pow(6.0F / std::max(species.height_m, 6.0F), 0.4F) *
                      (0.6F + 0.9F * f.leaf_length_m);
         o.blades = static_cast<std::size_t>(static_cast<float>(30 * f.stems) * f.leaf_density);
         o.clumping = 0;
