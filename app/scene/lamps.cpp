@@ -7,7 +7,9 @@
 namespace quadrat::scene {
 
 float lit_windows(const Settlement& settlement, const Sky& sky) {
-    if (sky.is_night) return settlement.lit_share;
+    // They are what a night has of warm light: a village without is a shed.
+    constexpr float kLeastByNight = 0.35F;
+    if (sky.is_night) return kLeastByNight + (1 - kLeastByNight) * settlement.lit_share;
     return settlement.lit_share * 0.9F * (1 - glm::smoothstep(0.05F, 0.24F, sky.sun_direction.y));
 }
 

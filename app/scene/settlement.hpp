@@ -85,7 +85,7 @@ struct Settlement {
     std::vector<Masses> bounds;  // fences, walls, hedges along plots and fields, a piece a plot, where they stand
     std::vector<FieldPlot> fields;
     std::vector<GardenPlant> gardens;
-    float lit_share = 0.5F;  // of the windows, on a dark night
+    float lit_share = 0.5F;  // how many windows are lit on a dark night, 0 to 1: see lamps.hpp
     // How far weather has stained walls and roofs, one channel, tileable: kStainsTile_m wide. The same for all
     // settlements, shared by them; none: no stains.
     std::shared_ptr<const mesh::Image> stains;

@@ -188,7 +188,9 @@ void set_air(scene::Sky& sky, const Parameters& p, const Lights& lights) {
     const float thick = std::clamp(p.mist_share, 0.0F, 1.0F);
     sky.haze_sunward = glm::mix(sky.haze_sunward, glm::vec3{scene::luminance(sky.haze_sunward)}, 0.35F * thick);
     if (p.mist_share <= 0) return;
-    sky.mist = {0.0028F * std::pow(4.5F, p.mist_share), p.mist_level_m, p.mist_depth_m};
+    // By night the same mist is as light as what is lit, and leaves nothing dark.
+    const float by_night = lights.is_night ? 0.4F : 1.0F;
+    sky.mist = {by_night * 0.0028F * std::pow(4.5F, p.mist_share), p.mist_level_m, p.mist_depth_m};
     const glm::vec3 tint = p.mist_warmth > 0 ? glm::vec3{1.18F, 0.98F, 0.76F} : glm::vec3{0.80F, 0.97F, 1.20F};
     const glm::vec3 mixed = glm::mix(glm::vec3{1}, tint, 0.8F * std::abs(p.mist_warmth));
     sky.haze_colour *= mixed;

@@ -20,7 +20,11 @@ TEST(Lamps, AreLitAsItDarkens) {
     EXPECT_GT(before, 0.5F) << "at sunset";
     sky.sun_direction.y = 0.9F;  // the moon's
     sky.is_night = true;
-    EXPECT_EQ(lit_windows(settlement, sky), 0.6F);
+    EXPECT_GT(lit_windows(settlement, sky), 0.6F);
+    settlement.lit_share = 0;
+    EXPECT_GT(lit_windows(settlement, sky), 0.3F);
+    settlement.lit_share = 1;
+    EXPECT_EQ(lit_windows(settlement, sky), 1);
     sky.is_night = false;
     EXPECT_EQ(lit_windows(settlement, sky), 0) << "by day";
 }
