@@ -12,13 +12,14 @@ constexpr float kEdge_m = 1.2F;  // left to the grass between fields
 
 using Kind = scene::CoverKind;
 // By scene::Crop. A meadow grows as what is wild does, a mown one as lawns do: neither has a stand of its own.
-constexpr std::array<Stand, scene::kCrops> kStands{{{},
-                                                    {},
-                                                    {Kind::Grass, 0.26F, 0.26F, 0.9F, 0.42F, {0.88F, 1.06F, 0.82F}},
-                                                    {Kind::Grass, 0.78F, 0.36F, 1.0F, 0, {1.06F, 1.0F, 0.86F}},
-                                                    {Kind::Grass, 0.17F, 0.24F, 0.85F, 0.42F, {1.1F, 1.06F, 0.95F}},
-                                                    {},
-                                                    {Kind::Cushion, 0.30F, 0.34F, 0.8F, 0.75F, {0.85F, 1.1F, 0.8F}}}};
+constexpr std::array<Stand, scene::kCrops> kStands{
+    {{},
+     {},
+     {Kind::Grass, 0.26F, 0.26F, 0.9F, 0.42F, {0.88F, 1.06F, 0.82F}},
+     {Kind::Grass, 0.78F, 0.36F, 1.0F, 0, {1.06F, 1.0F, 0.86F}},
+     {Kind::Grass, 0.17F, 0.24F, 0.85F, 0.42F, {1.1F, 1.06F, 0.95F}},
+     {Kind::Stone, 0.11F, 0.24F, 0.8F, 0.8F, {0.95F, 0.93F, 0.9F}},  // clods
+     {Kind::Cushion, 0.30F, 0.34F, 0.8F, 0.75F, {0.85F, 1.1F, 0.8F}}}};
 
 }  // namespace
 

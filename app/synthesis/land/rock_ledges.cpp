@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <optional>
 #include <string_view>
 
@@ -73,12 +74,34 @@ std::optional<LedgePlace> find_place(const scene::Land& land, const Stones& ston
     return best;
 }
 
+// An uneven round: what lies outside of it has weathered away, for tiles end in a square.
+class Weathered {
+  public:
+    explicit Weathered(base::Seed seed) {
+        base::RandomStream random{seed};
+        for (float& phase : phases_) phase = random.between(0, glm::two_pi<float>());
+    }
+
+    // Of a square from -1 to 1.
+    bool holds(glm::vec2 at) const {
+        const float turn = std::atan2(at.y, at.x);
+        const float edge = 0.86F + 0.08F * std::sin(2 * turn + phases_[0]) + 0.06F * std::sin(3 * turn + phases_[1]) +
+                           0.04F * std::sin(7 * turn + phases_[2]);
+        return glm::length(at) < edge;
+    }
+
+  private:
+    std::array<float, 3> phases_{};
+};
+
 void add_terraces(Stones& stones, const StoneGround& ground, const LedgePlace& place, const noise::Tiles& tiles,
-                  const TileShape& shape, const Strata& strata) {
+                  const TileShape& shape, const Strata& strata, const Weathered& weathered) {
     constexpr int kCells = 3;  // of layered ground, to a tile
     LayeredGround layers(kCells * tiles.size.x, kCells * tiles.size.y, shape.side_m / kCells, -shape.sunk_m);
+    const glm::vec2 middle = 0.5F * glm::vec2{layers.columns(), layers.rows()};
     for (int y = 0; y < layers.rows(); ++y)
         for (int x = 0; x < layers.columns(); ++x) {
+            if (!weathered.holds((glm::vec2{x, y} + 0.5F) / middle - 1.0F)) continue;
             layers.fill(x, y, -shape.sunk_m, 0, Material::Rock);
             for (int z = 0; z < tiles.size.z; ++z) {
                 const char tile = tiles.at({x / kCells, y / kCells, z});
@@ -127,7 +150,7 @@ void add_rock_ledges(Stones& stones, const StoneGround& ground, const scene::Lan
     const noise::Tiles tiles =
         noise::synthesise(noise::tiles_from(of.text, std::string(of.name)), {side, side - side / 4, storeys},
                           weights_of(of, p.ledge_decay), seed.child("tiles"));
-    add_terraces(stones, ground, *place, tiles, shape, strata);
+    add_terraces(stones, ground, *place, tiles, shape, strata, Weathered{seed.child("edge")});
     const glm::vec2 to_viewer = glm::normalize(kViewer_m - place->at_m);
     stones.landmarks.push_back(
         {{place->at_m.x, place->foot_m + shape.storey_m, place->at_m.y}, to_viewer, p.ledge_size_m});

@@ -67,7 +67,10 @@ scene::Sward on_field(scene::Crop crop) {
 }
 
 TEST(Sward, OfAFieldIsItsCrop) {
-    EXPECT_TRUE(on_field(scene::Crop::Ploughed).tufts.empty());
+    for (const scene::Tuft& clod : on_field(scene::Crop::Ploughed).tufts) {
+        EXPECT_EQ(clod.kind, scene::CoverKind::Stone);
+        EXPECT_LT(clod.height_m, 0.15F);
+    }
     const scene::Sward corn = on_field(scene::Crop::RipeCorn);
     const scene::Sward stubble = on_field(scene::Crop::Stubble);
     ASSERT_GT(corn.tufts.size(), 1000U);
