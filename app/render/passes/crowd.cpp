@@ -20,7 +20,7 @@ namespace {
 constexpr float kSeedling = 0.07F;
 constexpr float kLowPlant_m = 2.2F;  // below this it is undergrowth, which fades out long before a tree does
 constexpr float kLeastClear = 0.05F;
-constexpr float kLeastInside = 0.1F;  // of a crown's box
+constexpr float kLeastInside = 0.22F;  // of a crown's box: what is at the picture's edge is near
 constexpr float kUsual_px = 90;       // high, of a tree that has its share of triangles
 constexpr float kLeastNear = 0.6F;
 constexpr float kMostNear = 4;
