@@ -14,7 +14,10 @@ struct Outlook {
     float walled = 0;  // nearer than 12 m: a slope before the eyes
     float roofed = 0;  // of houses nearer than 32 m: walls and roofs before the eyes
     float housed = 0;  // of a settlement's houses, the share that the picture holds, large enough and not behind land
-    float made = 0;    // of roads, arches and standing stones in sight: the sum of how large they look, in radians
+    float made = 0;    // of arches and standing stones in sight: the sum of how large they look, in radians
+    float marked = 0;  // of the largest landmark in sight that is no cave: how large it looks, in radians
+    float cave = 0;    // of the largest mouth of a cave in sight, the same
+    float road = 0;    // of roads that are no lanes
 };
 Outlook outlook(const scene::Land& land, const scene::Camera& camera);
 
