@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "journeys/quadrat_program.hpp"
@@ -160,6 +161,22 @@ TEST(Words, TellHowScenesComeBackAndHowFarPicksReach) {
     const Ended reach = run(program({"words", "reach"}), folder);
     ASSERT_TRUE(succeeds(reach));
     EXPECT_THAT(reach.out, AllOf(HasSubstr(" parameters: 0 stand still"), HasSubstr(" kinds: 0 in less than 1 %")));
+}
+
+// Landscapes spread evenly over the words, described by somebody, and learnt.
+TEST(Words, AskOfLandscapesAndLearnWhatIsSaidOfThem) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "state");
+    ASSERT_TRUE(succeeds(run(
+        program({"words", "ask", "--aspect", "sky", "--count", "3", "--size", "64x36", "-o", "asked.json"}), folder)));
+    EXPECT_FALSE(contents_of(folder / "asked.png").empty());
+    nlohmann::json asked = nlohmann::json::parse(contents_of(folder / "asked.json"));
+    ASSERT_EQ(asked["scenes"].size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) asked["scenes"][i]["words"]["stormy"] = 0.4 * static_cast<double>(i) - 0.4;
+    folder.write("answered.json", asked.dump());
+    const Ended trained = run(program({"words", "train", "answered.json", "--anyway", "--state", "state"}), folder);
+    ASSERT_TRUE(succeeds(trained));
+    EXPECT_THAT(trained.out, HasSubstr("the map is another"));
 }
 
 TEST(StandardOutput, ThatCannotBeWrittenIsAnErrorOfEverySubcommand) {
