@@ -35,6 +35,9 @@ bool is_feature(const genome::Parameter& p) {
             p.id == ParameterId::hill_cells);
 }
 
+// Level ground where nobody lives, which bears a ring of stones; with houses on it, it is a settlement's.
+constexpr std::string_view kWildSite = "site.share on, wild";
+
 int number_of(float kind) { return static_cast<int>(std::lround(kind)); }
 
 // What there is to be found, in the table's order.
@@ -42,6 +45,7 @@ std::vector<KindReach> all_kinds() {
     std::vector<KindReach> kinds;
     for (const genome::Parameter& p : genome::parameter_table()) {
         if (is_feature(p)) kinds.push_back({fmt::format("{} on", p.name)});
+        if (p.id == ParameterId::site_share) kinds.push_back({std::string(kWildSite)});
         if (!is_kind(p)) continue;
         for (int kind = number_of(p.min); kind <= number_of(p.max); ++kind)
             kinds.push_back({fmt::format("{} {}{}", p.name, kind, p.id == ParameterId::tree_type ? ", grown" : "")});
@@ -50,6 +54,8 @@ std::vector<KindReach> all_kinds() {
 }
 
 void note_kinds(const genome::ParameterValues& values, std::map<std::string, bool>& found) {
+    if (values[ParameterId::site_share] > 0 && values[ParameterId::settle_age] < 0)
+        found[std::string(kWildSite)] = true;
     for (const genome::Parameter& p : genome::parameter_table()) {
         if (is_feature(p) && values[p.id] > 0) found[fmt::format("{} on", p.name)] = true;
         if (!is_kind(p)) continue;

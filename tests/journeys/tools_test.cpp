@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What comes in from outside and what goes out: whole files or none, every name, one way to read text, help.
 #include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "journeys/quadrat_program.hpp"
@@ -129,6 +131,54 @@ TEST(Fields, FollowAnElevationModelInMetresWhenItsRangeIsSaid) {
     EXPECT_LT(heights.getchannel(4, 32, 0, 0), heights.getchannel(60, 32, 0, 0) - 0.5F);
 }
 
+TEST(Fields, LoseBurrsAndKeepTheirSummitsAndTheirMean) {
+    const TemporaryFolder folder;
+    for (const std::string& method : {std::string("fbm"), std::string("ridged"), std::string("diamond-square")}) {
+        const std::string bare = method + ".tif";
+        const std::string evened = method + "-evened.tif";
+        ASSERT_TRUE(succeeds(run(program({"field", method, "-o", bare}), folder)));
+        ASSERT_TRUE(succeeds(run(program({"field", method, "--burrs", "0.02", "-o", evened}), folder)));
+        const auto before = OIIO::ImageBufAlgo::computePixelStats(OIIO::ImageBuf((folder / bare).string()));
+        const auto after = OIIO::ImageBufAlgo::computePixelStats(OIIO::ImageBuf((folder / evened).string()));
+        EXPECT_NEAR(after.max.at(0), before.max.at(0), 0.02) << method;
+        EXPECT_NEAR(after.avg.at(0), before.avg.at(0), 0.001) << method;
+    }
+}
+
+TEST(Fields, TellWhereErosionBroughtTheEarth) {
+    const TemporaryFolder folder;
+    const Ended ended = run(program({"field", "fbm", "--size", "129", "--erode", "40", "-o", "a.exr"}), folder);
+    ASSERT_TRUE(succeeds(ended));
+    EXPECT_THAT(ended.err, testing::ContainsRegex("worn [1-9].*laid down again [1-9].*carried off the edge [1-9]"));
+    EXPECT_THAT(ended.err, testing::ContainsRegex("; -?0\\.00[0-9][0-9] unaccounted for"));
+}
+
+TEST(Words, TellHowScenesComeBackAndHowFarPicksReach) {
+    const TemporaryFolder folder;
+    const Ended shown = run(program({"words", "show", "--scenes"}), folder);
+    ASSERT_TRUE(succeeds(shown));
+    EXPECT_THAT(shown.out, testing::ContainsRegex("alpine firs +heard within 0\\.[0-9]+; comes back within [01]\\."));
+    const Ended reach = run(program({"words", "reach"}), folder);
+    ASSERT_TRUE(succeeds(reach));
+    EXPECT_THAT(reach.out, AllOf(HasSubstr(" parameters: 0 stand still"), HasSubstr(" kinds: 0 in less than 1 %")));
+}
+
+// Landscapes spread evenly over the words, described by somebody, and learnt.
+TEST(Words, AskOfLandscapesAndLearnWhatIsSaidOfThem) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "state");
+    ASSERT_TRUE(succeeds(run(
+        program({"words", "ask", "--aspect", "sky", "--count", "3", "--size", "64x36", "-o", "asked.json"}), folder)));
+    EXPECT_FALSE(contents_of(folder / "asked.png").empty());
+    nlohmann::json asked = nlohmann::json::parse(contents_of(folder / "asked.json"));
+    ASSERT_EQ(asked["scenes"].size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) asked["scenes"][i]["words"]["stormy"] = 0.4 * static_cast<double>(i) - 0.4;
+    folder.write("answered.json", asked.dump());
+    const Ended trained = run(program({"words", "train", "answered.json", "--anyway", "--state", "state"}), folder);
+    ASSERT_TRUE(succeeds(trained));
+    EXPECT_THAT(trained.out, HasSubstr("the map is another"));
+}
+
 TEST(StandardOutput, ThatCannotBeWrittenIsAnErrorOfEverySubcommand) {
     const TemporaryFolder folder;
     const std::vector<std::vector<std::string>> commands{{"--help"},
@@ -216,6 +266,17 @@ TEST(Grammars, OfABookDrawWhatTheBookDraws) {
     EXPECT_EQ(count_of(svg, "<line "), 255U);
     EXPECT_EQ(count_of(svg, "<circle "), 0U);
     EXPECT_THAT(svg, HasSubstr("<title>Hilbert&#39;s &lt;curve&gt; &amp; more</title>"));
+}
+
+// As the thesis prints figure 19, it says nothing of what lies beyond its word.
+TEST(Grammars, WhoseContextsNeverComeAreNamed) {
+    const TemporaryFolder folder;
+    folder.write("printed.lsys", "ignore: + - F\naxiom: F1F1F1\n0 < 0 > 0 -> 1\n0 < 1 > 0 -> 1\n");
+    const Ended ended = run(program({"lsystem", "printed.lsys", "--steps", "40"}), folder);
+    ASSERT_TRUE(succeeds(ended));
+    EXPECT_EQ(ended.out, "F1F1F1\n");
+    EXPECT_THAT(ended.err, AllOf(HasSubstr("printed.lsys:4: 0 < 1 > 0 -> 1 can never apply"), HasSubstr("outside: 0")));
+    EXPECT_EQ(run(program({"lsystem", "kelly-19", "--steps", "4"}), folder).err, "");
 }
 
 TEST(Grammars, OfCellsDrawAPolygonACell) {

@@ -252,7 +252,9 @@ std::vector<FlightPlan> before_landmarks(const scene::Land& land, const FlightPl
         const scene::Landmark& mark = land.landmarks[i];
         const float bearing = std::atan2(-mark.faces.x, mark.faces.y);
         for (const float sizes : {2.6F, 4.2F}) {
-            for (const float turn : {-0.4F, 0.0F, 0.4F}) {
+            // A mouth that faces east or west shows well enough from aside.
+            for (const float turn : {-0.75F, -0.4F, 0.0F, 0.4F, 0.75F}) {
+                if (std::abs(turn) > 0.5F && !mark.has_front) continue;
                 const float toward_rad = bearing + turn;
                 if (std::abs(toward_rad) > kWidest_rad) continue;
                 const float away_m = std::clamp(sizes * mark.size_m, 34.0F, 170.0F);
@@ -265,6 +267,40 @@ std::vector<FlightPlan> before_landmarks(const scene::Land& land, const FlightPl
     return plans;
 }
 
+// Flights beside roads: one leads into the picture from below, a little off its middle. Toward the north, as above.
+std::vector<FlightPlan> along_roads(const scene::Land& land, const FlightPlan& plan) {
+    constexpr std::size_t kMost = 8;
+    constexpr float kWidest_rad = 0.7F;
+    constexpr float kAhead_m = 36;  // of what is looked along
+    std::vector<FlightPlan> plans;
+    for (const scene::Road& road : land.roads) {
+        if (road.is_lane) continue;
+        for (std::size_t i = 0, next = 0; i < road.line_m.size(); i = next) {
+            const glm::vec2 from{road.line_m[i].x, road.line_m[i].z};
+            const auto far_from = [&](const glm::vec3& p) { return glm::distance(glm::vec2{p.x, p.z}, from); };
+            for (next = i + 1; next < road.line_m.size() && far_from(road.line_m[next]) < kAhead_m;) ++next;
+            if (next >= road.line_m.size()) break;
+            glm::vec2 way = glm::normalize(glm::vec2{road.line_m[next].x, road.line_m[next].z} - from);
+            glm::vec2 begins = from;
+            if (way.y > 0) {
+                way = -way;
+                begins = {road.line_m[next].x, road.line_m[next].z};
+            }
+            const float bearing = std::atan2(way.x, -way.y);
+            if (std::abs(bearing) > kWidest_rad) continue;
+            const float side = plans.size() % 2 == 0 ? 1.0F : -1.0F;
+            const glm::vec2 at = begins - 9.0F * way + side * (0.5F * road.width_m + 3.0F) * glm::vec2{-way.y, way.x};
+            FlightPlan there = moved(plan, at, toward(bearing - 0.16F * side));
+            if (is_within(there, 440)) plans.push_back(std::move(there));
+        }
+    }
+    // Some from all along them.
+    while (plans.size() > kMost)
+        for (std::size_t i = plans.size(); i-- > 0 && plans.size() > kMost;)
+            if (i % 2 == 1) plans.erase(plans.begin() + static_cast<std::ptrdiff_t>(i));
+    return plans;
+}
+
 }  // namespace
 
 FlightPlan fitted_to(const scene::Land& land, FlightPlan plan) {
@@ -274,6 +310,7 @@ FlightPlan fitted_to(const scene::Land& land, FlightPlan plan) {
     const FlightPlan::Station early = plan.stations[plan.stations.size() / 5];
     const glm::vec2 aside{-early.ahead.y, early.ahead.x};
     std::vector<FlightPlan> others = before_landmarks(land, plan);
+    for (FlightPlan& beside : along_roads(land, plan)) others.push_back(std::move(beside));
     for (const glm::vec2& move : kMoves) {
         if (move == glm::vec2{0}) continue;
         others.push_back(plan);

@@ -23,8 +23,8 @@ struct FlightPlan {
 FlightPlan plan_flight(base::Seed flight);
 
 // The same path over this land, moved by at most some eighty metres to where more is to be seen: ground near by, not
-// water alone. It looks and turns as before, so that the four of a round stay comparable; only where a cave, an arch or
-// a ring of stones makes the better picture it is turned and moved to look at that.
+// water alone. It looks and turns as before, so that the four of a round stay comparable; only where a cave, an arch, a
+// ring of stones or a road that leads into it makes the better picture it is turned and moved to look at that.
 FlightPlan fitted_to(const scene::Land& land, FlightPlan plan);
 
 // The flight at heights that suit this land: never lower than 1.7 m over ground or 2.5 m over water, high enough to see

@@ -13,15 +13,12 @@
 namespace quadrat::synthesis {
 namespace {
 
-// Something a country does not have everywhere, and how large it is.
+constexpr float kLandmark = 2.5F;  // one thing is worth more than as many metres of boulders
+
+// Something a country does not have everywhere, and how large it is: landmarks, then tall stones.
 std::vector<scene::Landmark> landmarks_of(const scene::Land& land) {
     std::vector<scene::Landmark> all = land.landmarks;
-    // One thing is worth more than as many metres of road.
-    for (scene::Landmark& mark : all) mark.size_m *= 2.5F;
-    constexpr std::size_t kRoadStep = 4;
-    for (const scene::Road& road : land.roads)
-        for (std::size_t i = 0; i < road.line_m.size() && !road.is_lane; i += kRoadStep)
-            all.push_back({road.line_m[i] + glm::vec3{0, 0.3F, 0}, {0, 1}, road.width_m, false});
+    for (scene::Landmark& mark : all) mark.size_m *= kLandmark;
     // What stands higher over the ground than boulders do. A facet has three corners of its own: some of them tell.
     constexpr std::size_t kStoneStep = 31;
     constexpr float kTall_m = 2.6F;
@@ -45,16 +42,40 @@ bool is_behind_land(const scene::Land& land, const glm::vec3& eye_m, const glm::
     return first_hit(land, eye_m, (at_m - eye_m) / distance_m).distance_m < 0.94F * distance_m;
 }
 
-float made_in_sight(const scene::Land& land, const scene::Camera& camera) {
-    float sum = 0;
-    for (const scene::Landmark& mark : landmarks_of(land)) {
+void look_for_landmarks(const scene::Land& land, const scene::Camera& camera, Outlook& seen) {
+    const std::vector<scene::Landmark> all = landmarks_of(land);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const scene::Landmark& mark = all[i];
         const float distance_m = distance_in_picture_m(camera, mark.at_m);
         if (distance_m < 0 || distance_m > 320) continue;
         const glm::vec2 to_eye{camera.eye_m.x - mark.at_m.x, camera.eye_m.z - mark.at_m.z};
         if (mark.has_front && glm::dot(to_eye, mark.faces) < 0.5F * glm::length(to_eye)) continue;
         if (is_behind_land(land, camera.eye_m, mark.at_m, distance_m)) continue;
-        sum += mark.size_m / distance_m;
+        seen.made += mark.size_m / distance_m;
+        if (i >= land.landmarks.size()) continue;
+        float& largest = mark.has_front ? seen.cave : seen.marked;
+        largest = std::max(largest, mark.size_m / distance_m / kLandmark);
     }
+}
+
+// A road far away is a thread, however much of it there is: what counts is how much of the picture it covers.
+float road_in_sight(const scene::Land& land, const scene::Camera& camera) {
+    constexpr float kFarthest_m = 160;
+    const float half = std::tan(glm::radians(0.5F * camera.vertical_fov_deg));
+    const float picture = 4 * half * half * 16 / 9;
+    float sum = 0;
+    for (const scene::Road& road : land.roads)
+        for (std::size_t i = 0; i + 1 < road.line_m.size() && !road.is_lane; ++i) {
+            const glm::vec3& at_m = road.line_m[i];
+            const glm::vec3 to_eye = camera.eye_m - at_m;
+            if (glm::dot(to_eye, to_eye) > kFarthest_m * kFarthest_m) continue;
+            const float distance_m = distance_in_picture_m(camera, at_m);
+            if (distance_m < 0) continue;
+            const float faces = glm::dot(to_eye, scene::ground_normal(land, {at_m.x, at_m.z})) / distance_m;
+            if (faces <= 0 || is_behind_land(land, camera.eye_m, at_m + glm::vec3{0, 0.3F, 0}, distance_m)) continue;
+            const float area_m2 = road.width_m * glm::distance(at_m, road.line_m[i + 1]);
+            sum += area_m2 * faces / (distance_m * distance_m) / picture;
+        }
     return sum;
 }
 
@@ -184,17 +205,24 @@ Outlook outlook(const scene::Land& land, const scene::Camera& camera) {
         // Ground at one's feet is no wall.
         if (!hit.is_water && hit.distance_m < 12 && ray.y > -0.12F) seen.walled += share;
     }
-    seen.made = made_in_sight(land, camera);
+    look_for_landmarks(land, camera, seen);
+    seen.road = road_in_sight(land, camera);
     seen.housed = housed_share(land, camera);
     return seen;
 }
 
 float view_merit(const Outlook& seen) {
+    // What a land does not have everywhere is why one stops. A mouth is smaller than an arch, and shows from its front
+    // alone: were it worth no more, an arch beside it would always have the picture.
+    constexpr float kArch = 0.8F;
+    constexpr float kCave = 1.2F;
+    constexpr float kRoad = 1.2F;
     const auto up_to = [](float share, float enough) { return std::min(share / enough, 1.0F); };
     const float off_sky = (seen.sky - 0.42F) / 0.25F;
     const float too_much = std::max(seen.near - 0.42F, 0.0F) + std::max(seen.water - 0.30F, 0.0F);
     return up_to(seen.near, 0.16F) + 0.9F * up_to(seen.far, 0.10F) + 0.8F * up_to(seen.water, 0.10F) +
-           1.2F * up_to(seen.made, 0.7F) + 1.4F * up_to(seen.housed, 0.6F) - 0.8F * off_sky * off_sky - 3 * too_much -
+           1.2F * up_to(seen.made, 0.7F) + kArch * up_to(seen.marked, 0.2F) + kCave * up_to(seen.cave, 0.15F) +
+           kRoad * up_to(seen.road, 0.03F) + 1.4F * up_to(seen.housed, 0.6F) - 0.8F * off_sky * off_sky - 3 * too_much -
            4 * std::max(seen.walled - 0.10F, 0.0F) - 4 * std::max(seen.roofed - 0.20F, 0.0F) -
            5 * std::max(seen.stony - 0.10F, 0.0F);
 }

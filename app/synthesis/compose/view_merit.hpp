@@ -15,7 +15,10 @@ struct Outlook {
     float roofed = 0;  // of houses nearer than 32 m: walls and roofs before the eyes
     float stony = 0;   // of rock that stands on the ground, nearer than 55 m
     float housed = 0;  // of a settlement's houses, the share that the picture holds, large enough and not behind land
-    float made = 0;    // of roads, arches and standing stones in sight: the sum of how large they look, in radians
+    float made = 0;    // of arches and standing stones in sight: the sum of how large they look, in radians
+    float marked = 0;  // of the largest landmark in sight that is no cave: how large it looks, in radians
+    float cave = 0;    // of the largest mouth of a cave in sight, the same
+    float road = 0;    // of roads that are no lanes
 };
 Outlook outlook(const scene::Land& land, const scene::Camera& camera);
 

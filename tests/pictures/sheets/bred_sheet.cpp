@@ -2,10 +2,13 @@
 // Landscapes that were bred, chosen by what they have:
 //     bred_sheet SEED COUNT FILE.png NAME=LOW:HIGH …      so many on one sheet, named VISIT-OFFER-LETTER
 //     bred_sheet SEED COUNT --each DIR NAME=LOW:HIGH …    a picture of each, 1920x1080; each draws itself again
+//     bred_sheet SEED COUNT --tell NAME=LOW:HIGH …        what rare things each has, and how much of them is seen
+// With --with cave|rock|stones|houses|road also those alone that have such a thing, wherever it stands.
 // Plays visits from SEED on, each of seven offers in which chance picks, and keeps the first landscape of an offer of
 // which every named parameter lies between LOW and HIGH: what a visitor may come to see, with nothing set by hand.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
@@ -14,6 +17,7 @@
 
 #include "breeding/session.hpp"
 #include "pictures/picture.hpp"
+#include "pictures/sheets/in_picture.hpp"
 #include "stage/easel.hpp"
 
 namespace {
@@ -28,6 +32,12 @@ struct Wanted {
     genome::ParameterId id;
     float low;
     float high;
+};
+
+// What is looked for.
+struct Hunt {
+    std::vector<Wanted> wanted;
+    std::string thing;  // that it has when it is grown; empty: any
 };
 
 struct Bred {
@@ -45,14 +55,17 @@ Wanted wanted_of(const std::string& word) {
     return {*id, std::strtof(word.c_str() + equals + 1, nullptr), std::strtof(word.c_str() + colon + 1, nullptr)};
 }
 
-bool has_all(const genome::Candidate& candidate, const std::vector<Wanted>& wanted) {
-    for (const Wanted& w : wanted)
+bool has_all(const genome::Candidate& candidate, base::Seed flight, const Hunt& hunt) {
+    for (const Wanted& w : hunt.wanted)
         if (candidate.values[w.id] < w.low || candidate.values[w.id] > w.high) return false;
-    return true;
+    if (hunt.thing.empty()) return true;
+    const auto grown = nursery::grow(genome::recipe_of(candidate, flight));
+    const auto all = tests::all_in_picture(*grown, kSeconds);
+    return std::ranges::any_of(all, [&](const tests::InPicture& one) { return one.what == hunt.thing; });
 }
 
 // Of one visit, at most one from each offer.
-void play(std::uint64_t visit, std::size_t most, const std::vector<Wanted>& wanted, std::vector<Bred>& found) {
+void play(std::uint64_t visit, std::size_t most, const Hunt& hunt, std::vector<Bred>& found) {
     breeding::BreederOptions options;
     options.kind = breeding::BreederKind::Belief;
     options.genome = genome::Genome::Full;
@@ -66,7 +79,7 @@ void play(std::uint64_t visit, std::size_t most, const std::vector<Wanted>& want
         }
         for (std::size_t i = 0; i < genome::kCandidates; ++i) {
             const genome::Candidate& candidate = session.offer().candidates[i];
-            if (!has_all(candidate, wanted)) continue;
+            if (!has_all(candidate, session.flight(), hunt)) continue;
             found.push_back({fmt::format("{}-{}-{}", visit, offer + 1, static_cast<char>('A' + i)),
                              genome::recipe_of(candidate, session.flight())});
             break;
@@ -101,24 +114,43 @@ void each(const std::vector<Bred>& bred, const std::filesystem::path& folder) {
     }
 }
 
+// "cave 0.12 of 78 %": so much of the picture's height, and so much of it hidden by nothing.
+void tell(const std::vector<Bred>& bred) {
+    for (const Bred& b : bred) {
+        fmt::print("{}:", b.name);
+        for (const tests::InPicture& one : tests::all_in_picture(*nursery::grow(b.recipe), kSeconds))
+            fmt::print("  {} {:.3f} of {:.0f} %", one.what, one.size, 100 * one.open);
+        fmt::print("\n");
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     std::vector<std::string> rest;
-    std::vector<Wanted> wanted;
+    Hunt hunt;
     try {
-        for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc))
-            word.find('=') == std::string::npos ? rest.push_back(word) : wanted.push_back(wanted_of(word));
+        for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
+            if (!rest.empty() && rest.back() == "--with") {
+                rest.pop_back();
+                hunt.thing = word;
+            } else if (word.find('=') == std::string::npos) {
+                rest.push_back(word);
+            } else {
+                hunt.wanted.push_back(wanted_of(word));
+            }
+        }
         const bool is_each = rest.size() == 4 && rest[2] == "--each";
         if (!is_each && rest.size() != 3)
-            throw std::runtime_error("usage: bred_sheet SEED COUNT FILE.png | --each DIR, then NAME=LOW:HIGH …");
+            throw std::runtime_error(
+                "usage: bred_sheet SEED COUNT FILE.png | --each DIR | --tell, then NAME=LOW:HIGH …");
         const std::uint64_t first = std::strtoull(rest[0].c_str(), nullptr, 10);
         const std::size_t most = std::strtoull(rest[1].c_str(), nullptr, 10);
         std::vector<Bred> bred;
         std::uint64_t visit = first;
-        for (; visit < first + kMostVisits && bred.size() < most; ++visit) play(visit, most, wanted, bred);
+        for (; visit < first + kMostVisits && bred.size() < most; ++visit) play(visit, most, hunt, bred);
         fmt::print("{} found in {} offers\n", bred.size(), (visit - first) * kOffers);
-        is_each ? each(bred, rest[3]) : sheet(bred, rest[2]);
+        is_each ? each(bred, rest[3]) : rest[2] == "--tell" ? tell(bred) : sheet(bred, rest[2]);
     } catch (const std::exception& error) {
         fmt::print(stderr, "bred_sheet: {}\n", error.what());
         return 2;

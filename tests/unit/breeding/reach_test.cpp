@@ -44,7 +44,7 @@ TEST(Reach, NamesEveryKindThatThereIsOnce) {
          // that organise themselves.
          {"tree.type 0, grown", "tree.type 3, grown", "tree.type 4, grown", "tree.type 7, grown", "tree.habit 12",
           "tree.habit 9", "tree.habit 10", "tree.habit 15", "tree.habit 16", "tree.habit 17", "tree.habit 18",
-          "ground.country 5", "arch.share on", "bow.strength on"})
+          "ground.country 5", "arch.share on", "bow.strength on", "site.share on, wild"})
         EXPECT_EQ(names.count(one), 1U) << one;
 }
 

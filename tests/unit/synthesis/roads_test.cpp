@@ -165,6 +165,8 @@ TEST(Landmarks, AreInSightOfTheFlight) {
     int lands = 0;
     int caves = 0;
     int in_sight = 0;
+    int large = 0;
+    int caves_large = 0;
     for (std::uint64_t seed = 0; seed < tests::of(16U); ++seed) {
         const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
         scene::SceneParameters p = scene::realise(recipe.values);
@@ -174,13 +176,42 @@ TEST(Landmarks, AreInSightOfTheFlight) {
         const scene::Track track = fly(fitted_to(land, plan_flight(recipe.flight)), land, recipe.flight);
         ++lands;
         caves += std::ranges::any_of(land.landmarks, &scene::Landmark::has_front);
-        land.roads.clear();
-        in_sight += outlook(land, scene::camera_at(track, 12)).made > 0.15F;
+        const Outlook seen = outlook(land, scene::camera_at(track, 12));
+        in_sight += seen.made > 0.15F;
+        constexpr float kLarge_rad = 0.09F;  // an eighth of the picture's height
+        large += std::max(seen.marked, seen.cave) > kLarge_rad;
+        caves_large += seen.cave > kLarge_rad;
     }
-    std::printf("of %d lands %d have a cave, in %d the flight shows one or an arch\n", lands, caves, in_sight);
+    std::printf("of %d lands %d have a cave, in %d the flight shows one or an arch, in %d large, a cave in %d\n", lands,
+                caves, in_sight, large, caves_large);
     if (tests::kIsSanitized) return;  // too few lands for a share of them
     EXPECT_GE(3 * caves, lands);
     EXPECT_GE(4 * in_sight, 3 * lands);
+    EXPECT_GE(4 * large, 3 * lands);
+    EXPECT_GE(2 * caves_large, caves) << "of those that have one";
+}
+
+// A road is no thread at the horizon: the flight stands beside it, and it leads into the picture.
+TEST(Roads, LeadIntoThePicture) {
+    constexpr float kWide = 0.01F;  // of the picture
+    int lands = 0;
+    int wide = 0;
+    for (std::uint64_t seed = 0; seed < tests::of(24U); ++seed) {
+        const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
+        scene::SceneParameters p = scene::realise(recipe.values);
+        p.land.road_share = 0.8F;
+        p.land.settle_age = p.land.site_share = p.land.arch_share = -1;  // nothing else to look at
+        const scene::Land land = grow_land(p.land, recipe.seeds[genome::Aspect::Land],
+                                           {.land_samples = 257, .light_px = 64, .albedo_px = 64});
+        if (land.roads.empty()) continue;
+        const scene::Track track = fly(fitted_to(land, plan_flight(recipe.flight)), land, recipe.flight);
+        ++lands;
+        wide += outlook(land, scene::camera_at(track, 12)).road > kWide;
+    }
+    std::printf("in %d of %d lands with a road it covers a hundredth of the picture\n", wide, lands);
+    if (tests::kIsSanitized) return;  // too few lands for a share of them
+    EXPECT_GE(lands, 12);
+    EXPECT_GE(4 * wide, 3 * lands);
 }
 
 // What a low arch is: rock of which some hangs over one's head. Found by its facets that look down.
