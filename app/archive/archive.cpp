@@ -310,6 +310,7 @@ Kept Archive::kept_in(const Connection& connection) {
     kept.gpu = archive::remembered(connection, "gpu");
     kept.language = archive::remembered(connection, "language");
     kept.collection = archive::remembered(connection, "collection");
+    kept.described = archive::remembered(connection, "described");
     return kept;
 }
 

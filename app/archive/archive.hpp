@@ -61,8 +61,8 @@ struct WordAnswers {
 
 // What an exhibit that was switched off goes on with.
 struct Kept {
-    std::optional<Generation> interrupted;                   // the last one, of a visit that has not ended
-    std::string buttons, detail, gpu, language, collection;  // what was remembered under these names
+    std::optional<Generation> interrupted;                              // the last one, of a visit that has not ended
+    std::string buttons, detail, gpu, language, collection, described;  // what was remembered under these names
 };
 using TellKept = std::function<void(const Kept&)>;
 

@@ -16,6 +16,16 @@ struct Bred {
     std::vector<genome::WordId> asked;  // one after another
     std::string take_home;              // where it can be had; "" where the site says nothing
     bool wants_postcard = false;        // and nobody has been told yet
+    // Described instead of it: which of all that ever were, and what it was made of. Empty: it is itself described.
+    std::size_t others = 0;
+    std::optional<genome::Recipe> other;
+    std::optional<genome::Description> others_words;
+};
+
+// What the site wants of it.
+struct Wanted {
+    std::string take_home_url;  // "": nowhere
+    bool describes_others = false;
 };
 
 }  // namespace quadrat::kiosk

@@ -18,8 +18,8 @@ void Programme::want() {
         wants = nursery::wants_for(coming_->landscapes, Stage::FirstLight, Urgency::Awaited);
     } else if (!is_full_) {
         wants = nursery::wants_for(newest_, Stage::FullLight, Urgency::Shown);
-    } else if (regrowing_) {
-        wants = nursery::wants_for({regrowing_}, Stage::FullLight, Urgency::Spare);
+    } else if (const auto next = spare()) {
+        wants = nursery::wants_for({next}, Stage::FullLight, Urgency::Spare);
     }
     nursery_.want(std::move(wants));
 }
@@ -39,7 +39,7 @@ bool Programme::has_progressed() {
 }
 
 void Programme::wait() {
-    if (regrowing_ || (coming_ && !coming_->act)) nursery_.wait();
+    if (spare() || (coming_ && !coming_->act)) nursery_.wait();
     look();
 }
 
@@ -52,8 +52,8 @@ void Programme::look() {
         for (const auto& landscape : coming_->landscapes)
             coming_->act->recipes.push_back(genome::recipe_of(landscape->candidate, landscape->flight));
         coming_->is_full = grown->is_full;
-    } else if (!refined_ && (!is_full_ || regrowing_)) {
-        auto grown = nursery_.find(is_full_ ? nursery::Landscapes{regrowing_} : newest_);
+    } else if (!refined_ && (!is_full_ || spare())) {
+        auto grown = nursery_.find(is_full_ ? nursery::Landscapes{spare()} : newest_);
         if (grown && grown->is_full) refined_ = nursery::Act{std::move(grown->scenes), {}, acts_, {}};
     }
 }
@@ -83,12 +83,34 @@ void Programme::refined() {
             act->scenes = refined_->scenes;
         }
         is_full_ = true;
+    } else if (asking_ && !asked_) {
+        asked_ = std::move(refined_);
+        asked_->number = ++acts_;
+        asked_->recipes = {genome::recipe_of(asking_->candidate, asking_->flight)};
     } else {
         const auto grown = std::exchange(regrowing_, nullptr);
         gallery_.bring_back(genome::recipe_of(grown->candidate, grown->flight), refined_->scenes.front());
     }
     refined_.reset();
     want();
+}
+
+void Programme::ask_about(std::shared_ptr<const nursery::Landscape> other) {
+    if (asking_ && !asked_) refined_.reset();  // it may be of that
+    asking_ = std::move(other);
+    asked_.reset();
+    is_asked_shown_ = false;
+    want();
+}
+
+const nursery::Landscape* Programme::begin_asking(base::Instant now) {
+    is_asked_shown_ = asked_.has_value();
+    if (!is_asked_shown_) {
+        ask_about(nullptr);  // it would come in the midst of a question
+        return nullptr;
+    }
+    asked_->arrived = now;
+    return asking_.get();
 }
 
 void Programme::begin_visit(base::Instant now) {
@@ -99,6 +121,11 @@ void Programme::begin_visit(base::Instant now) {
 
 void Programme::choose(nursery::Chosen chosen) {
     if (!wall_) gallery_.choose(std::move(chosen));
+}
+
+void Programme::open_gallery(base::Instant now) {
+    ask_about(nullptr);
+    gallery_.open(now);
 }
 
 void Programme::leave_gallery(bool breeds_on, base::Instant now) {
@@ -128,6 +155,7 @@ void Programme::stop_regrowing() {
 
 const nursery::Act& Programme::act_of(exhibit::Screen screen) const {
     using exhibit::Screen;
+    if (screen == Screen::Describe && is_asked_shown_) return *asked_;
     if (screen == Screen::Finale || screen == Screen::Describe || screen == Screen::Family) return finale_;
     if (screen == Screen::Attract && !gallery_.act().scenes.empty()) return gallery_.act();
     return offered_;
@@ -142,6 +170,7 @@ nursery::Scenes Programme::in_use() const {
     nursery::Scenes all;
     for (const nursery::Act* act : {&offered_, &finale_, &gallery_.act()})
         all.insert(all.end(), act->scenes.begin(), act->scenes.end());
+    if (asked_) all.insert(all.end(), asked_->scenes.begin(), asked_->scenes.end());
     return all;
 }
 

@@ -60,10 +60,16 @@ class Programme {
     // What has grown of the landscapes that may come: may be brought to the GPU already.
     nursery::Prospect ahead() const { return nursery_.ahead(); }
 
+    // When all else stands a landscape grows that the visitor will be asked about instead of their own; null: none
+    // does.
+    void ask_about(std::shared_ptr<const nursery::Landscape> other);
+    // They are asked now. What this gives is shown in Describe from now on: what has grown so far, or null: the finale.
+    const nursery::Landscape* begin_asking(base::Instant now);
+
     // A visit begins, and needs the room of all but the newest of the gallery; its four grow in.
     void begin_visit(base::Instant now);
     void choose(nursery::Chosen chosen);  // of no effect on a wall, which has its works
-    void open_gallery(base::Instant now) { gallery_.open(now); }
+    void open_gallery(base::Instant now);
     // Somebody has come, to breed on from what is shown now or not.
     void leave_gallery(bool breeds_on, base::Instant now);
     const std::string& liked() const { return liked_; }  // the code of what they breed on from; "": of nothing
@@ -83,6 +89,8 @@ class Programme {
   private:
     void want();
     void stop_regrowing();
+    // What grows when all else stands; or null.
+    std::shared_ptr<const nursery::Landscape> spare() const { return asking_ && !asked_ ? asking_ : regrowing_; }
 
     nursery::Nursery nursery_;
     std::optional<Coming> coming_;
@@ -96,6 +104,9 @@ class Programme {
     std::optional<nursery::Wall> wall_;
     std::string liked_;
     std::shared_ptr<const nursery::Landscape> regrowing_;  // that is missing in the gallery; or null
+    std::shared_ptr<const nursery::Landscape> asking_;     // that is asked about instead of the finale; or null
+    std::optional<nursery::Act> asked_;                    // it, once it has grown
+    bool is_asked_shown_ = false;
     int acts_ = 0;
 };
 

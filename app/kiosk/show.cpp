@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 #include "base/log.hpp"
 #include "breeding/agreement.hpp"
 #include "breeding/words/heredity.hpp"
+#include "breeding/words/questions.hpp"
 #include "genome/scene_code.hpp"
 #include "nursery/foreseen.hpp"
 
@@ -24,6 +26,16 @@ learning::Rules rules_of(const site::Configuration& configuration) {
     return {breeder_options_of(configuration), configuration.breeding.control_every, locked_in(configuration)};
 }
 
+std::size_t number_in(const std::string& text) {  // 0: none
+    std::size_t number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
+}
+
+Wanted wanted_by(const site::Configuration& configuration) {
+    return {configuration.take_home.url, configuration.visit.describe_others};
+}
+
 }  // namespace
 
 Show::Show(const site::Configuration& configuration, ShowOptions options, std::unique_ptr<learning::Keeper> keeper)
@@ -37,7 +49,7 @@ Show::Show(const site::Configuration& configuration, ShowOptions options, std::u
              configuration.fleet.broker.empty() ? learning::Diary::ToldTo::Nobody : learning::Diary::ToldTo::Fleet),
       programme_(options.growing, options.works),
       spoken_(configuration),
-      take_home_url_(configuration.take_home.url) {
+      wanted_(wanted_by(configuration)) {
     founder_.learn(school_.school());
     programme_.choose(chosen_by(configuration));
 }
@@ -67,13 +79,18 @@ void Show::step(exhibit::Step step, base::Instant now) {
     state_ = std::move(step.state);
     if (before == Screen::Attract && state_.screen != Screen::Attract) programme_.leave_gallery(state_.breeds_on, now);
     for (const exhibit::Wish& wish : step.wishes) std::visit([&](const auto& one) { carry_out(one, now); }, wish);
-    if (before != state_.screen && state_.screen == Screen::Attract) programme_.open_gallery(now);
+    if (before == state_.screen) return;
+    if (state_.screen == Screen::Attract) programme_.open_gallery(now);
+    if (state_.screen == Screen::Describe) begin_to_describe(now);
 }
 
 // A visit that a pulled plug interrupted: its deeds lead to the same four again, or it is left alone.
 bool Show::take_up(base::Instant now) {
     const auto kept = diary_.take_left_behind();
-    if (kept) programme_.recall(nursery::Collection::from_json(kept->collection));
+    if (kept) {
+        programme_.recall(nursery::Collection::from_json(kept->collection));
+        bred_.others = number_in(kept->described);
+    }
     const bool is_free = state_.screen == Screen::Attract && visits_ended() == 0;
     if (!kept || !kept->interrupted || !is_free) return false;
     auto lineage = founder_.resume(*kept->interrupted, school_.school());
@@ -167,9 +184,15 @@ void Show::carry_out(const exhibit::GrowFinale& wish, base::Instant /*now*/) {
     }
     genome::Candidate favourite = lineages_.now->session().favourite();
     favourite.values = genome::rounded_for_code(favourite.values);  // as whoever has its code grows it
-    bred_ = {genome::recipe_of(favourite, flight), favourite.words,
-             breeding::words_to_ask(lineages_.now->session().seed().child("describe"), kMostWordsAsked), ""};
-    if (!take_home_url_.empty()) bred_.take_home = take_home_url_ + genome::code_of(bred_.recipe);
+    bred_ = {genome::recipe_of(favourite, flight),
+             favourite.words,
+             breeding::words_to_ask(lineages_.now->session().seed().child("describe"), kMostWordsAsked),
+             "",
+             false,
+             bred_.others,
+             {},
+             {}};
+    if (!wanted_.take_home_url.empty()) bred_.take_home = wanted_.take_home_url + genome::code_of(bred_.recipe);
     caption_ = favourite.words ? spoken_.language().describe(*favourite.words) : "";
     if (!caption_.empty()) base::log::info("the landscape they bred: {}", caption_);
     programme_.order({wish.generation, 0, true}, {favourite}, flight);
@@ -186,8 +209,8 @@ void Show::carry_out(const exhibit::UndoTurn& wish, base::Instant /*now*/) {
 }
 
 void Show::carry_out(const exhibit::KeepWord& wish, base::Instant /*now*/) {
-    const genome::WordAnswer answer{bred_.recipe, bred_.words, bred_.asked.at(static_cast<std::size_t>(wish.which)),
-                                    wish.answer};
+    const genome::WordAnswer answer{bred_.other.value_or(bred_.recipe), bred_.other ? bred_.others_words : bred_.words,
+                                    bred_.asked.at(static_cast<std::size_t>(wish.which)), wish.answer};
     base::log::info("it was called {}", genome::language("en").answers(answer.word).at(answer.step));
     diary_.keep_word(answer);
 }
@@ -234,6 +257,27 @@ void Show::uploaded(base::Instant now) {
     else
         base::log::info("the four of round {} are on the screen", lineages_.now->session().offer().round);
     happen(exhibit::GenerationReady{done.generation}, now);
+    if (done.is_finale) ask_about_another();
+}
+
+// Where the site has it so, and words will be asked for: while the finale is looked at, what they are asked about
+// grows.
+void Show::ask_about_another() {
+    const bool asks = timings().describe_words > 0 && state_.finales % std::max(1, timings().describe_every) == 0;
+    if (!wanted_.describes_others || !asks) return;
+    const breeding::Session& session = lineages_.now->session();
+    genome::Candidate other =
+        breeding::landscape_to_describe(school_.school().map(), bred_.others, session.seed().child("described"));
+    other.values = genome::rounded_for_code(other.values);
+    programme_.ask_about(nursery::landscape_of(std::move(other), session.flight()));
+}
+
+void Show::begin_to_describe(base::Instant now) {
+    const nursery::Landscape* other = programme_.begin_asking(now);
+    if (other == nullptr) return;
+    bred_.other = genome::recipe_of(other->candidate, other->flight);
+    bred_.others_words = other->candidate.words;
+    remember("described", std::to_string(++bred_.others));
 }
 
 void Show::finish_growing() {
@@ -246,7 +290,7 @@ void Show::follow(const site::Configuration& configuration) {
     const breeding::BreederOptions breeder = breeder_options_of(configuration);
     pace_.follow(timings_of(configuration), founder_.rules().breeder.genome != genome::Genome::Classic);
     spoken_.follow(configuration);
-    take_home_url_ = configuration.take_home.url;
+    wanted_ = wanted_by(configuration);
     founder_.follow(breeder.ranges, locked_in(configuration));
     programme_.choose(chosen_by(configuration));
 }
@@ -261,7 +305,7 @@ std::string Show::caption() const {
 
 std::string Show::take_home() const {
     const auto* wall = programme_.wall();
-    return wall != nullptr ? wall->address(take_home_url_) : bred_.take_home;
+    return wall != nullptr ? wall->address(wanted_.take_home_url) : bred_.take_home;
 }
 
 const nursery::Act& Show::on_stage() const { return programme_.act_of(state_.screen); }

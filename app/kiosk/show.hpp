@@ -106,6 +106,8 @@ class Show {
     bool is_sliding() const { return timings().asking == exhibit::Asking::Sliders; }
     void grow_offer(int generation, learning::Keeper::Ticket kept);
     void keep_answers(const genome::Pick& answers);
+    void ask_about_another();
+    void begin_to_describe(base::Instant now);
 
     exhibit::State state_;
     Pace pace_;
@@ -118,7 +120,7 @@ class Show {
     std::optional<stage::Flash> last_press_;
     std::string caption_;
     Bred bred_;
-    std::string take_home_url_;  // the site's
+    Wanted wanted_;
 };
 
 }  // namespace quadrat::kiosk

@@ -47,6 +47,7 @@ void read_visit(Reader& reader, Configuration::Visit& visit) {
     reader.read("visit", "long_press_s", visit.long_press_s, 0.5, 30);
     reader.read("visit", "describe_words", visit.describe_words, 0, 10);
     reader.read("visit", "describe_every", visit.describe_every, 1, 1000);
+    reader.read("visit", "describe_others", visit.describe_others);
     reader.read("visit", "describe_s", visit.describe_s, 2, 600);
     reader.read_checked("visit", "language_folder", visit.language_folder, [](const std::string& folder) {
         if (!folder.empty()) genome::speak_from_folder(folder);

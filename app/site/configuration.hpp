@@ -45,11 +45,12 @@ struct Configuration {
         double patience_s = 25;       // without a press, until "Still there?"
         double countdown_s = 10;      // of "Still there?"
         double finale_s = 20;
-        double long_press_s = 2;      // of any choice button: to the finale
-        int describe_words = 3;       // asked after a finale, one at a time; 0: none are
-        int describe_every = 2;       // of every so many finales
-        double describe_s = 15;       // without a press, until the visitor is taken to have left
-        std::string language = "en";  // that the screen speaks
+        double long_press_s = 2;       // of any choice button: to the finale
+        int describe_words = 3;        // asked after a finale, one at a time; 0: none are
+        int describe_every = 2;        // of every so many finales
+        bool describe_others = false;  // not what was bred, but landscapes that lie evenly over the words
+        double describe_s = 15;        // without a press, until the visitor is taken to have left
+        std::string language = "en";   // that the screen speaks
         // Of the site's own languages, CODE.json or CODE.po; read when the program starts. "": none.
         std::string language_folder;
         std::vector<std::string>

@@ -85,7 +85,7 @@ void part_of(benchmark::State& state, const Part& part) {
     houses::Settled settled = houses::settle(land, p, base::Seed{11});
     houses::level_ground(land, settled);
     land.settlement = settled.settlement;
-    const std::vector<houses::FieldPlot> fields = houses::lay_fields(land, settled, p, base::Seed{11});
+    const std::vector<scene::FieldPlot> fields = houses::lay_fields(land, settled, p, base::Seed{11});
     for (auto _ : state) part(land, settled, fields, p);
 }
 

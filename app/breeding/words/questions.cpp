@@ -22,15 +22,35 @@ Point halton(std::size_t index, std::size_t dimensions) {
     return point;
 }
 
+namespace {
+
+void set_point(genome::Description& words, genome::Aspect aspect, std::size_t index) {
+    const auto vocabulary = genome::vocabulary(aspect);
+    const Point point = halton(index, vocabulary.size());
+    for (std::size_t w = 0; w < vocabulary.size(); ++w)
+        words.set(vocabulary[w].id, static_cast<float>(2 * point[w] - 1));
+}
+
+}  // namespace
+
+genome::Candidate landscape_to_describe(const WordMap& map, std::size_t index, base::Seed seed) {
+    constexpr std::size_t kApart = 409;
+    genome::Candidate candidate;
+    candidate.words.emplace();
+    for (const genome::Aspect aspect : genome::kAspects) {
+        set_point(*candidate.words, aspect, index + kApart * static_cast<std::size_t>(aspect));
+        map.realise(aspect, *candidate.words, candidate.values);
+        candidate.seeds[aspect] = seed.child(genome::name_of(aspect));
+    }
+    return candidate;
+}
+
 std::vector<DescribedScene> scenes_to_describe(const WordMap& map, genome::Aspect aspect, std::size_t first,
                                                std::size_t count) {
-    const auto vocabulary = genome::vocabulary(aspect);
     std::vector<DescribedScene> scenes;
     for (std::size_t i = first; i < first + count; ++i) {
-        const Point point = halton(i, vocabulary.size());
         genome::Description words;
-        for (std::size_t w = 0; w < vocabulary.size(); ++w)
-            words.set(vocabulary[w].id, static_cast<float>(2 * point[w] - 1));
+        set_point(words, aspect, i);
         DescribedScene& scene = scenes.emplace_back();
         scene.name = fmt::format("question {}", i + 1);
         scene.aspect = aspect;

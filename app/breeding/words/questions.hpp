@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "breeding/words/word_map.hpp"
+#include "genome/offer.hpp"
 
 namespace quadrat::breeding {
 
@@ -15,5 +16,9 @@ Point halton(std::size_t index, std::size_t dimensions);
 // from the first-th on. Their words are left out, to be said by somebody who looks at them.
 std::vector<DescribedScene> scenes_to_describe(const WordMap& map, genome::Aspect aspect, std::size_t first,
                                                std::size_t count);
+
+// A whole landscape for a visitor to describe, made of the index-th point of each aspect's words; no two aspects'
+// points lie in step. Its words are those points.
+genome::Candidate landscape_to_describe(const WordMap& map, std::size_t index, base::Seed seed);
 
 }  // namespace quadrat::breeding

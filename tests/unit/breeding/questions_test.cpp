@@ -53,5 +53,23 @@ TEST(Questions, AreScenesThatTheMapCanBeTrainedWithOnceTheyAreDescribed) {
     EXPECT_EQ(described_scenes_from(to_json(scenes, genome::Aspect::Sky), "asked.json"), scenes);
 }
 
+TEST(Questions, AreWholeLandscapesWhoseWordsAreTheSequence) {
+    const WordMap& map = default_word_map();
+    const genome::Candidate first = landscape_to_describe(map, 0, base::Seed{1});
+    ASSERT_TRUE(first.words);
+    const auto trees = genome::vocabulary(genome::Aspect::Trees);
+    EXPECT_FLOAT_EQ((*first.words)[trees[0].id], 0);          // a half
+    EXPECT_FLOAT_EQ((*first.words)[trees[1].id], -1.0F / 3);  // a third
+    EXPECT_EQ(first, landscape_to_describe(map, 0, base::Seed{1}));
+    EXPECT_NE(first.values, landscape_to_describe(map, 1, base::Seed{1}).values);
+    // Its values are the map's, of every aspect.
+    for (const genome::Aspect aspect : genome::kAspects) {
+        genome::ParameterValues values = first.values;
+        map.realise(aspect, *first.words, values);
+        EXPECT_EQ(values, first.values);
+        for (const genome::Word& word : genome::vocabulary(aspect)) EXPECT_LT(std::abs((*first.words)[word.id]), 1);
+    }
+}
+
 }  // namespace
 }  // namespace quadrat::breeding

@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "breeding/words/questions.hpp"
 #include "kiosk/show.hpp"
 #include "learning/past_visits.hpp"
 #include "support/process.hpp"
@@ -89,6 +90,56 @@ TEST_F(ShowAtNight, AsksForOneWordOfEachAspectAndKeepsTheAnswers) {
         asked.insert(word(answer.word).aspect);
     }
     EXPECT_EQ(asked.size(), 3U);
+}
+
+// A finale that somebody looks at for long, as a frame after another would: what is left over grows.
+TEST_F(ShowAtNight, AsksAboutOtherLandscapesWhereTheSiteHasItSo) {
+    using exhibit::Choice;
+    configuration_.visit.describe_others = true;
+    std::vector<genome::Recipe> bred;
+    for (int visit = 0; visit < 2; ++visit) {
+        auto show = opened();
+        for (const Choice button : {Choice::A, Choice::A, Choice::B, Choice::C}) press(*show, button);
+        ASSERT_EQ(show->state().screen, exhibit::Screen::Finale);
+        bred.push_back(show->recipes_on_stage().front());
+        while (show->programme().is_growing() || show->programme().waiting_to_refine() != nullptr) {
+            show->programme().refined();
+            settle(*show);
+        }
+        press(*show, Choice::D);
+        ASSERT_EQ(show->state().screen, exhibit::Screen::Describe);
+        ASSERT_EQ(show->on_stage().scenes.size(), 1U);
+        ASSERT_EQ(show->recipes_on_stage().size(), 1U);
+        bred.push_back(show->recipes_on_stage().front());
+        for (int word = 0; word < configuration_.visit.describe_words; ++word) press(*show, Choice::D);
+        ASSERT_EQ(show->state().screen, exhibit::Screen::Attract);
+        EXPECT_NE(show->recipes_on_stage().front(), bred.back());
+    }
+    const auto answers = archive::Archive::open(folder_.path(), kNoon).archive.word_answers().readable;
+    ASSERT_EQ(answers.size(), 6U);
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        const genome::WordAnswer& answer = answers[i];
+        EXPECT_EQ(answer.scene, bred[i < 3 ? 1 : 3]);
+        // The sequence goes on after a restart.
+        const auto other = breeding::landscape_to_describe(site_words(folder_.path()).map, i < 3 ? 0 : 1, {});
+        EXPECT_EQ(answer.made_of, other.words);
+    }
+    EXPECT_NE(bred[0], bred[1]);
+}
+
+TEST_F(ShowAtNight, AsksAboutWhatWasBredWhereTheOtherHasNotGrownYet) {
+    using exhibit::Choice;
+    configuration_.visit.describe_others = true;
+    auto show = opened();
+    for (const Choice button : {Choice::A, Choice::A, Choice::B, Choice::C}) press(*show, button);
+    const genome::Recipe bred = show->recipes_on_stage().front();
+    press(*show, Choice::D);
+    ASSERT_EQ(show->state().screen, exhibit::Screen::Describe);
+    for (int frame = 0; frame < 3; ++frame) {  // nor does it come in the midst of a question
+        settle(*show);
+        show->programme().refined();
+        EXPECT_EQ(show->recipes_on_stage().front(), bred);
+    }
 }
 
 TEST_F(ShowAtNight, SettingsMayChangeWhileItAsks) {

@@ -46,6 +46,7 @@ TEST(Configuration, TheFileThatIsDeliveredSaysTheDefaults) {
     EXPECT_EQ(delivered.picture.ground, standard.picture.ground);
     EXPECT_EQ(delivered.visit.describe_words, standard.visit.describe_words);
     EXPECT_EQ(delivered.visit.describe_every, standard.visit.describe_every);
+    EXPECT_EQ(delivered.visit.describe_others, standard.visit.describe_others);
     EXPECT_EQ(delivered.visit.describe_s, standard.visit.describe_s);
     EXPECT_EQ(delivered.play.buttons, standard.play.buttons);
     EXPECT_EQ(delivered.play.held, standard.play.held);
