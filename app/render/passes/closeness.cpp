@@ -105,6 +105,13 @@ float merged_crown(float share, float height_px, float leafy) {
            between(kMergedFrom_px, kMergedTo_px, height_px * std::max(leafy, kLeastLeafy));
 }
 
+// How far blades, of which a share stands for all, would be shards of so many pixels.
+float shards_of(const Kind& kind, float share, float blade_px, float fineness) {
+    if (kind.mass_triangles.empty()) return 0;
+    return between(kShardsFrom, kShardsTo, 1 / std::sqrt(share)) * between(kShardsFrom_px, kShardsTo_px, blade_px) *
+           between(kShardsFrom_fineness, kShardsTo_fineness, fineness);
+}
+
 // A crown so small is its mass or its blades, not both; where little is drawn of anything, also one whose mass stands
 // for little of it.
 float one_or_the_other_px(const Kind& kind, float leafy) {
@@ -201,11 +208,7 @@ Closeness closeness(const Kind& kind, float height_px, float fineness, float loo
     how.enlarged = enlarged_by(wanted_blades);
     how.mass_level = kind.mass_triangles.size();
     const float leafy = leafiness(fineness);
-    const float shards = kind.mass_triangles.empty()
-                             ? 0
-                             : between(kShardsFrom, kShardsTo, 1 / std::sqrt(share_of(wanted_blades))) *
-                                   between(kShardsFrom_px, kShardsTo_px, blade_px * how.enlarged) *
-                                   between(kShardsFrom_fineness, kShardsTo_fineness, fineness);
+    const float shards = shards_of(kind, share_of(wanted_blades), blade_px * how.enlarged, fineness);
     const float covered = share_of(wanted_blades) * how.enlarged * how.enlarged;
     const float merged = kind.mass_triangles.empty()
                              ? 0
