@@ -79,14 +79,14 @@ const ChipCosts kPi4Costs{{{"leaves.frag", 19, 204, 120},
                            {"wood.frag", 29, 186, 71},
                            {"cover.vert", 8, 97, 73},
                            {"near_ground.frag", 42, 220, 81},
-                           {"water.frag", 58, 409, 45},
+                           {"water.frag", 58, 414, 45},
                            {"held_sky.frag", 14, 158, 146},
                            {"falling.frag", 15, 185, 160}}};
 const ChipCosts kPi5Costs{{{"leaves.frag", 20, 175, 94},
                            {"wood.frag", 29, 166, 64},
                            {"cover.vert", 8, 84, 60},
                            {"near_ground.frag", 39, 201, 73},
-                           {"water.frag", 53, 397, 40},
+                           {"water.frag", 53, 409, 40},
                            {"held_sky.frag", 14, 133, 123},
                            {"falling.frag", 12, 147, 143}}};
 const ShaderCosts kPi4Dome{"sky.frag", 48, 158, 57};

@@ -32,6 +32,8 @@ void show_water(vec3 at_m, float foams) {
     float rough = sin(gust.x + 1.7 * sin(gust.y)) + sin(1.9 * gust.y - 0.7 * gust.x) + 0.6 * sin(3.1 * gust.x + gust.y);
     // It is many times as bright as the sky that it is seen with, by night too, when that is darker still.
     float bright = clear * min(view.sunlight.g, 1.0) / max(view.haze_colour.g, 0.08);
+    // A low sun or moon leaves a path; a high one would make a bay a sheet: there ripples alone glitter.
+    float low = max(1.0 - 4.0 * view.to_sun.y, 0.0);
     glitter = (dot(away, view.to_sun.xyz) - 1.0) * mirror.ripple.z - mirror.ripple.w + 0.5 * log2(bright + 1e-4) +
-              min(1.2 * rough, 1.2) - 0.7 - 0.5 * mirror.ripple.y;
+              min(1.2 * rough, 1.0 + 2.0 * low) + 3.4 * low - 0.7 - 0.5 * mirror.ripple.y;
 }

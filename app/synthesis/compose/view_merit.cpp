@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
+#include <iterator>
+#include <numeric>
 
 #include "synthesis/compose/view_rays.hpp"
 
@@ -135,6 +137,15 @@ class NearStone {
     std::array<Side, kSides> sides_;
 };
 
+// Of a picture, what rock covers from its left side on and from its right one: what stands whole within it is a
+// subject.
+float cut_off(const std::array<float, kRayColumns>& stone) {
+    const auto is_bare = [](float share) { return share <= 0; };
+    const auto left = std::ranges::find_if(stone, is_bare);
+    const auto right = std::find_if(stone.rbegin(), std::make_reverse_iterator(left), is_bare);
+    return std::accumulate(stone.begin(), left, 0.0F) + std::accumulate(stone.rbegin(), right, 0.0F);
+}
+
 // The houses about an eye as boxes, to ask of many rays.
 class NearHouses {
   public:
@@ -184,14 +195,16 @@ Outlook outlook(const scene::Land& land, const scene::Camera& camera) {
     const float share = 1.0F / static_cast<float>(rays.size());
     const NearHouses houses(land.settlement, camera.eye_m);
     const NearStone stone(land, camera.eye_m);
-    for (const glm::vec3& ray : rays) {
+    std::array<float, kRayColumns> stony{};
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const glm::vec3& ray = rays[i];
         const Hit hit = first_hit(land, camera.eye_m, ray);
         if (houses.stand_before(ray, hit.distance_m)) {
             seen.roofed += share;
             continue;
         }
         if (stone.stands_before(ray, hit.distance_m)) {
-            seen.stony += share;
+            stony[i % kRayColumns] += share;
             continue;
         }
         if (hit.distance_m >= kFarthest_m)
@@ -207,6 +220,7 @@ Outlook outlook(const scene::Land& land, const scene::Camera& camera) {
     }
     look_for_landmarks(land, camera, seen);
     seen.road = road_in_sight(land, camera);
+    seen.stony = cut_off(stony);
     seen.housed = housed_share(land, camera);
     return seen;
 }
@@ -215,7 +229,7 @@ float view_merit(const Outlook& seen) {
     // What a land does not have everywhere is why one stops. A mouth is smaller than an arch, and shows from its front
     // alone: were it worth no more, an arch beside it would always have the picture.
     constexpr float kArch = 0.8F;
-    constexpr float kCave = 1.2F;
+    constexpr float kCave = 1.0F;
     constexpr float kRoad = 1.2F;
     const auto up_to = [](float share, float enough) { return std::min(share / enough, 1.0F); };
     const float off_sky = (seen.sky - 0.42F) / 0.25F;

@@ -13,7 +13,7 @@ struct Outlook {
     float far = 0;     // farther than 500 m
     float walled = 0;  // nearer than 12 m: a slope before the eyes
     float roofed = 0;  // of houses nearer than 32 m: walls and roofs before the eyes
-    float stony = 0;   // of rock that stands on the ground, nearer than 55 m
+    float stony = 0;   // of rock that stands on the ground nearer than 55 m and that the picture's sides cut off
     float housed = 0;  // of a settlement's houses, the share that the picture holds, large enough and not behind land
     float made = 0;    // of arches and standing stones in sight: the sum of how large they look, in radians
     float marked = 0;  // of the largest landmark in sight that is no cave: how large it looks, in radians

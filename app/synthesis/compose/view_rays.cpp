@@ -9,7 +9,6 @@
 namespace quadrat::synthesis {
 namespace {
 
-constexpr int kColumns = 13;
 constexpr int kRows = 9;
 constexpr float kAspect = 16.0F / 9;
 
@@ -42,8 +41,8 @@ std::vector<glm::vec3> view_rays(const scene::Camera& camera) {
     const auto [ahead, right, up, half_up] = axes_of(camera);
     std::vector<glm::vec3> rays;
     for (int row = 0; row < kRows; ++row) {
-        for (int column = 0; column < kColumns; ++column) {
-            const float x = (2 * static_cast<float>(column) + 1) / kColumns - 1;
+        for (int column = 0; column < kRayColumns; ++column) {
+            const float x = (2 * static_cast<float>(column) + 1) / kRayColumns - 1;
             const float y = 1 - (2 * static_cast<float>(row) + 1) / kRows;
             rays.push_back(glm::normalize(ahead + half_up * (kAspect * x * right + y * up)));
         }

@@ -9,7 +9,9 @@
 
 namespace quadrat::synthesis {
 
-// Rays spread evenly over a picture of 16 by 9: unit directions.
+inline constexpr int kRayColumns = 13;
+
+// Rays spread evenly over a picture of 16 by 9: unit directions, so many in each row, from left to right.
 std::vector<glm::vec3> view_rays(const scene::Camera& camera);
 
 // Where a point stands in that picture, -1 to 1 rightward and up within it; nowhere if it is less than 4 m before the

@@ -79,19 +79,22 @@ scene::Land with_rock(glm::vec3 foot_m) {
     return land;
 }
 
-TEST(Outlook, BeforeARockIsStony) {
-    const Outlook seen = outlook(with_rock({0, 2, -30}), level(6));
-    EXPECT_GT(seen.stony, 0.15F);
-    EXPECT_LT(seen.stony, 0.45F);
-    EXPECT_EQ(outlook(with_rock({0, 2, 30}), level(6)).stony, 0);    // behind
-    EXPECT_EQ(outlook(with_rock({0, 2, -90}), level(6)).stony, 0);   // a subject
-    EXPECT_EQ(outlook(with_rock({0, -9, -30}), level(6)).stony, 0);  // in the ground
-    scene::Land hill = with_rock({0, 2, -40});
+TEST(Outlook, BesideARockThatThePictureCutsOffIsStony) {
+    constexpr float kLeft_m = -17;
+    const Outlook seen = outlook(with_rock({kLeft_m, 2, -30}), level(6));
+    EXPECT_GT(seen.stony, 0.08F);
+    EXPECT_LT(seen.stony, 0.3F);
+    EXPECT_NEAR(outlook(with_rock({-kLeft_m, 2, -30}), level(6)).stony, seen.stony, 0.03F);
+    EXPECT_EQ(outlook(with_rock({0, 2, -30}), level(6)).stony, 0);            // whole: a subject
+    EXPECT_EQ(outlook(with_rock({kLeft_m, 2, 30}), level(6)).stony, 0);       // behind
+    EXPECT_EQ(outlook(with_rock({3 * kLeft_m, 2, -90}), level(6)).stony, 0);  // far away
+    EXPECT_EQ(outlook(with_rock({kLeft_m, -9, -30}), level(6)).stony, 0);     // in the ground
+    scene::Land hill = with_rock({kLeft_m, 2, -40});
     for (int column = 0; column < 129; ++column) hill.height_m.at(column, 62) = 40;  // 16 m before the eye
     EXPECT_EQ(outlook(hill, level(6)).stony, 0);
-    Outlook open = seen;
-    open.stony = 0;
-    EXPECT_GT(view_merit(open), view_merit(seen) + 0.2F);
+    Outlook much = seen;
+    much.stony = seen.stony + 0.2F;
+    EXPECT_GT(view_merit(seen), view_merit(much) + 0.5F);
 }
 
 TEST(ViewMerit, LikesNearAndFarAndWater) {
