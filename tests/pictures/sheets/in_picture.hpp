@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/mat4x4.hpp>
 #include <glm/trigonometric.hpp>
 #include <string>
 #include <vector>
@@ -23,16 +22,11 @@ struct InPicture {
 // What one looks through to see it: land and the crowns of plants, as upright cylinders.
 class Look {
   public:
-    Look(const scene::Scene& scene, const scene::Camera& camera)
-        : scene_(scene),
-          camera_(camera),
-          clip_from_world_(scene::clip_from_view(camera, 16.0F / 9) * scene::view_from_world(camera)) {}
+    Look(const scene::Scene& scene, const scene::Camera& camera) : scene_(scene), camera_(camera) {}
 
-    // In picture widths and heights from its middle, each -1 to 1; false where it is not in it.
+    // From the picture's middle, each -1 to 1; false where it is not in it.
     bool projects(const glm::vec3& at_m, glm::vec2& at) const {
-        const glm::vec4 clip = clip_from_world_ * glm::vec4(at_m, 1);
-        if (clip.w < 1) return false;
-        at = glm::vec2{clip.x, clip.y} / clip.w;
+        at = synthesis::in_picture(camera_, at_m).value_or(glm::vec2{2});
         return std::abs(at.x) < 1 && std::abs(at.y) < 1;
     }
 
@@ -66,7 +60,6 @@ class Look {
 
     const scene::Scene& scene_;
     const scene::Camera& camera_;
-    glm::mat4 clip_from_world_;
 };
 
 inline std::string name_of(const scene::Land& land, std::size_t landmark) {

@@ -172,6 +172,38 @@ TEST(Closeness, ACrownOfAHandfulOfBladesIsOneMassUntilItIsLookedAt) {
     }
 }
 
+// No crown is a bare stem with a few leaves, however large it is on the screen and however little is drawn of it.
+TEST(Closeness, ACrownWhoseBladesCoverLittleHasItsMassBehindThem) {
+    for (const float largest : {1.0F, 1.8F})
+        for (const float fineness : {0.0001F, 0.001F, 0.01F, 0.1F, 1.0F})
+            for (float px = 20; px < 1200; px *= 1.02F) {
+                Kind kind = leafy();
+                kind.largest_blade = largest;
+                const Closeness how = closeness(kind, px, fineness);
+                const float covered = how.has_leaves ? how.share * how.enlarged * how.enlarged : 0;
+                ASSERT_GE(covered + how.merged, 0.59F) << px << " at " << fineness;
+            }
+}
+
+// Four fronds of 23 on a stem are a stake.
+TEST(Closeness, AFarPalmKeepsNearlyHalfOfItsFrondsAndTheyAreLarger) {
+    Kind palm{7, 2, {140, 60, 28, 8}, {0, 0.05F, 0.1F, 0.22F}, 23, 12, 4, 2.2F};
+    palm.largest_blade = 1;
+    Kind fern = palm;  // without a stem it is undergrowth, and thins as that does
+    fern.wood_triangles = {0};
+    fern.wood_left_out_m = {0};
+    for (const float fineness : {0.001F, 0.02F, 0.1F})
+        for (float px = 8; px < 60; px *= 1.1F) {
+            const Closeness how = closeness(palm, px, fineness);
+            EXPECT_TRUE(how.has_leaves);
+            EXPECT_GE(how.share, 0.44F);
+            EXPECT_NEAR(how.enlarged * how.enlarged * how.share, 1, 0.02F);
+            EXPECT_LE(closeness(fern, px, fineness).enlarged, 1);
+        }
+    EXPECT_LT(closeness(fern, 20, 0.001F).share, 0.25F);
+    EXPECT_EQ(closeness(palm, 300, 0.1F).enlarged, 1);
+}
+
 // Its mass stands for few of its leaves.
 Kind airy(std::size_t coarsest) {
     Kind kind = leafy();

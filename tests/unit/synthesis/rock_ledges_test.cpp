@@ -82,6 +82,31 @@ float highest_m(const scene::Land& land) {
     return most;
 }
 
+// Tiles fill a square; rock does not.
+TEST(ALedge, HasWeatheredToARound) {
+    int ledges = 0;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        scene::LandParameters p = parameters_of(seed);
+        p.ledge_share = 1;
+        p.ledge_decay = 0;
+        const scene::Land land = grown(p, seed);
+        if (land.landmarks.empty()) continue;
+        ++ledges;
+        const scene::Landmark& mark = land.landmarks.back();
+        int within = 0;
+        int corners = 0;
+        for (const glm::vec3& point : land.stone.mesh.positions_m) {
+            const glm::vec2 at{point.x, point.z};
+            const float away = glm::distance(at, glm::vec2{mark.at_m.x, mark.at_m.z}) / mark.size_m;
+            if (point.y < scene::ground_height_m(land, at) + 0.5F) continue;
+            within += away < 0.55F;
+            corners += away > 0.57F && away < 0.65F;
+        }
+        EXPECT_LT(corners, 0.01F * static_cast<float>(within)) << seed;
+    }
+    EXPECT_GE(ledges, 4);
+}
+
 TEST(ALedge, IsLowerTheMoreItHasWornAway) {
     float whole_m = 0;
     float worn_m = 0;

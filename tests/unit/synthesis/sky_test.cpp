@@ -376,6 +376,17 @@ TEST(Sky, HasARainbowOnlyWhereOneCanBe) {
     EXPECT_GT(grow_sky(p, base::Seed{1}).bow, 0.3F);
 }
 
+TEST(Sky, HasThinnerMistByNight) {
+    scene::SkyParameters p;
+    EXPECT_EQ(grow_sky(p, base::Seed{1}).mist.per_m, 0);
+    p.mist_share = 0.5F;
+    const float by_day = grow_sky(p, base::Seed{1}).mist.per_m;
+    p.night_share = 0.7F;
+    const float by_night = grow_sky(p, base::Seed{1}).mist.per_m;
+    EXPECT_GT(by_night, 0.3F * by_day);
+    EXPECT_LT(by_night, 0.5F * by_day);
+}
+
 TEST(Sky, LetsNoRainFallFlatterThanThirtyDegreesFromUpright) {
     scene::SkyParameters p;
     p.rain_share = 1;
