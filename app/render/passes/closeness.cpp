@@ -225,8 +225,9 @@ Closeness closeness(const Kind& kind, float height_px, float fineness, float loo
         how.mass_level = mass.at;
         how.mass_to_coarser = mass.to_coarser;
         how.merged = merged;
-        // The stem behind it is at its coarsest, which becomes nothing coarser. Strokes hide none.
-        if (!kind.are_slivers || kind.trunk_m < kThinTrunk_px * m_a_px) {
+        // The stem behind it is at its coarsest, which becomes nothing coarser; near by it would stand beside a crown
+        // that leans. Strokes hide none.
+        if (near <= 0 && (!kind.are_slivers || kind.trunk_m < kThinTrunk_px * m_a_px)) {
             if (how.wood_level < kind.wood_triangles.size()) how.wood_level = kind.wood_triangles.size() - 1;
             how.to_coarser = widened(kind, m_a_px);
         }

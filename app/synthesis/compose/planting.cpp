@@ -251,8 +251,25 @@ class Planter {
                     return glm::length(t.at_m - c.at_m) < 1.15F * crown_m(c) + 0.6F * crown_m(t);
                 });
                 trees.push_back(c);
+                set_beside(trees, c, random);
                 return;
             }
+        }
+    }
+
+    // Two smaller ones of its kind beside a narrow one, which alone would be a post: one close by, one apart.
+    void set_beside(std::vector<Candidate>& trees, const Candidate& hero, base::RandomStream& random) const {
+        if (crown_m(hero) > 0.16F * flora_.species[hero.species].height_m * hero.scale) return;
+        for (const float apart : {1.3F, 3.6F}) {
+            Candidate c = hero;
+            c.scale *= random.between(0.55F, 0.85F);
+            const float turn = random.between(0, glm::radians(360.0F));
+            c.at_m += (crown_m(hero) + apart * crown_m(c)) * glm::vec2{std::cos(turn), std::sin(turn)};
+            if (!is_hero_ground(c, {0.1F, 0, 0})) continue;
+            std::erase_if(trees, [&](const Candidate& t) {
+                return t.mark > 0 && glm::length(t.at_m - c.at_m) < crown_m(c) + 0.5F * crown_m(t);
+            });
+            trees.push_back(c);
         }
     }
 
@@ -288,17 +305,6 @@ class Planter {
                });
     }
 
-    void window(float reach_m, glm::vec2& low, glm::vec2& high) const {
-        low = glm::vec2{1.0e6F};
-        high = glm::vec2{-1.0e6F};
-        for (const FlightPlan::Station& station : sight_.flight().stations) {
-            low = glm::min(low, station.at_m - reach_m);
-            high = glm::max(high, station.at_m + reach_m);
-        }
-        low = glm::max(low, glm::vec2{-half_m_});
-        high = glm::min(high, glm::vec2{half_m_});
-    }
-
     bool is_clear_of_trunks(std::span<const Candidate> trees, const Candidate& c) const {
         return std::ranges::none_of(trees, [&](const Candidate& tree) {
             const glm::vec2 d = tree.at_m - c.at_m;
@@ -310,10 +316,8 @@ class Planter {
     // Shrubs gather: along the edges of groves, in thickets, rarely alone.
     std::vector<Candidate> grow_shrubs(const Near& near, const Shade& shade) {
         if (kinds_.shrubs.empty()) return {};
-        glm::vec2 low;
-        glm::vec2 high;
         const float reach_m = budget_.reach_m * 3.75F;
-        window(reach_m, low, high);
+        const auto [low, high] = sight_.window(reach_m);
         const Sight::Region region = sight_.region(kWidestAside, reach_m);
         const auto may = [&region](glm::vec2 at) { return region.may_hold(at); };
         const NoiseMap thickets(seed_.child("thickets"), low, high, 17, 3);
@@ -352,9 +356,7 @@ class Planter {
 
     std::vector<Candidate> grow_herbs(const Near& near, const Shade& shade) {
         if (kinds_.herbs.empty()) return {};
-        glm::vec2 low;
-        glm::vec2 high;
-        window(budget_.reach_m, low, high);
+        const auto [low, high] = sight_.window(budget_.reach_m);
         const Sight::Region region = sight_.region(kWidestAside, budget_.reach_m);
         const auto may = [&region](glm::vec2 at) { return region.may_hold(at); };
         std::vector<NoiseMap> patches;
@@ -400,10 +402,8 @@ class Planter {
     std::vector<Candidate> grow_rings(const Near& near) {
         const auto kind = std::ranges::find(flora_.species, std::string_view("mushroom"), &scene::Species::name);
         if (flora_.stand.rings <= 0 || kind == flora_.species.end()) return {};
-        glm::vec2 low;
-        glm::vec2 high;
         const float reach_m = std::min(budget_.reach_m, kRingsSeen_m);
-        window(reach_m, low, high);
+        const auto [low, high] = sight_.window(reach_m);
         const Sight::Region region = sight_.region(kWidestAside, reach_m);
         const auto may = [&region](glm::vec2 at) { return region.may_hold(at); };
         const RingMap rings(seed_.child("rings"));

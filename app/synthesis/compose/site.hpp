@@ -75,6 +75,20 @@ class Sight {
 
     const FlightPlan& flight() const { return flight_; }
 
+    // The box about all places on the land that lie so near to the camera's way, and some around.
+    struct Window {
+        glm::vec2 low_m{1.0e6F};
+        glm::vec2 high_m{-1.0e6F};
+    };
+    Window window(float reach_m) const {
+        Window window;
+        for (const FlightPlan::Station& station : flight_.stations) {
+            window.low_m = glm::min(window.low_m, station.at_m - reach_m);
+            window.high_m = glm::max(window.high_m, station.at_m + reach_m);
+        }
+        return {glm::max(window.low_m, glm::vec2{-half_m_}), glm::min(window.high_m, glm::vec2{half_m_})};
+    }
+
     // Where a place a metre or more before its station, at most so wide off its view and so far from the way may lie:
     // true for all of them, and for some around. Cheaper than asking place by place.
     class Region {

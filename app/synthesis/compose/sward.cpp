@@ -56,14 +56,9 @@ class Sower {
           ground_(land),
           crops_(land.settlement.fields),
           region_(sight_.region(kWidestAside, kReach_m)) {
-        low_ = glm::vec2{1.0e6F};
-        high_ = glm::vec2{-1.0e6F};
-        for (const FlightPlan::Station& station : flight.stations) {
-            low_ = glm::min(low_, station.at_m - kReach_m);
-            high_ = glm::max(high_, station.at_m + kReach_m);
-        }
-        low_ = glm::max(low_, glm::vec2{-half_m_});
-        high_ = glm::min(high_, glm::vec2{half_m_});
+        const Sight::Window window = sight_.window(kReach_m);
+        low_ = window.low_m;
+        high_ = window.high_m;
     }
 
     scene::Sward sow() const {

@@ -288,10 +288,11 @@ TreeSkeleton finished(TreeSkeleton skeleton, const Form& f, base::Seed seed) {
     if (k.has_boughs) face_wind(skeleton, -f.wind_crown * upwind, seed.child("breaks"));
     base::RandomStream random{seed.child("light")};
     const float bearing = random.between(0, 6.2831853F);
+    constexpr float kMostLean = 0.6F;  // beyond it a crown lies beside its stem
     Forces forces;
     forces.sag = k.sags ? f.sag : 0;
     forces.straightening = f.straightening;
-    forces.wind = -f.wind_lean * upwind;
+    forces.wind = -kMostLean * f.wind_lean * upwind;
     forces.light = f.light_seeking * glm::normalize(glm::vec3{0.6F * std::cos(bearing), 1, 0.6F * std::sin(bearing)});
     bend(skeleton, forces);
     keep_above_ground(skeleton, 0.035F * f.height_m);

@@ -185,6 +185,12 @@ TEST(Closeness, ACrownWhoseBladesCoverLittleHasItsMassBehindThem) {
             }
 }
 
+// Its coarsest stem stands upright, and a crown may lean.
+TEST(Closeness, ACrownNearByHasItsLimbsBeforeItsMass) {
+    for (float px = 400; px < 1000; px *= 1.1F) EXPECT_LE(closeness(leafy(), px, 0.0005F).wood_level, 2U) << px;
+    EXPECT_EQ(closeness(leafy(), 200, 0.0005F).wood_level, leafy().wood_triangles.size() - 1);
+}
+
 // Four fronds of 23 on a stem are a stake.
 TEST(Closeness, AFarPalmKeepsNearlyHalfOfItsFrondsAndTheyAreLarger) {
     Kind palm{7, 2, {140, 60, 28, 8}, {0, 0.05F, 0.1F, 0.22F}, 23, 12, 4, 2.2F};

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
 
+#include "synthesis/compose/planting.hpp"
 #include "synthesis/compose/view_rays.hpp"
 
 namespace quadrat::synthesis {
@@ -51,6 +55,35 @@ TEST(HeroPlace, ShowsATreeWholeFromAnyHeight) {
         if (!whole(hero_place(land, kNorthward, {}, high_m, side, again))) ++cut_without_asking;
     }
     EXPECT_GT(cut_without_asking, 5);
+}
+
+// How many trees stand where only those do that are set for the picture's sake, and how near two of them are.
+std::pair<std::size_t, float> set_with(float crown_m, std::uint64_t seed) {
+    scene::Land land = plain();
+    land.albedo = scene::GroundColours(mesh::Image(64, 64, 4));
+    scene::Flora flora;
+    scene::Species& tree = flora.species.emplace_back();
+    tree.height_m = 12;
+    tree.crown_radius_m = crown_m;
+    tree.trunk_radius_m = 0.2F;
+    tree.moisture_width = 3;
+    const FlightPlan flight{{{{0, 60}, {0, -1}}, {{6, 50}, {0, -1}}}};
+    const auto plants = plant_land(land, flora, flight, {}, base::Seed{seed}, {.trees = 0, .undergrowth = 0});
+    float nearest_m = 1.0e6F;
+    for (std::size_t i = 0; i < plants.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            nearest_m = std::min(nearest_m, glm::distance(plants[i].root_m, plants[k].root_m));
+    return {plants.size(), nearest_m};
+}
+
+TEST(Hero, IsNotAloneWhereItIsAsNarrowAsAPost) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        const auto [posts, apart_m] = set_with(0.8F, seed);
+        const auto [trees, open_m] = set_with(4, seed);
+        EXPECT_GT(posts, trees) << seed;
+        EXPECT_LT(apart_m, 6) << seed;
+        EXPECT_GT(open_m, 6) << seed;
+    }
 }
 
 }  // namespace
