@@ -120,6 +120,20 @@ void propose_layered(const BeliefState& state, Aspect aspect, base::Seed seed, g
     }
 }
 
+std::optional<std::size_t> winner_of(const BeliefState& state, Aspect aspect) {
+    return state.genome == genome::Genome::Classic ? state.aspects[aspect].winner : state.layered[aspect].winner;
+}
+
+// One landscape of the four is all that was named best, put together: visitors see what their answers make. It stands
+// at another button each round, so that nobody who always presses the same one keeps it, and where it stands does not
+// depend on what is picked, so that an aspect can grow before the others are judged.
+void bring_winners_together(genome::Offer& offer, const BeliefState& state, base::Seed seed) {
+    base::RandomStream chance{seed.child("together").child(static_cast<std::uint64_t>(state.round))};
+    const std::size_t at = chance.below(genome::kCandidates);
+    for (const Aspect aspect : genome::kAspects)
+        if (const auto winner = winner_of(state, aspect); winner && *winner != at) exchange(offer, aspect, at, *winner);
+}
+
 }  // namespace
 
 std::vector<Place> archetype_places(genome::Genome genome, Aspect aspect, const WordMap& map) {
@@ -159,6 +173,7 @@ genome::Offer propose(const BeliefState& state, base::Seed seed) {
     }
     // Later an aspect is what its own picks make of it, whatever was picked of others.
     if (state.round == 1) put_together(offer);
+    bring_winners_together(offer, state, seed);
     return offer;
 }
 
@@ -182,11 +197,6 @@ void learn_layered(BeliefState& state, Aspect aspect, const genome::Offer& offer
     state.layered[aspect] = std::move(before);
 }
 
-bool was_judged(const BeliefState& state, Aspect aspect) {
-    return state.genome == genome::Genome::Classic ? state.aspects[aspect].winner.has_value()
-                                                   : state.layered[aspect].winner.has_value();
-}
-
 }  // namespace
 
 BeliefState learn(const BeliefState& state, const genome::Offer& offer, const genome::Pick& pick) {
@@ -206,7 +216,7 @@ BeliefState learn(const BeliefState& state, const genome::Offer& offer, const ge
 genome::Candidate wished(const BeliefState& state, const genome::Candidate& otherwise) {
     genome::Candidate candidate = otherwise;
     for (const Aspect aspect : genome::kAspects) {
-        if (!was_judged(state, aspect)) continue;
+        if (!winner_of(state, aspect)) continue;
         candidate.seeds[aspect] = state.inherited[aspect];
         if (state.genome == genome::Genome::Classic)
             put_classic(candidate, state, aspect, state.aspects[aspect].mean());

@@ -30,7 +30,8 @@ BeliefState initial_belief(genome::Genome genome, const WordMap& map, const Word
                            const Taste& taste = {});
 
 // Four candidates. The last winner of an aspect is among them as it was, seed and all; two of the others inherit its
-// accidents, so that a tree one liked comes back as that tree, and one does not.
+// accidents, so that a tree one liked comes back as that tree, and one does not. The last winners of all aspects are
+// one candidate: which, the seed and the round say.
 genome::Offer propose(const BeliefState& state, base::Seed seed);
 
 BeliefState learn(const BeliefState& state, const genome::Offer& offer, const genome::Pick& pick);

@@ -5,6 +5,7 @@
 #include <array>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "genome/parameter_ids.hpp"
 
@@ -67,7 +68,8 @@ void reorder(genome::Offer& offer, Aspect aspect, const Order& order) {
         genome::Candidate& to = offer.candidates[k];
         for (const genome::Parameter& p : genome::parameter_table())
             if (p.aspect == aspect) to.values.set(p.id, from.values[p.id]);
-        for (const genome::Word& word : genome::vocabulary(aspect)) to.words->set(word.id, (*from.words)[word.id]);
+        if (from.words)
+            for (const genome::Word& word : genome::vocabulary(aspect)) to.words->set(word.id, (*from.words)[word.id]);
         to.seeds[aspect] = from.seeds[aspect];
     }
 }
@@ -91,6 +93,13 @@ void put_together(genome::Offer& offer) {
                 return accord(kLandWithSky, words, *offer.candidates[sky].words) +
                        snow_on(words, offer.candidates[sky].values);
             }));
+}
+
+void exchange(genome::Offer& offer, Aspect aspect, std::size_t one, std::size_t other) {
+    Order order;
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::swap(order[one], order[other]);
+    reorder(offer, aspect, order);
 }
 
 }  // namespace quadrat::breeding

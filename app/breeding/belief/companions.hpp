@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstddef>
+
 #include "genome/offer.hpp"
 
 namespace quadrat::breeding {
@@ -12,5 +14,8 @@ double accord(const genome::Description& words);
 // Puts lands and skies that are offered to other trees than before, so that the sum of the four accords is the
 // greatest; what is offered of each aspect stays the same. Nothing happens to an offer without words.
 void put_together(genome::Offer& offer);
+
+// Exchanges one candidate's trees, land or sky with another's: values, words and seed.
+void exchange(genome::Offer& offer, genome::Aspect aspect, std::size_t one, std::size_t other);
 
 }  // namespace quadrat::breeding

@@ -100,7 +100,7 @@ TEST(Replay, TellsVisitorsWhoMeanItFromThoseWhoPressAnything) {
     EXPECT_EQ(of_meant.picks, 12 * 5 * 3);
     EXPECT_GT(of_meant.bits.value, 0.1);
     EXPECT_LT(of_anything.bits.value, 0.05);
-    EXPECT_GT(of_anything.meaningless, of_meant.meaningless);
+    EXPECT_GT(of_anything.indifference, 4 * of_meant.indifference);
     EXPECT_THAT(table_of(std::vector{of_meant}), HasSubstr("belief"));
 }
 

@@ -136,11 +136,11 @@ TEST(Gallery, NeverHangsWhatStaffHideAndShowsWhatCameBefore) {
 class Visits : public testing::Test {
   protected:
     Visits() {
-        configuration_.visit.rounds = 2;  // after one they are much alike
+        configuration_.visit.rounds = 2;  // after one they are much alike; the seed's four visits are not
         configuration_.visit.describe_words = 0;
         configuration_.visit.finale_s = 10;
         show_.emplace(configuration_,
-                      ShowOptions{base::Seed{1},
+                      ShowOptions{base::Seed{3},
                                   {1, {65, 64, 128}},
                                   [] { return archive::WallTime{}; },
                                   [] { return archive::WallTime{}; },
