@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What people have built: lit a vertex, its cladding patterned a pixel, its windows lit when it is dark.
 #include "common/view.glsl"
+#include "common/night_eye.glsl"
 #include "common/haze.glsl"
 #include "common/encode.glsl"
 #include "common/ambient.glsl"
@@ -36,7 +37,7 @@ void main() {
     float facing = max(dot(normal, view.to_sun.xyz), 0.0) * view.cloud_place[1].z;
     vec3 light = view.sunlight.rgb * facing + ambient_on(normal);
     vec4 haze = haze_at(at_m);
-    vec3 clear = encode(root_colour_code.rgb * root_colour_code.rgb * light) * cloud_light(at_m);
+    vec3 clear = encode(seen_by_night(root_colour_code.rgb * root_colour_code.rgb) * light) * cloud_light(at_m);
     float lamp = code < 127.5 ? 0.0 : clamp((view.scales.w - (code - 128.0) / 127.0) * 40.0, 0.0, 1.0);
     clear = mix(clear, vec3(1.0, 0.78, 0.42) * view.cloud_place[1].w, lamp);
     shown = mix(clear, haze.rgb, haze.a);

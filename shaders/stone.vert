@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Boulders, arches, caves.
 #include "common/view.glsl"
+#include "common/night_eye.glsl"
 #include "common/haze.glsl"
 #include "common/encode.glsl"
 #include "common/ambient.glsl"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The country around the land, to the horizon.
 #include "common/view.glsl"
+#include "common/night_eye.glsl"
 #include "common/haze.glsl"
 #include "common/encode.glsl"
 #include "common/ambient.glsl"
@@ -33,7 +34,7 @@ void main() {
     vec3 straw = dot(albedo, vec3(0.2126, 0.7152, 0.0722)) * kStraw;
     albedo = mix(albedo, straw, green.x * green.y * view.cloud_place[0].y);
     vec4 haze = haze_at(at_m);
-    bare = encode(albedo * light) * (cloud_light(at_m) * (1.0 - haze.a));
+    bare = encode(seen_by_night(albedo) * light) * (cloud_light(at_m) * (1.0 - haze.a));
     veil = haze.rgb * haze.a;
     // Turned, so that the two sizes do not line up.
     over_grain = kTiles * vec4(at_m.xz, 0.8 * at_m.x - 0.6 * at_m.z, 0.6 * at_m.x + 0.8 * at_m.z);

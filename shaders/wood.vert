@@ -1,6 +1,7 @@
 #version 310 es
 // SPDX-License-Identifier: Apache-2.0
 #include "common/view.glsl"
+#include "common/night_eye.glsl"
 #include "common/encode.glsl"
 #include "common/ambient.glsl"
 #include "common/instance.glsl"
@@ -33,7 +34,7 @@ void main() {
     // A low sun's colour is nearly bark's own: all of it on a trunk in the open would be gaudy.
     vec3 sun = mix(view.sunlight.rgb, vec3(dot(view.sunlight.rgb, vec3(0.2126, 0.7152, 0.0722))), 0.4);
     vec3 light = sun * (facing * wind_sun_through.z) + ambient_on(normal) * foot;
-    shown = encode(bark.rgb * half_tint_enlarged.rgb * 2.0 * light) * (1.0 - air.a);
+    shown = encode(seen_by_night(bark.rgb * half_tint_enlarged.rgb) * 2.0 * light) * (1.0 - air.a);
     veil = air.rgb * air.a;
     on_bark = bark_tile;
     vec3 toward = view.to_sun.xyz * (0.35 + 0.65 * wind_sun_through.z) + vec3(0.0, 0.35, 0.0);

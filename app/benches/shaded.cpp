@@ -75,15 +75,15 @@ void add_costs(Results& results, const Chip& chip) {
 
 }  // namespace
 
-const ChipCosts kPi4Costs{{{"leaves.frag", 19, 204, 120},
-                           {"wood.frag", 29, 186, 71},
+const ChipCosts kPi4Costs{{{"leaves.frag", 19, 214, 120},
+                           {"wood.frag", 29, 202, 71},
                            {"cover.vert", 8, 97, 73},
                            {"near_ground.frag", 42, 220, 81},
                            {"water.frag", 58, 414, 45},
                            {"held_sky.frag", 14, 158, 146},
                            {"falling.frag", 15, 185, 160}}};
-const ChipCosts kPi5Costs{{{"leaves.frag", 20, 175, 94},
-                           {"wood.frag", 29, 166, 64},
+const ChipCosts kPi5Costs{{{"leaves.frag", 20, 193, 94},
+                           {"wood.frag", 29, 173, 64},
                            {"cover.vert", 8, 84, 60},
                            {"near_ground.frag", 39, 201, 73},
                            {"water.frag", 53, 409, 40},

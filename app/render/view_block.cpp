@@ -10,6 +10,7 @@
 #include "render/view.hpp"
 #include "scene/colour.hpp"
 #include "scene/lamps.hpp"
+#include "scene/night_eye.hpp"
 
 namespace quadrat::render {
 namespace {
@@ -57,7 +58,7 @@ void set_clouds(passes::ViewBlock& b, const View& view, float left, float second
 
 void set_water(passes::ViewBlock& b, const LightAndAir& air, float left) {
     const glm::vec3 shallow = encode(air.shallow_water * left);
-    b.shallow_water = {shallow, 0};
+    b.shallow_water = {shallow, scene::colour_seen(air.sky.darkness)};
     b.deepening = {encode(air.deep_water * left) - shallow, 0};
     b.mirrored = {shown(air.high_sky, left), 0.35F * encode(scene::luminance(air.foam) * left)};
 }
@@ -83,8 +84,9 @@ LightAndAir light_and_air_of(const scene::Scene& scene) {
         a.sky.precipitation.amount = 0;
     // Water scatters back what light falls on it from above.
     const glm::vec3 on_water = a.sky.ambient.on({0, 1, 0}) + a.sky.sunlight * std::max(a.sky.sun_direction.y, 0.0F);
-    a.shallow_water = land.shallow_colour * on_water;
-    a.deep_water = land.deep_colour * on_water;
+    const float colour_seen = scene::colour_seen(a.sky.darkness);
+    a.shallow_water = scene::seen_by_night(land.shallow_colour, colour_seen) * on_water;
+    a.deep_water = scene::seen_by_night(land.deep_colour, colour_seen) * on_water;
     a.foam = on_water;
     constexpr int kBearings = 16;
     for (int i = 0; i < kBearings; ++i) {

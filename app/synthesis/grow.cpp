@@ -2,6 +2,7 @@
 #include "synthesis/grow.hpp"
 
 #include "scene/land_parameters.hpp"
+#include "scene/night_eye.hpp"
 #include "scene/sky_parameters.hpp"
 #include "scene/tree_parameters.hpp"
 #include "synthesis/compose/exposure.hpp"
@@ -70,7 +71,7 @@ scene::Scene illuminate(std::shared_ptr<const scene::Flora> flora, std::shared_p
     for (int again = 0; again < shades && value_range(*land, *sky, scene.light, scene.track) < least; ++again)
         shade_what_is_near(scene.light, scene.plants, *flora, scene.track, land->side_m(), kLeftAgain);
     scene.sward = std::move(layout.sward);
-    light_sward(scene.sward, *land, flora->cover, scene.light);
+    light_sward(scene.sward, *land, flora->cover, scene.light, scene::colour_seen(sky->darkness));
     scene.houses_sun = sun_on(land->settlement, shadow);
     scene.floor_m = low_ground_m(*land, scene.track);
     scene.exposure = exposure_for(*land, *sky, scene.light, scene.track);

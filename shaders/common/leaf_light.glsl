@@ -7,6 +7,6 @@ vec3 leaf_shown(vec3 normal, vec4 root_colour_shade) {
     vec3 sun = view.sunlight.rgb * (facing + vec3(0.95, 1.0, 0.30) * wind_sun_through.w);
     // Some of what falls on its back comes through it as well: one that looks down is not black.
     vec3 light = sun * shade + ambient_on(0.9 * normal) * (0.12 + 1.1 * shade);
-    vec3 colour = root_colour_shade.rgb * root_colour_shade.rgb * half_tint_enlarged.rgb;
+    vec3 colour = seen_by_night(root_colour_shade.rgb * root_colour_shade.rgb * half_tint_enlarged.rgb);
     return mix(encode(colour * light * 2.0), air.rgb, air.a);
 }

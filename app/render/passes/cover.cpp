@@ -15,6 +15,7 @@
 #include "render/passes/cloud_shadow.hpp"
 #include "render/passes/encode.hpp"
 #include "render/passes/packing.hpp"
+#include "scene/night_eye.hpp"
 
 namespace quadrat::render::passes {
 namespace {
@@ -270,7 +271,7 @@ float share_of(int bucket) { return std::exp2(-0.5F * static_cast<float>(bucket)
 void add_cover(gl::Slices& slices, CoverOfScene& cover, const std::shared_ptr<const scene::Scene>& source) {
     slices.prepare([&cover, source] {
         cover.cells = source->sward.cells;
-        cover.blossom = source->sward.blossom;
+        cover.blossom = scene::seen_by_night(source->sward.blossom, scene::colour_seen(source->sky->darkness));
         cover.reach_m = source->sward.reach_m;
         cover.tufts.reserve(source->sward.tufts.size());
         for (const scene::Tuft& tuft : source->sward.tufts) cover.tufts.push_back(kept(tuft));

@@ -8,6 +8,7 @@
 
 #include "render/gl/texture.hpp"
 #include "render/passes/encode.hpp"
+#include "scene/night_eye.hpp"
 #include "scene/withering.hpp"
 
 namespace quadrat::render::passes {
@@ -186,14 +187,16 @@ float GroundBrush::stone_on_slope(std::size_t x, float over_land, float level) c
     return mix(level, side, std::min((steep2 - kFrom2) / (kWhole2 - kFrom2), 1.0F));
 }
 
-void GroundBrush::wither() {
+void GroundBrush::change_colours() {
     for (std::size_t x = 0; x < index(size_.x); ++x) {
         std::uint8_t* const pixel = colours_.data() + 4 * x;
-        if (pixel[1] <= pixel[2]) continue;
-        // Near enough to sRGB for a factor.
+        if (sheet_.colour_seen >= 1 && pixel[1] <= pixel[2]) continue;
+        // Near enough to sRGB for that.
         const glm::vec3 root = glm::vec3{pixel[0], pixel[1], pixel[2]} / 255.0F;
-        const glm::vec3 by = scene::withering_of(root * root, sheet_.withered);
-        for (int c = 0; c < 3; ++c) pixel[c] = byte_of(root[c] * std::sqrt(by[c]));
+        const glm::vec3 own = root * root;
+        const glm::vec3 seen =
+            scene::seen_by_night(own * scene::withering_of(own, sheet_.withered), sheet_.colour_seen);
+        for (int c = 0; c < 3; ++c) pixel[c] = byte_of(std::sqrt(seen[c]));
     }
 }
 
@@ -214,7 +217,7 @@ void GroundBrush::paint(mesh::Image& picture, int row) {
     assert(picture.width == size_.x && picture.height == size_.y && picture.channels == 4);
     const float over_land = (static_cast<float>(row) + 0.5F) / static_cast<float>(size_.y);
     sheet_.colours.mean_row(halvings_, row, colours_);
-    if (sheet_.withered > 0) wither();
+    if (sheet_.withered > 0 || sheet_.colour_seen < 1) change_colours();
     light_.spread(over_land * static_cast<float>(sheet_.light.height) - 0.5F, lit_);
     kinds_.spread(over_land * static_cast<float>(sheet_.kinds.height - 1), kind_);
     if (sheet_.height_m != nullptr) look_at_slopes(over_land);

@@ -33,7 +33,8 @@ class GroundBrush {
         // not stretched down it. Nothing: all of it lies level.
         const mesh::Field* height_m = nullptr;
         float cell_m = 1;
-        float withered = 0;  // scene::Cover's
+        float withered = 0;     // scene::Cover's
+        float colour_seen = 1;  // as of scene::colour_seen
     };
     // For a picture of this size: the colours', or that halved some times. The sheet's parts stay until it is painted.
     GroundBrush(const Sheet& sheet, glm::ivec2 size);
@@ -66,7 +67,7 @@ class GroundBrush {
     // Replaces the part of stone in level relief by what lies on slopes; 0 is level.
     float stone_on_slope(std::size_t x, float over_land, float level) const;
     float stone_at(float across_tiles, float down_tiles) const;
-    void wither();
+    void change_colours();
     void drown(std::uint8_t* pixels) const;
 
     Sheet sheet_;

@@ -9,6 +9,7 @@
 #include "render/gl/picture_upload.hpp"
 #include "render/passes/encode.hpp"
 #include "render/passes/ground_brush.hpp"
+#include "scene/night_eye.hpp"
 
 namespace quadrat::render::passes {
 namespace {
@@ -56,7 +57,7 @@ std::shared_ptr<const mesh::Image> kinds_of(const std::shared_ptr<const scene::L
 glm::vec3 shallow_shown(const scene::Scene& scene) {
     const scene::Sky& sky = *scene.sky;
     const glm::vec3 on_water = sky.ambient.on({0, 1, 0}) + sky.sunlight * std::max(sky.sun_direction.y, 0.0F);
-    return encode(scene.land->shallow_colour * on_water);
+    return encode(scene::seen_by_night(scene.land->shallow_colour, scene::colour_seen(sky.darkness)) * on_water);
 }
 
 }  // namespace
@@ -95,7 +96,8 @@ void add_ground_picture(gl::Slices& slices, GroundPictureOnGpu& picture, const s
                                        0.85F,
                                        &scene->land->height_m,
                                        scene->land->cell_m,
-                                       scene->flora->cover.withered};
+                                       scene->flora->cover.withered,
+                                       scene::colour_seen(scene->sky->darkness)};
         brush->emplace(sheet, glm::ivec2{shape.width, shape.height});
     });
     gl::add_painting(slices, picture.lit, pool, shape,

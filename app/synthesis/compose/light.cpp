@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scene/colour.hpp"
+#include "scene/night_eye.hpp"
 #include "scene/withering.hpp"
 #include "synthesis/compose/crown_shadows.hpp"
 #include "synthesis/compose/stone_shadows.hpp"
@@ -96,6 +97,7 @@ class Bounce {
   public:
     Bounce(const scene::Land& land, float withered, const scene::Sky& sky, const LandShadow& shadow)
         : sent_(kSide, kSide), per_m_(static_cast<float>(kSide) / land.side_m()) {
+        const float colour_seen = scene::colour_seen(sky.darkness);
         const glm::vec3 ambient = sky.ambient.on({0, 1, 0});
         for_rows(kSide, [&](int y) {
             for (int x = 0; x < kSide; ++x) {
@@ -105,7 +107,8 @@ class Bounce {
                 const float facing = std::max(glm::dot(scene::ground_normal(land, at), sky.sun_direction), 0.0F);
                 const float sun = facing * shadow.sun_at({at.x, height_m + 0.1F, at.y});
                 const glm::vec3 own = albedo(land, x, y);
-                sent_.at(x, y) = own * scene::withering_of(own, withered) * (ambient + sun * sky.sunlight) * sky.bounce;
+                const glm::vec3 seen = scene::seen_by_night(own * scene::withering_of(own, withered), colour_seen);
+                sent_.at(x, y) = seen * (ambient + sun * sky.sunlight) * sky.bounce;
             }
         });
     }

@@ -16,6 +16,7 @@
 #include "base/seed.hpp"
 #include "scene/colour.hpp"
 #include "scene/lamps.hpp"
+#include "scene/night_eye.hpp"
 #include "scene/withering.hpp"
 #include "synthesis/compose/view_rays.hpp"
 
@@ -333,7 +334,7 @@ class Painting {
         const std::uint8_t* lit = baked.pixel(within(u, baked.width), within(v, baked.height));
         const glm::vec3 own =
             linear(land.albedo.colour(within(u, land.albedo.width()), within(v, land.albedo.height())));
-        return withered(own) * (glm::vec3{lit[0], lit[1], lit[2]} * (2.0F / 255));
+        return seen(own) * (glm::vec3{lit[0], lit[1], lit[2]} * (2.0F / 255));
     }
     glm::vec3 far_light(glm::vec2 at) const {
         const scene::Land& land = *scene_.land;
@@ -346,10 +347,11 @@ class Painting {
         const std::uint8_t* c = colours.pixel(sample(at.x, colours.width), sample(at.y, colours.height));
         const glm::vec3 normal = scene::ground_normal(land, at);
         const float facing = std::max(glm::dot(normal, scene_.sky->sun_direction), 0.0F);
-        return withered(linear({c[0], c[1], c[2]})) * (scene_.sky->ambient.on(normal) + facing * scene_.sky->sunlight);
+        return seen(linear({c[0], c[1], c[2]})) * (scene_.sky->ambient.on(normal) + facing * scene_.sky->sunlight);
     }
-    glm::vec3 withered(const glm::vec3& albedo) const {
-        return albedo * scene::withering_of(albedo, scene_.flora->cover.withered);
+    glm::vec3 seen(const glm::vec3& albedo) const {
+        return scene::seen_by_night(albedo * scene::withering_of(albedo, scene_.flora->cover.withered),
+                                    scene::colour_seen(scene_.sky->darkness));
     }
     static glm::vec3 linear(const glm::u8vec3& encoded) {
         return {scene::linear_from_srgb(static_cast<float>(encoded.r) / 255),

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scene/colour.hpp"
+#include "scene/night_eye.hpp"
 #include "scene/withering.hpp"
 #include "synthesis/compose/crops.hpp"
 #include "synthesis/compose/lookups.hpp"
@@ -249,7 +250,7 @@ scene::Sward lay_sward(const scene::Land& land, const scene::Flora& flora, const
 }
 
 void light_sward(scene::Sward& sward, const scene::Land& land, const scene::Cover& cover,
-                 const scene::BakedLight& light) {
+                 const scene::BakedLight& light, float colour_seen) {
     if (light.ground.bytes.empty()) return;
     const int side = light.ground.width;
     oneapi::tbb::parallel_for(std::size_t{0}, sward.tufts.size(), [&](std::size_t i) {
@@ -266,7 +267,8 @@ void light_sward(scene::Sward& sward, const scene::Land& land, const scene::Cove
         const glm::vec3 falls =
             glm::mix(glm::mix(lit(0, 0), lit(1, 0), share.x), glm::mix(lit(0, 1), lit(1, 1), share.x), share.y);
         const glm::vec3 bare = albedo_at(land, at_m);
-        tuft.sent = bare * scene::withering_of(bare, cover.withered) * tuft.tint * falls;
+        tuft.sent =
+            scene::seen_by_night(bare * scene::withering_of(bare, cover.withered) * tuft.tint, colour_seen) * falls;
         tuft.lit = scene::luminance(falls);
     });
 }

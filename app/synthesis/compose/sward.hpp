@@ -13,8 +13,8 @@ namespace quadrat::synthesis {
 // it does not; nothing in the water and on roads. Deterministic, place by place. Its light is left at 0.
 scene::Sward lay_sward(const scene::Land& land, const scene::Flora& flora, const FlightPlan& flight, base::Seed seed);
 
-// Each tuft sends what the ground under it does, so that it melts into it.
+// Each tuft sends what the ground under it does, so that it melts into it. colour_seen: as of scene::colour_seen.
 void light_sward(scene::Sward& sward, const scene::Land& land, const scene::Cover& cover,
-                 const scene::BakedLight& light);
+                 const scene::BakedLight& light, float colour_seen);
 
 }  // namespace quadrat::synthesis

@@ -229,6 +229,7 @@ Form form_of(const scene::TreeParameters& p, Rank rank) {
     const Own own = own_of(p, rank);
     f.habit = own.habit;
     const Kind& k = kind(f.habit);
+    f.stems = std::min(f.stems, k.most_stems);
     // Such a tree has no limbs: without its tuft it is a pole.
     if (k.is_rosette) f.bareness = std::min(f.bareness, 0.25F);
     f.height_m = std::clamp(own.height_m, 2.5F, 30.0F) * k.height;

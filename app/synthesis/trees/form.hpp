@@ -52,6 +52,7 @@ struct Kind {
     float height = 1;                    // to the gene's
     bool has_boughs = true;              // false: a stem that no neighbour, no gene of the crown and no root changes
     bool sags = true;                    // its limbs under what they bear
+    int most_stems = 4;                  // from one root; a column of two is a pair of horns
     bool keeps_radii = false;            // of the grower instead of the pipe model
     bool is_rosette = false;             // its leaves are one tuft at the top
     std::optional<LeafKind> own_leaf{};  // that the gene cannot change

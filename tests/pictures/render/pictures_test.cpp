@@ -58,6 +58,43 @@ TEST_F(Pictures, ASceneAtNightStaysReadable) {
     EXPECT_GT(brightest, 100);
 }
 
+// How far a picture's pixels are from grey, on the mean, where anything was drawn: nothing is in its corner.
+double colourfulness(const mesh::Image& picture) {
+    double sum = 0;
+    double drawn = 0;
+    for (std::size_t i = 0; i + 3 < picture.bytes.size(); i += 4) {
+        if (std::equal(&picture.bytes[i], &picture.bytes[i] + 3, picture.bytes.data())) continue;
+        const auto [low, high] = std::minmax({picture.bytes[i], picture.bytes[i + 1], picture.bytes[i + 2]});
+        sum += high - low;
+        ++drawn;
+    }
+    return sum / std::max(drawn, 1.0);
+}
+
+TEST_F(Pictures, OfADarkNightHaveLessColourInAllThatIsLit) {
+    const auto by_day = handmade_scene(Hour::Noon, Ground::Meadow);
+    scene::Scene dark = *by_day;
+    auto sky = std::make_shared<scene::Sky>(*by_day->sky);
+    sky->darkness = 1;  // in the same light
+    dark.sky = sky;
+    const auto colourful = [&](const std::shared_ptr<const scene::Scene>& scene, bool leaves, bool wood, bool ground) {
+        render::Frame f = frame();
+        render::View view;
+        view.scene = uploaded(scene);
+        view.camera = scene->track.cameras.front();
+        view.viewport = {0, 0, 640, 360};
+        f.views = {view};
+        f.measured = {leaves, wood, ground, false, false};
+        return colourfulness(drawn(f));
+    };
+    const auto by_night = std::make_shared<const scene::Scene>(dark);
+    for (int part = 0; part < 3; ++part) {
+        const double day = colourful(by_day, part == 0, part == 1, part == 2);
+        ASSERT_GT(day, 5) << part;
+        EXPECT_LT(colourful(by_night, part == 0, part == 1, part == 2), 0.85 * day) << part;
+    }
+}
+
 TEST_F(Pictures, AStormLooksAsItDid) {
     render::Frame f = frame();
     f.views = {view_of(Hour::Storm, Ground::Meadow, {0, 0, 640, 360})};

@@ -82,6 +82,26 @@ TEST(GroundBrush, InAWitheredSeasonPaintsStrawForGrassAndLeavesStone) {
     EXPECT_EQ(shown({120, 110, 100, 255}, 1), shown({120, 110, 100, 255}, 0));
 }
 
+TEST(GroundBrush, ByNightPaintsLessColourAndLeavesGreyAlone) {
+    const mesh::Image light = grey(4, 100, 0);
+    const mesh::Image level = filled(1, {128, 128});
+    const mesh::Image soft = filled(1, {255, 0});
+    const auto shown = [&](std::initializer_list<std::uint8_t> albedo, float colour_seen) {
+        const scene::GroundColours colours(filled(kSide, albedo));
+        GroundBrush::Sheet sheet{colours, light, soft, level, 3};
+        sheet.colour_seen = colour_seen;
+        const mesh::Image picture = painted(sheet, {kSide, kSide});
+        const std::uint8_t* pixel = picture.pixel(9, 9);
+        return glm::ivec3{pixel[0], pixel[1], pixel[2]};
+    };
+    const glm::ivec3 red = shown({160, 60, 40, 255}, 1);
+    const glm::ivec3 dark = shown({160, 60, 40, 255}, 0.5F);
+    EXPECT_LT(dark.r - dark.g, 0.7 * (red.r - red.g));
+    EXPECT_LT(dark.r, red.r);
+    const glm::ivec3 grey_by_day = shown({120, 120, 120, 255}, 1);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(shown({120, 120, 120, 255}, 0.5F)[c], grey_by_day[c], 1);
+}
+
 TEST(GroundBrush, KeepsRowsAndColumns) {
     mesh::Image albedo = filled(kSide, {100, 100, 100, 255});
     for (int y = 4; y < 8; ++y)

@@ -174,7 +174,7 @@ TEST(Sward, SendsInTheMeanNearlyTheLightOfTheGroundUnderIt) {
     scene::Sward sward = laid(land, cover);
     scene::BakedLight light{mesh::Image(32, 32, 4)};
     std::ranges::fill(light.ground.bytes, std::uint8_t{128});
-    light_sward(sward, land, {}, light);
+    light_sward(sward, land, {}, light, 1);
     glm::vec3 sum{0};
     for (const scene::Tuft& tuft : sward.tufts) sum += tuft.sent;
     const glm::vec3 ground = scene::linear_from_srgb_hex(0x5A783C) * (2 * 128 / 255.0F);
