@@ -40,5 +40,6 @@ void main() {
     over_grain = kTiles * vec4(at_m.xz, 0.8 * at_m.x - 0.6 * at_m.z, 0.6 * at_m.x + 0.8 * at_m.z);
     // The normals are of hills that are modelled steeper than they are.
     float steep = clamp(4.5 - 5.0 * land_normal.y, 0.0, 1.0);
-    grains = vec2(kSoft * (1.0 - steep), kStone * steep);
+    // Snow lies smooth: what is grass's grain would be dirt in it.
+    grains = vec2(kSoft * (1.0 - steep), kStone * steep) * (1.0 - 0.75 * smoothstep(0.35, 0.7, albedo.b));
 }
