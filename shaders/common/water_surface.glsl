@@ -25,7 +25,9 @@ void show_water(vec3 at_m, float foams) {
     float clear = 1.0 - haze.a;
     vec3 own = view.shallow_water.rgb + view.deepening.rgb;
     before = haze.rgb * haze.a + own * ((1.0 - reflected) * clear);
-    mirrored = vec3(in_mirror(at_m, away), 1.12 * reflected * clear * view.to_sun.w);
+    // By night the picture is open for the land: pale hills in the water would be a white sheet.
+    float held = 0.25 + 0.87 * view.shallow_water.w;
+    mirrored = vec3(in_mirror(at_m, away), held * reflected * clear * view.to_sun.w);
     mirrored.y -= mirror.ripple.x;
     // Gusts roughen some of the water and leave some of it smooth.
     vec2 gust = at_m.xz * 0.045 + view.eye_seconds.w * vec2(0.05, 0.03);

@@ -11,7 +11,7 @@ namespace {
 constexpr float kBladesA_px2 = 0.22F;  // of a plant as high as wide, where all that is asked for is drawn
 constexpr float kSlivers = 10;  // of a triangle each stand for a blade of many: it is no dearer, and they are thin
 constexpr float kCopiesWanted = 0.16F;  // of the blades that are asked for and are not there, those that copies are
-constexpr float kCopied = -0.38F;  // a copy's size to their number, to this power: together they hide more of the limbs
+constexpr float kCopied = -0.30F;  // a copy's size to their number, to this power: together they hide more of the limbs
 constexpr float kFewestBladesA_px = 0.15F;  // of its height: large blades that are few are flags
 constexpr float kFewestFronds = 0.45F;      // of a palm's: with four of them it is a stake
 constexpr float kLargestFrond = 1.5F;       // times its size, where so few stand for all

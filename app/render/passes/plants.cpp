@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kOfMany_percent = 36;  // of its blades: so enlarged, each shows many (shaders/leaves.vert)
 constexpr float kCopyAside = 0.55F;          // of a spray's length, so far may its copy's tip lie from it on each axis
-constexpr std::size_t kCopies = 4;           // of leaves that hang on a twig
+constexpr std::size_t kCopies = 6;           // of leaves that hang on a twig
 static_assert(kLeastBlade * kLeastBlade * kCopies >= 1, "a byte holds how small the most copies are");
 constexpr float kFoliageTiles = 4.2F;  // to a plant's height: a leaf of the picture stands for several
 
@@ -214,6 +214,17 @@ bool is_leafless(const scene::Species& species) {
     return !species.masses.empty() && species.masses.front().sprays == species.masses.front().mesh.triangle_count();
 }
 
+// Of the light on limbs in it, how much its leaves take; and over which share of the height a tenth of them hang.
+glm::vec2 crown_of(const scene::Species& species) {
+    constexpr float kTaken = 0.75F;  // of what a crown hides
+    std::vector<float> heights_m;
+    for (const scene::Leaves::Vertex& v : species.leaves.vertices) heights_m.push_back(v.site_m.y);
+    if (heights_m.empty() || is_leafless(species)) return {0, 1};
+    const auto tenth = heights_m.begin() + static_cast<std::ptrdiff_t>(heights_m.size() / 10);
+    std::ranges::nth_element(heights_m, tenth);
+    return {kTaken * opacity_of(species), *tenth / std::max(species.height_m, 0.1F)};
+}
+
 Kind kind_of(const scene::Species& species) {
     Kind kind;
     kind.height_m = species.height_m;
@@ -263,6 +274,7 @@ void add_species(gl::Slices& slices, FloraOnGpu& flora, std::size_t index,
     const scene::Species& from = source->species[index];
     SpeciesOnGpu& species = flora.species[index];
     species.bark_colour = from.bark_colour;
+    species.crown = crown_of(from);
     species.height_m = from.height_m;
     flora.kinds[index] = kind_of(from);
     species.blade_m = flora.kinds[index].blade_m;
@@ -369,6 +381,7 @@ gl::Work PlantsPass::draw_mass(const SpeciesOnGpu& species, const Batch& batch, 
 gl::Work PlantsPass::draw_wood(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
     const WoodOnGpu& wood = species.wood[batch.level];
     glUniform4f(0, species.bark_colour.r, species.bark_colour.g, species.bark_colour.b, 1 / species.height_m);
+    glUniform2f(1, species.crown.x, species.crown.y);
     wood_vertices_.feed(0, wood.places.name());
     species.bark.bind(0);
     wood_vertices_.feed(1, wood.surfaces.name());

@@ -44,6 +44,7 @@ struct SpeciesOnGpu {
     gl::Texture2D leaf;
     gl::Texture2D foliage;
     glm::vec3 bark_colour{0.2F};
+    glm::vec2 crown{0, 1};  // of the light on its limbs, what its leaves take; where it begins, of the height
     float height_m = 1;
     float blade_m = 0.3F;
 };

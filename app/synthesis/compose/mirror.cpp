@@ -164,8 +164,9 @@ class Painting {
         const float top = (plant.root_m.y + tall_m - water_.at_m.y) / away_m;
         if (away_m < kNearest_m || top <= 0) return;
         const float sun = 0.25F + 0.5F * plant.sun;
-        const glm::vec3 lit = leaf * (scene_.sky->ambient.on({0, 1, 0}) * 0.75F + scene_.sky->sunlight * (0.55F * sun));
-        const glm::vec3 seen = through_air(lit, plant.root_m + glm::vec3{0, 0.5F * tall_m, 0}, away_m);
+        const glm::vec3 lit =
+            seen(leaf) * (scene_.sky->ambient.on({0, 1, 0}) * 0.75F + scene_.sky->sunlight * (0.55F * sun));
+        const glm::vec3 shown = through_air(lit, plant.root_m + glm::vec3{0, 0.5F * tall_m, 0}, away_m);
         const std::uint64_t own =
             base::hash_of(base::Seed{7}, static_cast<int>(plant.root_m.x * 8), static_cast<int>(plant.root_m.z * 8));
         for (int x = std::max(static_cast<int>(middle - wide), 0);
@@ -182,7 +183,7 @@ class Painting {
                 if (t > high) break;
                 if (t < low || away_m_.at(x, y) < away_m) continue;
                 // Darker toward its foot.
-                light_.at(x, y) = seen * (0.7F + 0.5F * (t - foot) / std::max(top - foot, 1.0e-3F));
+                light_.at(x, y) = shown * (0.7F + 0.5F * (t - foot) / std::max(top - foot, 1.0e-3F));
                 away_m_.at(x, y) = away_m;
             }
         }
@@ -195,7 +196,8 @@ class Painting {
             const std::uint32_t first = masses.mesh.indices[i];
             const glm::vec3 normal = scene::turned(house, masses.mesh.normals[first]);
             const float facing = std::max(glm::dot(normal, scene_.sky->sun_direction), 0.0F) * scene_.houses_sun;
-            glm::vec3 lit = masses.colours[first] * (scene_.sky->ambient.on(normal) + facing * scene_.sky->sunlight);
+            glm::vec3 lit =
+                seen(masses.colours[first]) * (scene_.sky->ambient.on(normal) + facing * scene_.sky->sunlight);
             if (scene::is_lit(masses.lamps[first], house.evening, lit_share))
                 lit = glm::vec3{1.0F, 0.6F, 0.2F} / std::max(scene_.exposure, 0.1F);
             std::array<glm::vec3, 3> corners;  // column, rise, distance
@@ -334,7 +336,7 @@ class Painting {
         const std::uint8_t* lit = baked.pixel(within(u, baked.width), within(v, baked.height));
         const glm::vec3 own =
             linear(land.albedo.colour(within(u, land.albedo.width()), within(v, land.albedo.height())));
-        return seen(own) * (glm::vec3{lit[0], lit[1], lit[2]} * (2.0F / 255));
+        return of_ground(own) * (glm::vec3{lit[0], lit[1], lit[2]} * (2.0F / 255));
     }
     glm::vec3 far_light(glm::vec2 at) const {
         const scene::Land& land = *scene_.land;
@@ -347,11 +349,13 @@ class Painting {
         const std::uint8_t* c = colours.pixel(sample(at.x, colours.width), sample(at.y, colours.height));
         const glm::vec3 normal = scene::ground_normal(land, at);
         const float facing = std::max(glm::dot(normal, scene_.sky->sun_direction), 0.0F);
-        return seen(linear({c[0], c[1], c[2]})) * (scene_.sky->ambient.on(normal) + facing * scene_.sky->sunlight);
+        return of_ground(linear({c[0], c[1], c[2]})) * (scene_.sky->ambient.on(normal) + facing * scene_.sky->sunlight);
     }
     glm::vec3 seen(const glm::vec3& albedo) const {
-        return scene::seen_by_night(albedo * scene::withering_of(albedo, scene_.flora->cover.withered),
-                                    scene::colour_seen(scene_.sky->darkness));
+        return scene::seen_by_night(albedo, scene::colour_seen(scene_.sky->darkness));
+    }
+    glm::vec3 of_ground(const glm::vec3& albedo) const {
+        return seen(albedo * scene::withering_of(albedo, scene_.flora->cover.withered));
     }
     static glm::vec3 linear(const glm::u8vec3& encoded) {
         return {scene::linear_from_srgb(static_cast<float>(encoded.r) / 255),

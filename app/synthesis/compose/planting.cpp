@@ -245,14 +245,13 @@ class Planter {
         for (const HeroGround& asked : kGrounds) {
             for (int attempt = 0; attempt < 30; ++attempt) {
                 const float turn = attempt < 15 ? side : -side;
-                const Candidate c = hero(turn, asked.least_scale, random);
-                if (!is_hero_ground(c, asked)) continue;
+                const std::optional<Candidate> c = hero(turn, asked.least_scale, random);
+                if (!c || !is_hero_ground(*c, asked)) continue;
                 std::erase_if(trees, [&](const Candidate& t) {
-                    return glm::length(t.at_m - c.at_m) < 1.15F * crown_m(c) + 0.6F * crown_m(t);
+                    return glm::length(t.at_m - c->at_m) < 1.15F * crown_m(*c) + 0.6F * crown_m(t);
                 });
-                trees.push_back(c);
-                set_beside(trees, c, random);
-                return;
+                trees.push_back(*c);
+                return set_beside(trees, *c, random);
             }
         }
     }
@@ -277,7 +276,7 @@ class Planter {
         float least_height_m, least_welfare, least_scale;
     };
 
-    Candidate hero(float side, float least_scale, base::RandomStream& random) const {
+    std::optional<Candidate> hero(float side, float least_scale, base::RandomStream& random) const {
         Candidate c;
         c.scale = least_scale * random.between(1.0F, 1.2F);
         c.species = kinds_.trees.front();
@@ -286,13 +285,14 @@ class Planter {
         const auto stand = [&] {
             random = place;
             const float high_m = flora_.species[c.species].height_m * c.scale;
-            c.at_m = hero_place(land_, sight_.flight(), track_, high_m, side, random);
+            const auto at_m = hero_place(land_, sight_.flight(), track_, high_m, side, random);
+            c.at_m = at_m.value_or(c.at_m);
+            return at_m.has_value();
         };
-        stand();
+        if (!stand()) return {};
         // What grows there may be of another height.
         c.species = species_at(c.at_m);
-        stand();
-        return c;
+        return stand() ? std::optional(c) : std::nullopt;
     }
 
     bool is_hero_ground(const Candidate& c, const HeroGround& asked) const {

@@ -16,14 +16,13 @@ namespace quadrat::synthesis::trees {
 namespace {
 
 constexpr std::size_t kFewestTriangles = 15;  // of a mass that has a fringe
-constexpr std::size_t kPerTriangle = 9;      // of the mass
+constexpr std::size_t kPerTriangle = 9;       // of the mass
 constexpr std::size_t kFewest = 24;           // sprays, of a bush some ten pixels high: without any it is a ball
 constexpr float kCovers = 1.7F;               // of the mass, by area,
 constexpr float kLargest = 0.009F;            // of it, one spray: larger ones are spikes
 constexpr float kLargestOfFew = 0.026F;       // and where they are few
 constexpr float kLength = 1.5F;               // of a spray, to the square root of its area, and so its width:
 constexpr float kWidth = 1.6F;                // longer ones are thorns
-constexpr float kStandsOff = 0.8F;            // at most, of its length: an outline of leaves has gaps
 constexpr float kHangs = 0.35F;               // how far outward those of a crown's underside point, to the others
 constexpr double kGoldenShare = 0.6180339887498949;
 
@@ -31,7 +30,6 @@ constexpr double kGoldenShare = 0.6180339887498949;
 struct Spray {
     glm::vec3 at_m, along, side, normal, colour;
     float shade, age, sway;
-    float off = 0;  // of its length, from the mass
 };
 
 glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise) {
@@ -78,8 +76,6 @@ Spray spray_on(const scene::CrownMass& mass, std::size_t first, base::RandomStre
     spray.along =
         unit_or(1.1F * glm::mix(1.0F, kHangs, under) * spray.normal + flat - glm::vec3{0, 0.2F, 0}, spray.normal);
     spray.side = unit_or(glm::cross(spray.along, spray.normal), flat);
-    const float chosen = random.unit_f();
-    spray.off = kStandsOff * chosen * (1 - under);
     return spray;
 }
 
@@ -101,7 +97,7 @@ std::vector<Spray> sprays_of(const scene::CrownMass& mass, std::size_t count) {
 std::array<glm::vec3, 3> corners(const Spray& spray, float area_m2, float most_m) {
     const float length_m = kLength * std::sqrt(area_m2);
     const float half_m = 0.5F * kWidth * std::sqrt(area_m2);
-    const glm::vec3 foot = spray.at_m + length_m * (spray.off * spray.normal - 0.2F * spray.along);
+    const glm::vec3 foot = spray.at_m - 0.2F * length_m * spray.along;
     std::array<glm::vec3, 3> at{foot - half_m * spray.side, foot + half_m * spray.side, foot + length_m * spray.along};
     for (glm::vec3& corner : at) corner = within(corner, most_m);
     return at;

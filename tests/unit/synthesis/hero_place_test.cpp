@@ -44,9 +44,10 @@ TEST(HeroPlace, ShowsATreeWholeFromAnyHeight) {
         const float over_m = 2.0F + static_cast<float>(i % 13);
         const scene::Track track = from(over_m);
         const float side = i % 2 == 0 ? -1.0F : 1.0F;
-        const auto whole = [&](glm::vec2 at_m) {
-            const std::optional<glm::vec2> foot = in_picture(track.cameras.front(), {at_m.x, 2, at_m.y});
-            const std::optional<glm::vec2> top = in_picture(track.cameras.front(), {at_m.x, 2 + high_m, at_m.y});
+        const auto whole = [&](const std::optional<glm::vec2>& at_m) {
+            if (!at_m) return false;
+            const std::optional<glm::vec2> foot = in_picture(track.cameras.front(), {at_m->x, 2, at_m->y});
+            const std::optional<glm::vec2> top = in_picture(track.cameras.front(), {at_m->x, 2 + high_m, at_m->y});
             return foot && top && foot->y > -1 && top->y < 1 && std::abs(foot->x) < 0.7F && foot->x * side > 0.1F;
         };
         base::RandomStream random{base::Seed{static_cast<std::uint64_t>(i)}};
@@ -55,6 +56,12 @@ TEST(HeroPlace, ShowsATreeWholeFromAnyHeight) {
         if (!whole(hero_place(land, kNorthward, {}, high_m, side, again))) ++cut_without_asking;
     }
     EXPECT_GT(cut_without_asking, 5);
+}
+
+TEST(HeroPlace, IsNowhereWhereATreeWouldBeCutOffEverywhere) {
+    base::RandomStream random{base::Seed{3}};
+    EXPECT_FALSE(hero_place(plain(), kNorthward, from(3), 400, 1, random));
+    EXPECT_TRUE(hero_place(plain(), kNorthward, from(3), 12, 1, random));
 }
 
 // How many trees stand where only those do that are set for the picture's sake, and how near two of them are.
