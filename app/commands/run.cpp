@@ -245,7 +245,7 @@ archive::Archive open_archive(const fs::path& state, const archive::TellKept& te
     using Condition = archive::Archive::Condition;
     auto opened = archive::Archive::open(state, wall_time(), {}, tell);
     const bool is_trouble = opened.condition == Condition::Replaced || opened.condition == Condition::MemoryOnly;
-    base::log::log(is_trouble ? base::log::level::warn : base::log::level::info, "state: {}", opened.message);
+    base::log::write(is_trouble ? base::log::Level::Warning : base::log::Level::Info, "state: " + opened.message);
     return std::move(opened.archive);
 }
 
