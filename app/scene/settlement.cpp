@@ -69,8 +69,6 @@ Settlement Settlement::without_masses() const {
     for (const Building& building : buildings)
         bare.buildings.push_back({{}, building.half_m, building.height_m, building.chimneys_m});
     bare.houses = houses;
-    bare.fields = fields;
-    bare.gardens = gardens;
     bare.lit_share = lit_share;
     return bare;
 }

@@ -74,6 +74,8 @@ struct FieldPlot {
     glm::vec3 colour{0.5F};  // sRGB
     float rows = 0;          // how much they show, 0 to 1
     bool has_hedge = false;
+
+    friend bool operator==(const FieldPlot&, const FieldPlot&) = default;
 };
 
 inline constexpr float kStainsTile_m = 4;
@@ -91,7 +93,7 @@ struct Settlement {
     std::shared_ptr<const mesh::Image> stains;
 
     bool is_empty() const { return houses.empty(); }
-    Settlement without_masses() const;  // of its buildings; nor bounds: where everything stands
+    Settlement without_masses() const;  // its houses where they stand: neither bounds nor what is planted
     std::size_t triangles() const;      // of the finest level of all
 };
 
