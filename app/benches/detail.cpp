@@ -16,6 +16,7 @@
 #include "render/passes/ground.hpp"
 #include "scene/land_parameters.hpp"
 #include "synthesis/compose/track.hpp"
+#include "synthesis/compose/view_merit.hpp"
 #include "synthesis/grow.hpp"
 
 namespace quadrat::benches {
@@ -55,7 +56,7 @@ struct Flight {
 
 Flight flight_over(const scene::Land& land, base::Seed seed) {
     constexpr int kFrames = 1200;
-    const scene::Track track = synthesis::fly(synthesis::plan_flight(seed), land, seed);
+    const scene::Track track = synthesis::fly(synthesis::plan_flight(seed), synthesis::Lookout(land), seed);
     Flight flight;
     for (int i = 0; i < kFrames; ++i) {
         const scene::Camera camera = scene::camera_at(track, static_cast<float>(i) / 60);

@@ -108,6 +108,11 @@ class HouseFrame {
   public:
     HouseFrame(const Building& building, const House& house);
     float away_m(glm::vec2 at_m) const;  // from its walls; 0 within them
+    // A place from its foot, and a direction, on the map and in its own directions.
+    glm::vec2 in_house_m(glm::vec2 at_m) const { return in_house(at_m - foot_m_); }
+    glm::vec2 in_house(glm::vec2 direction) const {
+        return {cos_ * direction.x - sin_ * direction.y, sin_ * direction.x + cos_ * direction.y};
+    }
 
   private:
     glm::vec2 foot_m_, half_m_;

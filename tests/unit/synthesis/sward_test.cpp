@@ -14,6 +14,7 @@
 #include "scene/colour.hpp"
 #include "scene/parameters.hpp"
 #include "synthesis/compose/near_shade.hpp"
+#include "synthesis/compose/view_merit.hpp"
 #include "synthesis/grow.hpp"
 #include "unit/synthesis/plain_colour.hpp"
 
@@ -193,9 +194,10 @@ TEST(NearShade, TakesLightNearTheWayAndNoneFarFromIt) {
 }
 
 TEST(Flight, FittedToALandKeepsItsWayAndMovesALittle) {
+    const scene::Land land = shore();
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         const FlightPlan plan = plan_flight(base::Seed{seed});
-        const FlightPlan fitted = fitted_to(shore(), plan);
+        const FlightPlan fitted = fitted_to(Lookout(land), plan);
         ASSERT_EQ(fitted.stations.size(), plan.stations.size());
         const glm::vec2 shift = fitted.stations.front().at_m - plan.stations.front().at_m;
         EXPECT_LT(glm::length(shift), 110);
@@ -212,7 +214,7 @@ TEST(Flight, LeavesOpenWaterForTheShore) {
     for (int row = 0; row < 257; ++row)
         for (int column = 0; column < 257; ++column)
             sea.height_m.at(column, row) = column > 128 + 25 && column < 128 + 70 ? 4 : -4;
-    const FlightPlan fitted = fitted_to(sea, northward());
+    const FlightPlan fitted = fitted_to(Lookout(sea), northward());
     EXPECT_GT(fitted.stations.front().at_m.x, 40);
 }
 
