@@ -5,6 +5,7 @@
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/rotating_file_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
 
 #include <deque>
 #include <memory>
@@ -49,7 +50,29 @@ std::shared_ptr<WarningSink>& warning_sink() {
     return sink;
 }
 
+spdlog::level::level_enum level_of(log::Level level) {
+    switch (level) {
+        case log::Level::Debug:
+            return spdlog::level::debug;
+        case log::Level::Info:
+            return spdlog::level::info;
+        case log::Level::Warning:
+            return spdlog::level::warn;
+        case log::Level::Error:
+            return spdlog::level::err;
+    }
+    return spdlog::level::err;
+}
+
 }  // namespace
+
+void log::write(Level level, std::string_view text) {
+    spdlog::default_logger_raw()->log(level_of(level), spdlog::string_view_t(text.data(), text.size()));
+}
+
+void log::write_formatted(Level level, fmt::string_view text, fmt::format_args values) {
+    if (spdlog::should_log(level_of(level))) write(level, fmt::vformat(text, values));
+}
 
 RecentWarnings recent_warnings() { return warning_sink()->recent(); }
 

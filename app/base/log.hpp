@@ -1,18 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <spdlog/spdlog.h>
+#include <fmt/core.h>
 
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace quadrat::base {
 
 // The program's log goes to stderr (the journal, when it runs as a service), one line an event:
 //     base::log::info("round {} shown after {} ms", round, ms);
-namespace log = spdlog;
+// A text alone is written as it is. spdlog stays behind it, for its headers take a compiler longer than most files do.
+namespace log {
+
+enum class Level { Debug, Info, Warning, Error };
+
+void write(Level level, std::string_view text);
+void write_formatted(Level level, fmt::string_view text, fmt::format_args values);
+
+inline void debug(std::string_view text) { write(Level::Debug, text); }
+inline void info(std::string_view text) { write(Level::Info, text); }
+inline void warn(std::string_view text) { write(Level::Warning, text); }
+inline void error(std::string_view text) { write(Level::Error, text); }
+
+template <typename First, typename... Rest>
+void debug(fmt::format_string<First, Rest...> text, First&& first, Rest&&... rest) {
+    write_formatted(Level::Debug, text, fmt::make_format_args(first, rest...));
+}
+template <typename First, typename... Rest>
+void info(fmt::format_string<First, Rest...> text, First&& first, Rest&&... rest) {
+    write_formatted(Level::Info, text, fmt::make_format_args(first, rest...));
+}
+template <typename First, typename... Rest>
+void warn(fmt::format_string<First, Rest...> text, First&& first, Rest&&... rest) {
+    write_formatted(Level::Warning, text, fmt::make_format_args(first, rest...));
+}
+template <typename First, typename... Rest>
+void error(fmt::format_string<First, Rest...> text, First&& first, Rest&&... rest) {
+    write_formatted(Level::Error, text, fmt::make_format_args(first, rest...));
+}
+
+}  // namespace log
 
 enum class LogDetail { Quiet, Normal, Verbose };
 

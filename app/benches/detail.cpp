@@ -11,11 +11,12 @@
 #include "mesh/nearness.hpp"
 #include "mesh/progressive.hpp"
 #include "mesh/roam.hpp"
-#include "render/passes/blocks.hpp"
+#include "render/choose/blocks.hpp"
+#include "render/choose/hold.hpp"
 #include "render/passes/ground.hpp"
-#include "render/passes/hold.hpp"
 #include "scene/land_parameters.hpp"
 #include "synthesis/compose/track.hpp"
+#include "synthesis/compose/view_merit.hpp"
 #include "synthesis/grow.hpp"
 
 namespace quadrat::benches {
@@ -47,21 +48,21 @@ void chains(Results& results) {
 
 // The views of a flight over one land, sixty a second, of a quarter of a full HD screen.
 struct Flight {
-    std::vector<render::passes::Frustum> frusta;
-    std::vector<render::passes::Frustum> wider;
+    std::vector<render::choose::Frustum> frusta;
+    std::vector<render::choose::Frustum> wider;
     std::vector<scene::Camera> cameras;
     float pixels_per_radian = 0;
 };
 
 Flight flight_over(const scene::Land& land, base::Seed seed) {
     constexpr int kFrames = 1200;
-    const scene::Track track = synthesis::fly(synthesis::plan_flight(seed), land, seed);
+    const scene::Track track = synthesis::fly(synthesis::plan_flight(seed), synthesis::Lookout(land), seed);
     Flight flight;
     for (int i = 0; i < kFrames; ++i) {
         const scene::Camera camera = scene::camera_at(track, static_cast<float>(i) / 60);
         const glm::mat4 clip_from_world = scene::clip_from_view(camera, 16.0F / 9) * scene::view_from_world(camera);
         flight.frusta.emplace_back(clip_from_world);
-        flight.wider.push_back(render::passes::Hold::wider(clip_from_world));
+        flight.wider.push_back(render::choose::Hold::wider(clip_from_world));
         flight.cameras.push_back(camera);
         flight.pixels_per_radian = 270 / std::tan(glm::radians(camera.vertical_fov_deg) / 2);
     }
@@ -85,11 +86,11 @@ void ground(Results& results) {
         return std::pair{1e3 * ms / frames, static_cast<double>(triangles) / frames};
     };
     constexpr float kError_px = 1.3F;
-    const render::passes::Blocks blocks(land.height_m, land.cell_m, render::passes::kLandBlock);
+    const render::choose::Blocks blocks(land.height_m, land.cell_m, render::passes::kLandBlock);
     mesh::Roam roam(land.height_m, land.cell_m);
-    render::passes::Hold hold;  // as the renderer does
-    render::passes::Hold sight{render::passes::Horizon::kMoved_m, render::passes::Horizon::kTurned_rad};
-    render::passes::Horizon horizon;
+    render::choose::Hold hold;  // as the renderer does
+    render::choose::Hold sight{render::choose::Horizon::kMoved_m, render::choose::Horizon::kTurned_rad};
+    render::choose::Horizon horizon;
     std::vector<std::uint8_t> hidden;
     const auto by_blocks = [&](std::size_t i) {
         if (i == 0) hold.drop();
@@ -98,7 +99,7 @@ void ground(Results& results) {
         hold.choose(flight.cameras[i]);
         if (!sight.serves(flight.cameras[i])) {
             sight.choose(flight.cameras[i]);
-            horizon.begin(eye_m, render::passes::Horizon::kMoved_m + hold.kMoved_m);
+            horizon.begin(eye_m, render::choose::Horizon::kMoved_m + hold.kMoved_m);
             hidden = blocks.hidden(flight.wider[i], eye_m, horizon);
         }
         indices.clear();

@@ -12,14 +12,14 @@
 #include "benches/shaded.hpp"
 #include "benches/yardstick.hpp"
 #include "machine/heap.hpp"
-#include "render/passes/frustum.hpp"
+#include "render/choose/frustum.hpp"
 #include "stage/signs.hpp"
 
 namespace quadrat::benches {
 namespace {
 
-constexpr std::array<const char*, render::kKinds> kTrianglesOf{
-    // by render::Kind
+constexpr std::array<const char*, render::kDrawnKinds> kTrianglesOf{
+    // by render::DrawnKind
     "frame.leaf_triangles",  "frame.wood_triangles", "frame.cover_triangles",  "frame.ground_triangles",
     "frame.water_triangles", "frame.sky_triangles",  "frame.falling_triangles"};
 
@@ -109,7 +109,7 @@ void passes(Results& results, stage::Easel& easel, const render::Frame& picture)
 }
 
 std::size_t trees_in_sight(const scene::Scene& scene, const scene::Camera& camera, float aspect) {
-    const render::passes::Frustum frustum(scene::clip_from_view(camera, aspect) * scene::view_from_world(camera));
+    const render::choose::Frustum frustum(scene::clip_from_view(camera, aspect) * scene::view_from_world(camera));
     return static_cast<std::size_t>(std::ranges::count_if(scene.plants, [&](const scene::Plant& plant) {
         const scene::Species& species = scene.flora->species[plant.species];
         const float half_m = 0.5F * species.height_m * plant.scale;
@@ -207,7 +207,7 @@ void frame(Results& results, const Options& options) {
     results.push_back({"frame.p99_ms", machine::percentile(wall, 0.99), "ms", cores()});
     results.push_back({"frame.cpu_ms", cpu_ms, "ms", cores()});
     results.push_back({"frame.triangles", static_cast<double>(most.triangles), "triangles", cores()});
-    for (std::size_t kind = 0; kind < render::kKinds; ++kind)
+    for (std::size_t kind = 0; kind < render::kDrawnKinds; ++kind)
         results.push_back({kTrianglesOf[kind], static_cast<double>(most.of[kind].triangles), "of them", cores()});
     results.push_back({"frame.alpha", picture.detail.alpha, "detail", cores()});
     results.push_back({"frame.trees_least", static_cast<double>(fewest_trees(views, options.frames)),

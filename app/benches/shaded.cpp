@@ -8,7 +8,7 @@
 namespace quadrat::benches {
 namespace {
 
-constexpr std::size_t at(render::Kind kind) { return static_cast<std::size_t>(kind); }
+constexpr std::size_t at(render::DrawnKind kind) { return static_cast<std::size_t>(kind); }
 
 mesh::Image drawn(stage::Easel& easel, render::Frame picture, const render::Measured& what) {
     picture.signs.clear();
@@ -59,7 +59,7 @@ const Chip kChips[] = {{"pi4", &kPi4Costs, &kPi4Dome, &kPi4Distance, 16e9, 15e6,
                        {"pi5", &kPi5Costs, &kPi5Dome, &kPi5Distance, 32e9, 30e6, 0.35 * 17e9}};
 
 // Pixels come in squares of four: those of a small triangle's rim are shaded beside it.
-double beside(render::Kind kind) { return kind <= render::Kind::Wood ? 1.6 : 1.1; }
+double beside(render::DrawnKind kind) { return kind <= render::DrawnKind::Wood ? 1.6 : 1.1; }
 
 // What each shader takes on that chip, as its own compiler counts.
 void add_costs(Results& results, const Chip& chip) {
@@ -94,9 +94,9 @@ const ShaderCosts kPi5Dome{"sky.frag", 44, 149, 50};
 const ShaderCosts kPi4Distance{"held_distance.frag", 24, 206, 162};
 const ShaderCosts kPi5Distance{"held_distance.frag", 24, 179, 140};
 
-ShadedPixels shaded_pixels(stage::Easel& easel, const render::Frame& picture, render::passes::Reach::Part part,
+ShadedPixels shaded_pixels(stage::Easel& easel, const render::Frame& picture, render::choose::Reach::Part part,
                            float split_m) {
-    using render::Kind;
+    using Kind = render::DrawnKind;
     const auto of = [&](bool leaves, bool wood, bool ground, bool water, bool sky) {
         return render::Measured{leaves, wood, ground, water, sky, false, part, split_m};
     };
@@ -147,7 +147,7 @@ Times times_of(const Load& load, const Chip& chip) {
 // Colour is written once (and once more what of the sky is for later) and scanned out once; a vertex is read twice,
 // some 24 bytes of it; a fetch that misses brings about a texel for each pixel.
 void ask(Load& load, const render::Drawn& work, double size_px, const Chip& chip) {
-    for (std::size_t kind = 0; kind < render::kKinds; ++kind) {
+    for (std::size_t kind = 0; kind < render::kDrawnKinds; ++kind) {
         const auto count = static_cast<double>(work.of[kind].vertices);
         load.vertex_count += count;
         load.vertices += count * ((*chip.costs)[kind].vertex + (*chip.costs)[kind].binning);
@@ -162,7 +162,7 @@ void ask(Load& load, const render::Drawn& work, double size_px, const Chip& chip
 
 void shade(Load& load, const ShadedPixels& pixels, double share, const Chip& chip) {
     for (std::size_t kind = 0; kind < pixels.size(); ++kind)
-        load.shade(share * pixels[kind], (*chip.costs)[kind].fragment, beside(static_cast<render::Kind>(kind)));
+        load.shade(share * pixels[kind], (*chip.costs)[kind].fragment, beside(static_cast<render::DrawnKind>(kind)));
 }
 
 // As a flight goes on: of the frames in which each view has its turn, the one that asks for most.
@@ -186,7 +186,7 @@ Steady steady_frame(FourViews& views, bool holds) {
 }
 
 Load load_of(FourViews& views, bool holds, const Chip& chip, float& split_m) {
-    using Part = render::passes::Reach::Part;
+    using Part = render::choose::Reach::Part;
     const Steady steady = steady_frame(views, holds);
     const double size_px = static_cast<double>(views.picture.size.x) * views.picture.size.y;
     Load load;
@@ -201,9 +201,9 @@ Load load_of(FourViews& views, bool holds, const Chip& chip, float& split_m) {
     // What is held is shown where nothing near is and over near ground that lies beyond the split, which is drawn for
     // what stands on it.
     const ShadedPixels before =
-        shaded_pixels(views.easel, views.picture, Part::Near, split_m - render::passes::Reach::kUnderCrowns_m);
-    load.shade(before[at(render::Kind::Sky)], chip.distance->fragment);
-    near[at(render::Kind::Sky)] = far[at(render::Kind::Sky)] = 0;
+        shaded_pixels(views.easel, views.picture, Part::Near, split_m - render::choose::Reach::kUnderCrowns_m);
+    load.shade(before[at(render::DrawnKind::Sky)], chip.distance->fragment);
+    near[at(render::DrawnKind::Sky)] = far[at(render::DrawnKind::Sky)] = 0;
     shade(load, near, 1, chip);
     shade(load, far, render::kDistanceDrawnAnew, chip);
     // Written, and read for its copy, and written there.
@@ -242,7 +242,7 @@ void estimate(Results& results, const std::string& profile, FourViews& views) {
     add("assumed_lanes", chip.lanes_per_s / 1e9, "G instructions times lanes a second");
     add("assumed_triangles", chip.triangles_per_s / 1e6, "M triangles a second");
     add("assumed_memory", chip.bytes_per_s / 1e9, "GB/s for the GPU");
-    add("assumed_beside", beside(render::Kind::Leaves), "pixels shaded for each of a plant's");
+    add("assumed_beside", beside(render::DrawnKind::Leaves), "pixels shaded for each of a plant's");
     add("assumed_signs_ms", 0, "ms: letters and frames are left out");
     add("assumed_spread_ms", 0, "ms: spreading views that are drawn smaller is left out");
     add("busy_for_60hz", kHz * (load.shading + load.vertices) / chip.lanes_per_s,

@@ -10,11 +10,11 @@
 
 namespace quadrat::benches {
 
-// Pixels that are shaded for each render::Kind, those that are drawn over later too.
-using ShadedPixels = std::array<double, render::kKinds>;
+// Pixels that are shaded for each render::DrawnKind, those that are drawn over later too.
+using ShadedPixels = std::array<double, render::kDrawnKinds>;
 // Of a part of each view, or of all: its sky is what no nearer thing of that part hides.
 ShadedPixels shaded_pixels(stage::Easel& easel, const render::Frame& picture,
-                           render::passes::Reach::Part part = render::passes::Reach::Part::Whole, float split_m = 0);
+                           render::choose::Reach::Part part = render::choose::Reach::Part::Whole, float split_m = 0);
 
 // Instructions of the dearest shaders of a kind on a Raspberry Pi, as Mesa 25.0.7 compiles them: for a pixel, and for a
 // vertex in rendering and in binning, which both are done. The shader is the one of the pair that no other pair has.
@@ -24,7 +24,7 @@ struct ShaderCosts {
     int vertex;
     int binning;
 };
-using ChipCosts = std::array<ShaderCosts, render::kKinds>;
+using ChipCosts = std::array<ShaderCosts, render::kDrawnKinds>;
 extern const ChipCosts kPi4Costs;
 extern const ChipCosts kPi5Costs;
 // Where a sky is drawn for frames to come, sky.frag's costs; each of those fetches it, at the costs of its kind.

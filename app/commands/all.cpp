@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+
 #include "commands/commands.hpp"
 
 namespace quadrat::commands {
@@ -24,7 +26,7 @@ void add_all(CLI::App& app, Action& chosen) {
           add_languages, add_export,   add_lsystem, add_skeleton,  add_lots,     add_facade,    add_field,
           add_tiles,     add_simulate, add_words,   add_bench,     add_doctor,   add_shot,      add_state,
           add_report,    add_desk,     add_publish, add_projector, add_man,      add_completion})
-        add(app, chosen);
+        add(Command(app, chosen));
 }
 
 }  // namespace quadrat::commands

@@ -101,62 +101,56 @@ int bench(const Options& options) {
 
 }  // namespace
 
-void add_bench(CLI::App& app, Action& chosen) {
+void add_bench(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("bench", "Measure this machine: growing, frames, memory");
+    const Command command = program.add_subcommand("bench", "Measure this machine: growing, frames, memory");
     std::vector<std::string> names = group_names();
     names.emplace_back("all");
     command
-        ->add_option("group", options->groups, "Groups. all: every one but visit, which is measured where it is named")
-        ->check(CLI::IsMember(names))
-        ->capture_default_str();
-    command->add_flag("--json", options->is_json, "One JSON object instead of a table");
-    command->add_option("--size", options->how.size, "Pixels of the frames")->capture_default_str();
-    command->add_option("--frames", options->how.frames, "How many are timed")
-        ->check(CLI::Range(1, 100000))
-        ->capture_default_str();
-    command->add_option("--alpha", options->how.alpha, "Detail: 1 is standard")
-        ->check(CLI::Range(0.01F, 100.0F))
-        ->capture_default_str();
+        .add_option("group", options->groups, "Groups. all: every one but visit, which is measured where it is named")
+        .among(names)
+        .shows_default();
+    command.add_flag("--json", options->is_json, "One JSON object instead of a table");
+    command.add_option("--size", options->how.size, "Pixels of the frames").shows_default();
+    command.add_option("--frames", options->how.frames, "How many are timed").between(1, 100000).shows_default();
+    command.add_option("--alpha", options->how.alpha, "Detail: 1 is standard").between(0.01F, 100.0F).shows_default();
     command
-        ->add_option("--triangles", options->how.triangles, "frame, fidelity, a profile: no more than so many a frame")
-        ->default_str("no limit");
-    command->add_option("--ground", options->how.ground, "frame, fidelity: what draws the land, blocks or roam")
-        ->check(CLI::IsMember(render::ground_names()))
-        ->capture_default_str();
-    command->add_option("--pixels", options->how.pixels, "The same for the pixels of the views")
-        ->default_str("no limit");
-    command->add_option("--profile", options->how.profile, "detail: what a frame would take on this machine, estimated")
-        ->check(CLI::IsMember({"pi4", "pi5"}))
-        ->default_str("none");
-    command->add_option("--minutes", options->how.minutes, "visit: how long is played")
-        ->check(CLI::Range(0.1, 600.0))
-        ->capture_default_str();
-    command->add_option("--hz", options->how.hz, "visit: of the screen")
-        ->check(CLI::Range(1.0, 240.0))
-        ->capture_default_str();
-    command->add_option("--then-hz", options->how.then_hz, "visit: of the screen in the last third")
-        ->check(CLI::Range(1.0, 240.0))
-        ->default_str("the same");
-    command->add_flag("--busy", options->how.is_busy,
-                      "visit: something else takes a core, and time from uploads, for the middle third");
+        .add_option("--triangles", options->how.triangles, "frame, fidelity, a profile: no more than so many a frame")
+        .tells_default("no limit");
+    command.add_option("--ground", options->how.ground, "frame, fidelity: what draws the land, blocks or roam")
+        .among(render::ground_names())
+        .shows_default();
+    command.add_option("--pixels", options->how.pixels, "The same for the pixels of the views")
+        .tells_default("no limit");
+    command.add_option("--profile", options->how.profile, "detail: what a frame would take on this machine, estimated")
+        .among({"pi4", "pi5"})
+        .tells_default("none");
+    command.add_option("--minutes", options->how.minutes, "visit: how long is played")
+        .between(0.1, 600.0)
+        .shows_default();
+    command.add_option("--hz", options->how.hz, "visit: of the screen").between(1.0, 240.0).shows_default();
+    command.add_option("--then-hz", options->how.then_hz, "visit: of the screen in the last third")
+        .between(1.0, 240.0)
+        .tells_default("the same");
+    command.add_flag("--busy", options->how.is_busy,
+                     "visit: something else takes a core, and time from uploads, for the middle third");
     command
-        ->add_option("--attended", options->how.attended,
-                     "visit: the state folder of a desk, which looks at the visit as at an exhibit's")
-        ->check(CLI::ExistingDirectory)
-        ->default_str("nobody looks");
-    command->add_option("--plot", options->plot, "visit: FILE.svg of the frames and what the governor did")
-        ->default_str("none");
-    CLI::Option* report = command
-                              ->add_option("--report", options->report,
-                                           "FILE.html with all of it: machine, settings, tables, the plot of a visit")
-                              ->default_str("none");
+        .add_option("--attended", options->how.attended,
+                    "visit: the state folder of a desk, which looks at the visit as at an exhibit's")
+        .is_folder()
+        .tells_default("nobody looks");
+    command.add_option("--plot", options->plot, "visit: FILE.svg of the frames and what the governor did")
+        .tells_default("none");
+    const Option report = command
+                              .add_option("--report", options->report,
+                                          "FILE.html with all of it: machine, settings, tables, the plot of a visit")
+                              .tells_default("none");
     command
-        ->add_option("--shaders", options->shaders,
-                     "For the report: FILE.json of what shaders need on a Raspberry Pi, from tests/gpu/run --json")
-        ->needs(report)
-        ->default_str("none");
-    command->callback([options, &chosen] { chosen = [options] { return bench(*options); }; });
+        .add_option("--shaders", options->shaders,
+                    "For the report: FILE.json of what shaders need on a Raspberry Pi, from tests/gpu/run --json")
+        .needs(report)
+        .tells_default("none");
+    command.does([options] { return bench(*options); });
 }
 
 }  // namespace quadrat::commands

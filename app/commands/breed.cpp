@@ -75,41 +75,41 @@ int breed(const Options& options) {
 
 }  // namespace
 
-void add_breed(CLI::App& app, Action& chosen) {
+void add_breed(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("breed", "Breed without pictures: picks in, candidates out");
-    command->add_flag("--stdio", options->is_stdio, "Speak one JSON object a line on standard input and output");
+    const Command command = program.add_subcommand("breed", "Breed without pictures: picks in, candidates out");
+    command.add_flag("--stdio", options->is_stdio, "Speak one JSON object a line on standard input and output");
     command
-        ->add_option("--genome", options->genome,
-                     "words: the whole table, bred in words; classic: the 21 parameters and 70 bits of 2003")
-        ->check(CLI::IsMember({"words", "classic"}))
-        ->capture_default_str();
+        .add_option("--genome", options->genome,
+                    "words: the whole table, bred in words; classic: the 21 parameters and 70 bits of 2003")
+        .among({"words", "classic"})
+        .shows_default();
     command
-        ->add_option(
+        .add_option(
             "--breeder", options->breeder,
             "belief (default in words), pbil (default in the classic genome), pbil-gaussian, random, or sliders")
-        ->check(CLI::IsMember({"belief", "pbil", "pbil-gaussian", "random", "sliders"}))
-        ->default_str("belief in words, pbil in the classic genome");
-    command->add_option("--seed", options->seed, "Names all chance")->capture_default_str();
-    command->add_option("--learning-rate", options->learning_rate, "Weight of the best candidate's bits, 0 to 1")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
-    command->add_option("--mutation", options->mutation, "Weight of 0.5, or of chance, 0 to 1")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
-    command->add_option("--mutation-form", options->mutation_form, "toward-half or random")
-        ->check(CLI::IsMember({"toward-half", "random"}))
-        ->capture_default_str();
-    command->add_option("--lock", options->locked, "An aspect that keeps what it knows: trees, land, sky; repeatable")
-        ->check(CLI::IsMember({"trees", "land", "sky"}))
-        ->default_str("none");
+        .among({"belief", "pbil", "pbil-gaussian", "random", "sliders"})
+        .tells_default("belief in words, pbil in the classic genome");
+    command.add_option("--seed", options->seed, "Names all chance").shows_default();
+    command.add_option("--learning-rate", options->learning_rate, "Weight of the best candidate's bits, 0 to 1")
+        .between(0.0, 1.0)
+        .shows_default();
+    command.add_option("--mutation", options->mutation, "Weight of 0.5, or of chance, 0 to 1")
+        .between(0.0, 1.0)
+        .shows_default();
+    command.add_option("--mutation-form", options->mutation_form, "toward-half or random")
+        .among({"toward-half", "random"})
+        .shows_default();
+    command.add_option("--lock", options->locked, "An aspect that keeps what it knows: trees, land, sky; repeatable")
+        .among({"trees", "land", "sky"})
+        .tells_default("none");
     command
-        ->add_option("--own-word", options->own_words,
-                     "A word of one's own that scenes may be described with: FILE.json, see words own; repeatable")
-        ->default_str("none");
-    command->add_option("--state", options->state, "The exhibit's state folder, for the map that its site has trained")
-        ->default_str("the map that comes along");
-    command->callback([options, &chosen] { chosen = [options] { return breed(*options); }; });
+        .add_option("--own-word", options->own_words,
+                    "A word of one's own that scenes may be described with: FILE.json, see words own; repeatable")
+        .tells_default("none");
+    command.add_option("--state", options->state, "The exhibit's state folder, for the map that its site has trained")
+        .tells_default("the map that comes along");
+    command.does([options] { return breed(*options); });
 }
 
 }  // namespace quadrat::commands

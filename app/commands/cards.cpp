@@ -106,21 +106,22 @@ int write_page(const Options& options) {
 
 }  // namespace
 
-void add_cards(CLI::App& app, Action& chosen) {
+void add_cards(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("cards",
-                                           "A page of what visitors bred lately, with a postcard of each, for any web "
-                                           "server: what the finale's code leads to, "
-                                           "with take_home.url = \"https://THE PAGE/#\"");
-    command->add_option("-o,--output", options->output, "The folder for index.html and its pictures")->required();
-    command->add_option("--state", options->state, "The exhibit's state folder, when it is not the service")
-        ->default_str("the service's");
-    command->add_option("--language", options->language, "That words are in, as de")
-        ->check(CLI::IsMember(genome::language_codes()))
-        ->capture_default_str();
-    command->add_option("--place", options->place, "The page's title, as \"Museum of Landscapes\"")
-        ->capture_default_str();
-    command->callback([options, &chosen] { chosen = [options] { return write_page(*options); }; });
+    const std::vector<std::string_view> codes = genome::language_codes();
+    const Command command =
+        program.add_subcommand("cards",
+                               "A page of what visitors bred lately, with a postcard of each, for any web "
+                               "server: what the finale's code leads to, "
+                               "with take_home.url = \"https://THE PAGE/#\"");
+    command.add_option("-o,--output", options->output, "The folder for index.html and its pictures").required();
+    command.add_option("--state", options->state, "The exhibit's state folder, when it is not the service")
+        .tells_default("the service's");
+    command.add_option("--language", options->language, "That words are in, as de")
+        .among({codes.begin(), codes.end()})
+        .shows_default();
+    command.add_option("--place", options->place, "The page's title, as \"Museum of Landscapes\"").shows_default();
+    command.does([options] { return write_page(*options); });
 }
 
 }  // namespace quadrat::commands

@@ -35,17 +35,17 @@ int decode(const Options& options) {
 
 }  // namespace
 
-void add_code(CLI::App& app, Action& chosen) {
+void add_code(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("code", "A scene as one word, as the finale's QR code holds it");
-    command->require_subcommand(1);
-    CLI::App* to = command->add_subcommand("encode", "Print the code of a scene");
-    to->add_option("scene", options->scene, "seed:N, a scene file, or a picture that quadrat wrote")->required();
-    to->callback([options, &chosen] { chosen = [options] { return encode(*options); }; });
-    CLI::App* from = command->add_subcommand("decode", "The scene of a code, which other commands draw and export");
-    from->add_option("code", options->code, "Q1-…, alone or at the end of an address")->required();
-    from->add_option("-o,--output", options->output, "Where to write it: NAME.json")->default_str("the terminal");
-    from->callback([options, &chosen] { chosen = [options] { return decode(*options); }; });
+    const Command command = program.add_subcommand("code", "A scene as one word, as the finale's QR code holds it");
+    command.requires_subcommand();
+    const Command to = command.add_subcommand("encode", "Print the code of a scene");
+    to.add_option("scene", options->scene, "seed:N, a scene file, or a picture that quadrat wrote").required();
+    to.does([options] { return encode(*options); });
+    const Command from = command.add_subcommand("decode", "The scene of a code, which other commands draw and export");
+    from.add_option("code", options->code, "Q1-…, alone or at the end of an address").required();
+    from.add_option("-o,--output", options->output, "Where to write it: NAME.json").tells_default("the terminal");
+    from.does([options] { return decode(*options); });
 }
 
 }  // namespace quadrat::commands

@@ -2,46 +2,41 @@
 // The room `commands`: the command line, one file a subcommand. What a command does lives in the rooms below; here it
 // is asked for, and its mistakes are told to people.
 #pragma once
-#include <CLI/CLI.hpp>
-#include <functional>
-#include <memory>
+#include "commands/command.hpp"
 
-// One file a subcommand. Each adds itself to the command line and sets what to do when it was chosen; that returns the
-// exit status, and throws InputError for bad input.
+// One file a subcommand. Each adds itself to the command line, and says what to do when it was chosen.
 namespace quadrat::commands {
 
-using Action = std::function<int()>;
+void add_run(const Command& program);
+void add_breed(const Command& program);
+void add_render(const Command& program);
+void add_code(const Command& program);
+void add_postcard(const Command& program);
+void add_cards(const Command& program);
+void add_sound(const Command& program);
+void add_languages(const Command& program);
+void add_export(const Command& program);
+void add_lsystem(const Command& program);
+void add_skeleton(const Command& program);
+void add_lots(const Command& program);
+void add_facade(const Command& program);
+void add_field(const Command& program);
+void add_tiles(const Command& program);
+void add_simulate(const Command& program);
+void add_words(const Command& program);
+void add_bench(const Command& program);
+void add_doctor(const Command& program);
+void add_shot(const Command& program);
+void add_state(const Command& program);
+void add_desk(const Command& program);
+void add_report(const Command& program);
+void add_publish(const Command& program);
+void add_projector(const Command& program);
+void add_man(const Command& program);
+void add_completion(const Command& program);
 
-void add_run(CLI::App& app, Action& chosen);
-void add_breed(CLI::App& app, Action& chosen);
-void add_render(CLI::App& app, Action& chosen);
-void add_code(CLI::App& app, Action& chosen);
-void add_postcard(CLI::App& app, Action& chosen);
-void add_cards(CLI::App& app, Action& chosen);
-void add_sound(CLI::App& app, Action& chosen);
-void add_languages(CLI::App& app, Action& chosen);
-void add_export(CLI::App& app, Action& chosen);
-void add_lsystem(CLI::App& app, Action& chosen);
-void add_skeleton(CLI::App& app, Action& chosen);
-void add_lots(CLI::App& app, Action& chosen);
-void add_facade(CLI::App& app, Action& chosen);
-void add_field(CLI::App& app, Action& chosen);
-void add_tiles(CLI::App& app, Action& chosen);
-void add_simulate(CLI::App& app, Action& chosen);
-void add_words(CLI::App& app, Action& chosen);
-void add_bench(CLI::App& app, Action& chosen);
-void add_doctor(CLI::App& app, Action& chosen);
-void add_shot(CLI::App& app, Action& chosen);
-void add_state(CLI::App& app, Action& chosen);
-void add_desk(CLI::App& app, Action& chosen);
-void add_report(CLI::App& app, Action& chosen);
-void add_publish(CLI::App& app, Action& chosen);
-void add_projector(CLI::App& app, Action& chosen);
-void add_man(CLI::App& app, Action& chosen);
-void add_completion(CLI::App& app, Action& chosen);
-
-// All of them. Every option that takes a value, and need not be given, says what it is without: capture_default_str, or
-// default_str in words.
+// All of them. Every option that takes a value, and need not be given, says what it is without: shows_default, or
+// tells_default in words.
 void add_all(CLI::App& app, Action& chosen);
 
 }  // namespace quadrat::commands

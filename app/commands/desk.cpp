@@ -145,32 +145,31 @@ int serve(const Options& options) {
 
 }  // namespace
 
-void add_desk(CLI::App& app, Action& chosen) {
+void add_desk(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("desk",
-                           "A page for staff in any browser, in six languages, until told to stop: how the "
-                           "exhibit is, what it shows, its buttons\n"
-                           "and lamps, stand-by, restart, safe mode, faults, the log, the doctor, what "
-                           "visitors did, a backup and its restore.\n"
-                           "It listens where the settings say so ([desk]), and asks for a passphrase");
-    command->add_option("--config", options->configuration, "The site's settings; [desk] says where it listens")
-        ->default_str("none: nothing listens");
-    command->add_flag("--service", options->is_service,
-                      "With a mistake in the settings, serve by the last with which the exhibit worked");
-    command->add_option("--state", options->state, "The exhibit's state folder")
-        ->default_str("the service's, else ~/.local/state/quadrat");
-    command->add_option("--runtime", options->runtime, "Where the exhibit writes its health, as /run/quadrat")
-        ->default_str("the service's, else the state folder");
+    const Command command =
+        program.add_subcommand("desk",
+                               "A page for staff in any browser, in six languages, until told to stop: how the "
+                               "exhibit is, what it shows, its buttons\n"
+                               "and lamps, stand-by, restart, safe mode, faults, the log, the doctor, what "
+                               "visitors did, a backup and its restore.\n"
+                               "It listens where the settings say so ([desk]), and asks for a passphrase");
+    command.add_option("--config", options->configuration, "The site's settings; [desk] says where it listens")
+        .tells_default("none: nothing listens");
+    command.add_flag("--service", options->is_service,
+                     "With a mistake in the settings, serve by the last with which the exhibit worked");
+    command.add_option("--state", options->state, "The exhibit's state folder")
+        .tells_default("the service's, else ~/.local/state/quadrat");
+    command.add_option("--runtime", options->runtime, "Where the exhibit writes its health, as /run/quadrat")
+        .tells_default("the service's, else the state folder");
     command
-        ->add_option("--log", options->log,
-                     "The log of an exhibit that was started by hand, as run --log-file names it")
-        ->default_str("the service's journal");
-    command->add_flag(
+        .add_option("--log", options->log, "The log of an exhibit that was started by hand, as run --log-file names it")
+        .tells_default("the service's journal");
+    command.add_flag(
         "--set-passphrase", options->sets_passphrase,
         "Instead: ask for the passphrase of the staff, or read it from standard input, and keep its hash in\n"
         "the state folder");
-    command->callback([options, &chosen] { chosen = [options] { return serve(*options); }; });
+    command.does([options] { return serve(*options); });
 }
 
 }  // namespace quadrat::commands

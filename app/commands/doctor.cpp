@@ -51,45 +51,44 @@ int examine(const Options& options) {
 
 }  // namespace
 
-void add_doctor(CLI::App& app, Action& chosen) {
+void add_doctor(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
+    const Command command = program.add_subcommand(
         "doctor",
         "Look at settings, GPU, screen, projector, buttons, sound, state, clock and service, and say what is "
         "wrong and what mends it.\n"
         "Ends with 0 when all is good, 3 when something is doubtful, 4 when something is bad");
     command
-        ->add_option("--config", options->configuration,
-                     "The site's settings, which are checked too; without it, the service's where it is installed")
-        ->default_str("the service's, else none");
+        .add_option("--config", options->configuration,
+                    "The site's settings, which are checked too; without it, the service's where it is installed")
+        .tells_default("the service's, else none");
     command
-        ->add_option("--state", options->state,
-                     "Folder of what is kept between runs; without it, the service's where it is installed")
-        ->default_str("the service's, else ~/.local/state/quadrat");
+        .add_option("--state", options->state,
+                    "Folder of what is kept between runs; without it, the service's where it is installed")
+        .tells_default("the service's, else ~/.local/state/quadrat");
     command
-        ->add_option(
+        .add_option(
             "--only", options->only,
             "Look at this part alone, repeatable: settings, gpu, screen, projector, buttons, sound, state, clock, "
             "service")
-        ->check(
-            CLI::IsMember({"settings", "gpu", "screen", "projector", "buttons", "sound", "state", "clock", "service"}))
-        ->expected(1)
-        ->take_all()
-        ->default_str("all");
-    command->add_flag("--json", options->is_json,
-                      "Findings for other programs: part, verdict, what, remedy, file and line of each");
-    command->add_flag("--learn-buttons", options->learns_buttons,
-                      "Instead: learn what the buttons of a HID device are, by asking for them one after the other");
-    command->add_flag("--calibrate", options->calibrates,
-                      "Instead, with the exhibit stopped: measure in some ten seconds what this GPU draws, and keep\n"
-                      "where the exhibit is to start");
+        .among({"settings", "gpu", "screen", "projector", "buttons", "sound", "state", "clock", "service"})
+        .takes(1)
+        .keeps_all()
+        .tells_default("all");
+    command.add_flag("--json", options->is_json,
+                     "Findings for other programs: part, verdict, what, remedy, file and line of each");
+    command.add_flag("--learn-buttons", options->learns_buttons,
+                     "Instead: learn what the buttons of a HID device are, by asking for them one after the other");
+    command.add_flag("--calibrate", options->calibrates,
+                     "Instead, with the exhibit stopped: measure in some ten seconds what this GPU draws, and keep\n"
+                     "where the exhibit is to start");
     command
-        ->add_option("--device", options->device,
-                     "Which one learns, as after hid: (0079:0006, port=usb-…); any, without it")
-        ->default_str("any");
-    command->add_option("--map", options->map, "Where what was learned is kept (the state folder's buttons.map)")
-        ->default_str("the state folder's buttons.map");
-    command->callback([options, &chosen] { chosen = [options] { return examine(*options); }; });
+        .add_option("--device", options->device,
+                    "Which one learns, as after hid: (0079:0006, port=usb-…); any, without it")
+        .tells_default("any");
+    command.add_option("--map", options->map, "Where what was learned is kept (the state folder's buttons.map)")
+        .tells_default("the state folder's buttons.map");
+    command.does([options] { return examine(*options); });
 }
 
 }  // namespace quadrat::commands

@@ -93,20 +93,18 @@ int write(const Options& options) {
 
 }  // namespace
 
-void add_export(CLI::App& app, Action& chosen) {
+void add_export(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("export", "Write a scene's geometry for other tools");
-    command->add_option("scene", options->scene, "seed:N, a scene file, or a picture that quadrat wrote")->required();
+    const Command command = program.add_subcommand("export", "Write a scene's geometry for other tools");
+    command.add_option("scene", options->scene, "seed:N, a scene file, or a picture that quadrat wrote").required();
     command
-        ->add_option("-o,--output", options->output, "NAME.obj, .glb or .gltf; heights of the land as NAME.exr or .tif")
-        ->required();
-    command->add_option("--what", options->what, "tree, land or scene")
-        ->check(CLI::IsMember({"tree", "land", "scene"}))
-        ->capture_default_str();
-    command->add_option("--limbs", options->limbs, "Of a tree: drawn, smooth (one surface), swept or cylinders")
-        ->check(CLI::IsMember({"drawn", "smooth", "swept", "cylinders"}))
-        ->capture_default_str();
-    command->callback([options, &chosen] { chosen = [options] { return write(*options); }; });
+        .add_option("-o,--output", options->output, "NAME.obj, .glb or .gltf; heights of the land as NAME.exr or .tif")
+        .required();
+    command.add_option("--what", options->what, "tree, land or scene").among({"tree", "land", "scene"}).shows_default();
+    command.add_option("--limbs", options->limbs, "Of a tree: drawn, smooth (one surface), swept or cylinders")
+        .among({"drawn", "smooth", "swept", "cylinders"})
+        .shows_default();
+    command.does([options] { return write(*options); });
 }
 
 }  // namespace quadrat::commands

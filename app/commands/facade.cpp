@@ -104,28 +104,25 @@ int draw(Options options) {
 
 }  // namespace
 
-void add_facade(CLI::App& app, Action& chosen) {
+void add_facade(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("facade", "Derive a house's front by a split grammar and draw or mesh it");
-    command->add_option("grammar", options->grammar, "A grammar file, or the name of a house type that comes along")
-        ->default_str("none: needed unless --list is");
-    command->add_option("-o,--output", options->output, "NAME.svg, .obj, .glb or .gltf")
-        ->default_str("none: needed unless --list is");
-    command->add_option("--width", options->shape.width_m, "Metres")
-        ->check(CLI::Range(0.5, 200.0))
-        ->capture_default_str();
-    command->add_option("--height", options->shape.height_m, "To the eaves, metres")
-        ->check(CLI::Range(0.5, 200.0))
-        ->capture_default_str();
-    command->add_option("--gable", options->shape.gable_m, "Height of a gable above them, metres")
-        ->check(CLI::Range(0.0, 100.0))
-        ->capture_default_str();
-    command->add_option("--beside", options->beside, "A neighbour on the left covers WIDTH and HEIGHT of it, metres")
-        ->expected(2)
-        ->default_str("none");
-    command->add_option("--seed", options->seed, "Of what the grammar leaves to chance")->capture_default_str();
-    command->add_flag("--list", options->is_listing, "Name the house types that come along");
-    command->callback([options, &chosen] { chosen = [options] { return draw(*options); }; });
+    const Command command =
+        program.add_subcommand("facade", "Derive a house's front by a split grammar and draw or mesh it");
+    command.add_option("grammar", options->grammar, "A grammar file, or the name of a house type that comes along")
+        .tells_default("none: needed unless --list is");
+    command.add_option("-o,--output", options->output, "NAME.svg, .obj, .glb or .gltf")
+        .tells_default("none: needed unless --list is");
+    command.add_option("--width", options->shape.width_m, "Metres").between(0.5, 200.0).shows_default();
+    command.add_option("--height", options->shape.height_m, "To the eaves, metres").between(0.5, 200.0).shows_default();
+    command.add_option("--gable", options->shape.gable_m, "Height of a gable above them, metres")
+        .between(0.0, 100.0)
+        .shows_default();
+    command.add_option("--beside", options->beside, "A neighbour on the left covers WIDTH and HEIGHT of it, metres")
+        .takes(2)
+        .tells_default("none");
+    command.add_option("--seed", options->seed, "Of what the grammar leaves to chance").shows_default();
+    command.add_flag("--list", options->is_listing, "Name the house types that come along");
+    command.does([options] { return draw(*options); });
 }
 
 }  // namespace quadrat::commands

@@ -333,103 +333,98 @@ int run(const Options& options) {
     return 0;
 }
 
-void add_constraints(CLI::App& command, Options& options) {
+void add_constraints(const Command& command, Options& options) {
     command.add_option("--fix", options.fix_file, "Known heights: a file of lines, column row height")
-        ->default_str("none");
+        .tells_default("none");
     command
         .add_option("--lines", options.line_file,
                     "Known crests and beds: a file of lines, ridge|river and three numbers a corner")
-        ->default_str("none");
-    CLI::Option* mask =
+        .tells_default("none");
+    const Option mask =
         command.add_option("--mask", options.mask_file, "A grey picture whose broad course the field follows")
-            ->default_str("none");
+            .tells_default("none");
     command
         .add_option("--mask-range", options.mask_range,
                     "LOW:HIGH, which of its own numbers are its black and white: metres of an elevation model, say")
-        ->default_str("0:1 of floats, all of whole numbers")
-        ->needs(mask);
+        .tells_default("0:1 of floats, all of whole numbers")
+        .needs(mask);
     command
         .add_option("--mask-nodata", options.mask_nodata,
                     "A number that stands for a hole, besides -9999 and its like; a GeoTIFF may say it itself")
-        ->default_str("none")
-        ->needs(mask);
+        .tells_default("none")
+        .needs(mask);
     command.add_option("--mask-heights", options.mask_heights, "Heights of its black and its white")
-        ->expected(2)
-        ->capture_default_str();
+        .takes(2)
+        .shows_default();
     command.add_option("--mask-reach", options.mask_reach, "How broad that is, samples; 0: a 32nd of the size")
-        ->check(CLI::Range(0, 1024))
-        ->capture_default_str();
+        .between(0, 1024)
+        .shows_default();
     command
         .add_option("--search", options.search,
                     "Bend it to the mask by a search over deformations instead, until this is left in the mean square")
-        ->check(CLI::Range(0.0F, 10.0F))
-        ->default_str("0: it follows the mask all over")
-        ->needs(mask);
+        .between(0.0F, 10.0F)
+        .tells_default("0: it follows the mask all over")
+        .needs(mask);
     command.add_option("--search-most", options.search_most, "Deformations that the search may make")
-        ->check(CLI::Range(1, 10000))
-        ->capture_default_str();
+        .between(1, 10000)
+        .shows_default();
 }
 
-void add_pictures(CLI::App& command, Options& options) {
-    CLI::Option* with = command
+void add_pictures(const Command& command, Options& options) {
+    const Option with = command
                             .add_option("--with", options.with,
                                         "A grey picture in place of noise; the next one is for the next octave, the "
                                         "last for all that are left")
-                            ->allow_extra_args(false)
-                            ->default_str("none: noise");
+                            .takes_one_each_time()
+                            .tells_default("none: noise");
     command
         .add_option("--with-range", options.with_range,
                     "LOW:HIGH, which of the pictures' own numbers are their black, a height of -1, and white, 1")
-        ->default_str("0:1 of floats, all of whole numbers")
-        ->needs(with);
+        .tells_default("0:1 of floats, all of whole numbers")
+        .needs(with);
 }
 
-void add_filters(CLI::App& command, Options& options) {
+void add_filters(const Command& command, Options& options) {
     command
         .add_option("--burrs", options.burrs,
                     "Take off burrs, wrinkles and pits that stand out from the slopes around them by more than this")
-        ->check(CLI::Range(0.0F, 10.0F))
-        ->capture_default_str();
+        .between(0.0F, 10.0F)
+        .shows_default();
     command.add_option("--smooth", options.smooth, "Mean over this many samples to each side")
-        ->check(CLI::Range(0, 256))
-        ->capture_default_str();
-    command.add_option("--erode", options.erode, "Steps of erosion by streams")
-        ->check(CLI::Range(0, 200))
-        ->capture_default_str();
+        .between(0, 256)
+        .shows_default();
+    command.add_option("--erode", options.erode, "Steps of erosion by streams").between(0, 200).shows_default();
     command.add_option("--repose", options.repose_deg, "Let slopes slide to this angle, degrees")
-        ->check(CLI::Range(0.0F, 80.0F))
-        ->default_str("0: none slides");
+        .between(0.0F, 80.0F)
+        .tells_default("0: none slides");
 }
 
 }  // namespace
 
-void add_field(CLI::App& app, Action& chosen) {
+void add_field(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("field", "Write one heightfield, by any of the methods");
-    command->add_option("method", options->method, "fbm, diamond-square, island …; an unknown one lists them all")
-        ->required();
-    command->add_option("-o,--output", options->output, "NAME.exr or NAME.tif, 32-bit floats; NAME.png, 16-bit")
-        ->required();
-    command->add_option("--size", options->size, "Samples a side, 2 to 8193")->capture_default_str();
-    command->add_option("--seed", options->seed, "Of chance")->capture_default_str();
+    const Command command = program.add_subcommand("field", "Write one heightfield, by any of the methods");
+    command.add_option("method", options->method, "fbm, diamond-square, island …; an unknown one lists them all")
+        .required();
+    command.add_option("-o,--output", options->output, "NAME.exr or NAME.tif, 32-bit floats; NAME.png, 16-bit")
+        .required();
+    command.add_option("--size", options->size, "Samples a side, 2 to 8193").shows_default();
+    command.add_option("--seed", options->seed, "Of chance").shows_default();
     command
-        ->add_option("--features", options->features,
-                     "Waves of the first octave across the field; of pictures, how often the first is laid out")
-        ->default_str("4; of pictures 1");
-    command->add_option("--octaves", options->octaves, "1 to 16")->capture_default_str();
-    command->add_option("--gain", options->gain, "Of each octave to the one before; H = -log2 of it")
-        ->capture_default_str();
-    command->add_option("--window", options->window, "COLUMN,ROW,WIDTH,HEIGHT: this part alone, the same to the bit")
-        ->default_str("all of it");
-    command->add_option("--range", options->range, "Heights that are black and white in a PNG")
-        ->expected(2)
-        ->capture_default_str();
-    command->add_flag("--relief", options->is_relief,
-                      "Draw it instead, as a lit block; several methods, or all, side by side");
-    add_constraints(*command, *options);
-    add_pictures(*command, *options);
-    add_filters(*command, *options);
-    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+        .add_option("--features", options->features,
+                    "Waves of the first octave across the field; of pictures, how often the first is laid out")
+        .tells_default("4; of pictures 1");
+    command.add_option("--octaves", options->octaves, "1 to 16").shows_default();
+    command.add_option("--gain", options->gain, "Of each octave to the one before; H = -log2 of it").shows_default();
+    command.add_option("--window", options->window, "COLUMN,ROW,WIDTH,HEIGHT: this part alone, the same to the bit")
+        .tells_default("all of it");
+    command.add_option("--range", options->range, "Heights that are black and white in a PNG").takes(2).shows_default();
+    command.add_flag("--relief", options->is_relief,
+                     "Draw it instead, as a lit block; several methods, or all, side by side");
+    add_constraints(command, *options);
+    add_pictures(command, *options);
+    add_filters(command, *options);
+    command.does([options] { return run(*options); });
 }
 
 }  // namespace quadrat::commands

@@ -88,22 +88,20 @@ int check(const Options& options) {
 
 }  // namespace
 
-void add_languages(CLI::App& app, Action& chosen) {
+void add_languages(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("languages", "What the exhibit says, for translators; alone: which there are");
-    command->callback([command, &chosen] {
-        if (command->get_subcommands().empty()) chosen = [] { return list(); };
-    });
-    CLI::App* exported = command->add_subcommand("export", "Write one for a translator's tools");
-    exported->add_option("code", options->code, "en, de, …; or of one that is not spoken yet")->required();
-    exported->add_option("-o,--output", options->output, "FILE.po, or FILE.json as the program has it")
-        ->default_str("PO, on the terminal");
-    exported->callback([options, &chosen] { chosen = [options] { return write(*options); }; });
-    CLI::App* checked = command->add_subcommand("check", "Read a file as [visit] language_folder would be");
-    checked->add_option("file", options->file, "CODE.po or CODE.json")->required();
-    checked->add_option("-o,--output", options->output, "Write it as FILE.json")->default_str("none");
-    checked->callback([options, &chosen] { chosen = [options] { return check(*options); }; });
+    const Command command =
+        program.add_subcommand("languages", "What the exhibit says, for translators; alone: which there are");
+    command.does_alone([] { return list(); });
+    const Command exported = command.add_subcommand("export", "Write one for a translator's tools");
+    exported.add_option("code", options->code, "en, de, …; or of one that is not spoken yet").required();
+    exported.add_option("-o,--output", options->output, "FILE.po, or FILE.json as the program has it")
+        .tells_default("PO, on the terminal");
+    exported.does([options] { return write(*options); });
+    const Command checked = command.add_subcommand("check", "Read a file as [visit] language_folder would be");
+    checked.add_option("file", options->file, "CODE.po or CODE.json").required();
+    checked.add_option("-o,--output", options->output, "Write it as FILE.json").tells_default("none");
+    checked.does([options] { return check(*options); });
 }
 
 }  // namespace quadrat::commands

@@ -97,36 +97,31 @@ int plan(const Options& options) {
 
 }  // namespace
 
-void add_lots(CLI::App& app, Action& chosen) {
+void add_lots(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("lots", "Divide a region into blocks, streets and lots");
-    command->add_option("region", options->region, "JSON, metres: {\"outer\": [[x, y], …]}")->required();
-    command->add_option("-o,--output", options->output, "NAME.json or .svg; -: JSON on standard output")
-        ->capture_default_str();
-    command->add_option("--seed", options->seed, "Of chance")->capture_default_str();
+    const Command command = program.add_subcommand("lots", "Divide a region into blocks, streets and lots");
+    command.add_option("region", options->region, "JSON, metres: {\"outer\": [[x, y], …]}").required();
+    command.add_option("-o,--output", options->output, "NAME.json or .svg; -: JSON on standard output").shows_default();
+    command.add_option("--seed", options->seed, "Of chance").shows_default();
     mesh::TownRules& rules = options->rules;
-    command->add_option("--blocks", rules.sites, "Cells of the Voronoi diagram")
-        ->check(CLI::Range(1, 2000))
-        ->capture_default_str();
-    command->add_option("--uneven", rules.uneven, "How far some cells are ahead of others, 0 to 1: arcs for streets")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
-    command->add_option("--merged", rules.merged, "Share of cells that are joined with a neighbour")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
-    command->add_option("--street", rules.street_m, "Width of streets, metres")
-        ->check(CLI::Range(0.0, 100.0))
-        ->capture_default_str();
-    command->add_option("--largest", rules.lots.largest_m2, "Lots larger than this are split, square metres")
-        ->check(CLI::Range(1.0, 1.0e9))
-        ->capture_default_str();
-    command->add_option("--smallest", rules.lots.smallest_m2, "No split leaves less than this, square metres")
-        ->check(CLI::Range(0.0, 1.0e9))
-        ->capture_default_str();
-    command->add_option("--frontage", rules.lots.least_frontage_m, "Every lot has so much along a street, metres")
-        ->check(CLI::Range(0.0, 1000.0))
-        ->capture_default_str();
-    command->callback([options, &chosen] { chosen = [options] { return plan(*options); }; });
+    command.add_option("--blocks", rules.sites, "Cells of the Voronoi diagram").between(1, 2000).shows_default();
+    command.add_option("--uneven", rules.uneven, "How far some cells are ahead of others, 0 to 1: arcs for streets")
+        .between(0.0, 1.0)
+        .shows_default();
+    command.add_option("--merged", rules.merged, "Share of cells that are joined with a neighbour")
+        .between(0.0, 1.0)
+        .shows_default();
+    command.add_option("--street", rules.street_m, "Width of streets, metres").between(0.0, 100.0).shows_default();
+    command.add_option("--largest", rules.lots.largest_m2, "Lots larger than this are split, square metres")
+        .between(1.0, 1.0e9)
+        .shows_default();
+    command.add_option("--smallest", rules.lots.smallest_m2, "No split leaves less than this, square metres")
+        .between(0.0, 1.0e9)
+        .shows_default();
+    command.add_option("--frontage", rules.lots.least_frontage_m, "Every lot has so much along a street, metres")
+        .between(0.0, 1000.0)
+        .shows_default();
+    command.does([options] { return plan(*options); });
 }
 
 }  // namespace quadrat::commands

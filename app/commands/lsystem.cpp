@@ -182,34 +182,33 @@ int derive_and_draw(const Options& options) {
 
 }  // namespace
 
-void add_lsystem(CLI::App& app, Action& chosen) {
+void add_lsystem(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("lsystem", "Derive a grammar and print, draw or mesh its word");
-    command->add_option("grammar", options->grammar, "A grammar file, or the name of one that comes along")
-        ->default_str("none: needed unless --list is");
+    const Command command = program.add_subcommand("lsystem", "Derive a grammar and print, draw or mesh its word");
+    command.add_option("grammar", options->grammar, "A grammar file, or the name of one that comes along")
+        .tells_default("none: needed unless --list is");
     command
-        ->add_option("-o,--output", options->output,
-                     "NAME.txt, .svg, .obj, .glb or .gltf; the word on standard output otherwise")
-        ->default_str("standard output");
-    command->add_option("--steps", options->steps, "Derivation steps instead of the grammar's own")
-        ->check(CLI::Range(0, 10'000))
-        ->default_str("the grammar's");
-    command->add_option("--seed", options->seed, "Names the chance of productions that are drawn")
-        ->capture_default_str();
-    command->add_option("--limbs", options->limbs, "Of a mesh: swept, smooth or cylinders")
-        ->check(CLI::IsMember({"swept", "smooth", "cylinders"}))
-        ->capture_default_str();
-    command->add_option("--most-symbols", options->most_symbols, "Where a word that explodes is stopped")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 26U))
-        ->capture_default_str();
-    command->add_option("--chance", options->chance, "Of a map: how far off its middle a wall divides")
-        ->check(CLI::Range(0.0F, 0.8F))
-        ->capture_default_str();
-    command->add_option("--pull", options->pull, "Of a map: rounds in which walls draw themselves short")
-        ->check(CLI::Range(0, 64))
-        ->capture_default_str();
-    command->add_flag("--list", options->is_listing, "Name the grammars that come along");
-    command->callback([options, &chosen] { chosen = [options] { return derive_and_draw(*options); }; });
+        .add_option("-o,--output", options->output,
+                    "NAME.txt, .svg, .obj, .glb or .gltf; the word on standard output otherwise")
+        .tells_default("standard output");
+    command.add_option("--steps", options->steps, "Derivation steps instead of the grammar's own")
+        .between(0, 10'000)
+        .tells_default("the grammar's");
+    command.add_option("--seed", options->seed, "Names the chance of productions that are drawn").shows_default();
+    command.add_option("--limbs", options->limbs, "Of a mesh: swept, smooth or cylinders")
+        .among({"swept", "smooth", "cylinders"})
+        .shows_default();
+    command.add_option("--most-symbols", options->most_symbols, "Where a word that explodes is stopped")
+        .between(std::size_t{1}, std::size_t{1} << 26U)
+        .shows_default();
+    command.add_option("--chance", options->chance, "Of a map: how far off its middle a wall divides")
+        .between(0.0F, 0.8F)
+        .shows_default();
+    command.add_option("--pull", options->pull, "Of a map: rounds in which walls draw themselves short")
+        .between(0, 64)
+        .shows_default();
+    command.add_flag("--list", options->is_listing, "Name the grammars that come along");
+    command.does([options] { return derive_and_draw(*options); });
 }
 
 }  // namespace quadrat::commands

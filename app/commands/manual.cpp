@@ -18,25 +18,20 @@ struct Options {
     std::string shell;
 };
 
-std::vector<const CLI::App*> commands_of(const CLI::App& program) {
-    std::vector<const CLI::App*> all{&program};
-    for (const CLI::App* one : program.get_subcommands([](const CLI::App*) { return true; })) all.push_back(one);
-    return all;
-}
-
-int write_pages(const CLI::App& program, const Options& options) {
-    if (!std::filesystem::is_directory(options.folder))
-        throw base::InputError(fmt::format("--all {}: there is no such folder", options.folder));
-    for (const CLI::App* one : commands_of(program))
-        base::write_file(std::filesystem::path(options.folder) / (page_name(*one) + ".1"), man_page(*one));
+int write_pages(const std::vector<ManualPage>& pages, const std::string& folder) {
+    if (!std::filesystem::is_directory(folder))
+        throw base::InputError(fmt::format("--all {}: there is no such folder", folder));
+    for (const ManualPage& page : pages)
+        base::write_file(std::filesystem::path(folder) / (page.name + ".1"), page.text);
     return 0;
 }
 
-int show_page(const CLI::App& program, const Options& options) {
-    if (!options.folder.empty()) return write_pages(program, options);
-    for (const CLI::App* one : commands_of(program)) {
-        if (one->get_name() != (options.command.empty() ? program.get_name() : options.command)) continue;
-        std::fputs(man_page(*one).c_str(), stdout);
+int show_page(const Command& program, const Options& options) {
+    const std::vector<ManualPage> pages = manual_pages(program.app());
+    if (!options.folder.empty()) return write_pages(pages, options.folder);
+    for (const ManualPage& page : pages) {
+        if (page.command != (options.command.empty() ? pages.front().command : options.command)) continue;
+        std::fputs(page.text.c_str(), stdout);
         return 0;
     }
     throw base::InputError(fmt::format("man: {} is not a subcommand; see quadrat --help", options.command));
@@ -44,24 +39,22 @@ int show_page(const CLI::App& program, const Options& options) {
 
 }  // namespace
 
-void add_man(CLI::App& app, Action& chosen) {
+void add_man(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("man", "A manual page, to be read with: quadrat man run | man -l -");
-    command->add_option("command", options->command, "Of which subcommand")->default_str("of quadrat itself");
-    command->add_option("--all", options->folder, "Instead, every page into this folder")->default_str("none");
-    command->callback([options, &app, &chosen] { chosen = [options, &app] { return show_page(app, *options); }; });
+    const Command command = program.add_subcommand("man", "A manual page, to be read with: quadrat man run | man -l -");
+    command.add_option("command", options->command, "Of which subcommand").tells_default("of quadrat itself");
+    command.add_option("--all", options->folder, "Instead, every page into this folder").tells_default("none");
+    command.does([options, program] { return show_page(program, *options); });
 }
 
-void add_completion(CLI::App& app, Action& chosen) {
+void add_completion(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("completion", "What a shell completes commands with: . <(quadrat completion bash)");
-    command->add_option("shell", options->shell, "bash")->check(CLI::IsMember({"bash"}))->required();
-    command->callback([options, &app, &chosen] {
-        chosen = [&app] {
-            std::fputs(bash_completion(app).c_str(), stdout);
-            return 0;
-        };
+    const Command command =
+        program.add_subcommand("completion", "What a shell completes commands with: . <(quadrat completion bash)");
+    command.add_option("shell", options->shell, "bash").among({"bash"}).required();
+    command.does([program] {
+        std::fputs(bash_completion(program.app()).c_str(), stdout);
+        return 0;
     });
 }
 

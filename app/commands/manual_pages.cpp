@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <vector>
@@ -159,6 +160,13 @@ std::string man_page(const CLI::App& command) {
         "error that says what mends it.\n";
     if (&command != program) page += fmt::format(".SH SEE ALSO\n.BR {} (1)\n", program->get_name());
     return page;
+}
+
+std::vector<ManualPage> manual_pages(const CLI::App& program) {
+    std::vector<ManualPage> pages{{program.get_name(), page_name(program), man_page(program)}};
+    for (const CLI::App* one : subcommands_of(program))
+        pages.push_back({one->get_name(), page_name(*one), man_page(*one)});
+    return pages;
 }
 
 std::string bash_completion(const CLI::App& program) {

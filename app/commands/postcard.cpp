@@ -70,28 +70,29 @@ int draw(const Options& options) {
 
 }  // namespace
 
-void add_postcard(CLI::App& app, Action& chosen) {
+void add_postcard(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
+    const std::vector<std::string_view> codes = genome::language_codes();
+    const Command command = program.add_subcommand(
         "postcard", "A landscape on a card of 148 x 105 mm: its picture, its words, where and when, and its code");
-    command->add_option("scene", options->scene, "seed:N, a scene file, a picture that quadrat wrote, or a scene code")
-        ->required();
-    command->add_option("-o,--output", options->output, "Where to write it: NAME.png, which carries the scene inside")
-        ->required();
-    command->add_option("--title", options->title, "Instead of its words")->default_str("its words");
-    command->add_option("--language", options->language, "That its words are in, as de")
-        ->check(CLI::IsMember(genome::language_codes()))
-        ->capture_default_str();
-    command->add_option("--place", options->place, "Where it was bred, as \"Museum of Landscapes\"")
-        ->default_str("none");
-    command->add_option("--date", options->date, "When")->default_str("today, as 2026-10-12");
-    command->add_option("--address", options->address, "Before its code, as take_home.url among the settings")
-        ->default_str("none");
-    command->add_option("--time", options->seconds, "Seconds into the flight")
-        ->check(CLI::Range(0.0F, 1e6F))
-        ->default_str("the scene's, else 0");
-    command->add_flag("--no-code", options->has_no_code, "Without its code");
-    command->callback([options, &chosen] { chosen = [options] { return draw(*options); }; });
+    command.add_option("scene", options->scene, "seed:N, a scene file, a picture that quadrat wrote, or a scene code")
+        .required();
+    command.add_option("-o,--output", options->output, "Where to write it: NAME.png, which carries the scene inside")
+        .required();
+    command.add_option("--title", options->title, "Instead of its words").tells_default("its words");
+    command.add_option("--language", options->language, "That its words are in, as de")
+        .among({codes.begin(), codes.end()})
+        .shows_default();
+    command.add_option("--place", options->place, "Where it was bred, as \"Museum of Landscapes\"")
+        .tells_default("none");
+    command.add_option("--date", options->date, "When").tells_default("today, as 2026-10-12");
+    command.add_option("--address", options->address, "Before its code, as take_home.url among the settings")
+        .tells_default("none");
+    command.add_option("--time", options->seconds, "Seconds into the flight")
+        .between(0.0F, 1e6F)
+        .tells_default("the scene's, else 0");
+    command.add_flag("--no-code", options->has_no_code, "Without its code");
+    command.does([options] { return draw(*options); });
 }
 
 }  // namespace quadrat::commands

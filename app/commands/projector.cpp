@@ -6,19 +6,18 @@
 #include <atomic>
 #include <csignal>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "commands/commands.hpp"
+#include "commands/exhibits_screen.hpp"
 #include "fleet/identity.hpp"
 #include "machine/machine.hpp"
 #include "projector/keeper.hpp"
 #include "site/settings.hpp"
 #include "site/state_folder.hpp"
-#include "staff/presence.hpp"
 
 namespace quadrat::commands {
 namespace {
@@ -62,41 +61,6 @@ int once(projector::Projector& projector, const Options& options) {
     }
 }
 
-// As the exhibit last said it shows; nothing where none runs, or its screen has failed: then it stays as it is.
-class ExhibitsScreen {
-  public:
-    explicit ExhibitsScreen(fs::path runtime) : runtime_(std::move(runtime)) {}
-
-    std::optional<projector::Wanted> wanted() {
-        if (!staff::is_exhibit_present(runtime_)) return std::nullopt;
-        std::error_code error;
-        const auto written = fs::last_write_time(runtime_ / "health.json", error);
-        if (error) return std::nullopt;
-        if (written != read_at_) read();
-        read_at_ = written;
-        return wanted_;
-    }
-
-  private:
-    void read() {
-        constexpr std::size_t kLargest = 1U << 20U;
-        try {
-            const auto health =
-                nlohmann::json::parse(base::read_file(runtime_ / "health.json", kLargest), nullptr, false);
-            const auto screen = health.is_object() ? health.value("screen", nlohmann::json()) : nlohmann::json();
-            wanted_.reset();
-            if (screen == "dark") wanted_ = projector::Wanted::Off;
-            if (screen == "shows" || screen == "card") wanted_ = projector::Wanted::On;
-        } catch (const base::InputError&) {
-            wanted_.reset();  // it is being replaced; the next look finds it
-        }
-    }
-
-    fs::path runtime_;
-    fs::file_time_type read_at_{};
-    std::optional<projector::Wanted> wanted_;
-};
-
 void keep(projector::Projector& projector, const fs::path& runtime) {
     constexpr std::chrono::milliseconds kBetween{500};
     projector::Keeper keeper(projector);
@@ -138,24 +102,24 @@ int run_projector(const Options& options) {
 
 }  // namespace
 
-void add_projector(CLI::App& app, Action& chosen) {
+void add_projector(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
+    const Command command = program.add_subcommand(
         "projector",
         "Have the projector, or the screen, be on while the exhibit beside us shows something, until told to stop");
-    command->add_option("--config", options->configuration, "The site's settings; screen.power says how it is switched")
-        ->required();
-    command->add_flag("--service", options->is_service,
-                      "With a mistake in the settings, follow the last with which the exhibit worked");
-    command->add_option("--state", options->state, "The exhibit's state folder")
-        ->default_str("the service's, else ~/.local/state/quadrat");
-    command->add_option("--runtime", options->runtime, "Where the exhibit writes its health, as /run/quadrat")
-        ->default_str("the service's, else the state folder");
-    auto* turn = command->add_option("--turn", options->turn, "Switch it now, say how it is, and end")
-                     ->check(CLI::IsMember({"on", "off"}))
-                     ->default_str("neither");
-    command->add_flag("--ask", options->asks, "Say how it is, and end")->excludes(turn);
-    command->callback([options, &chosen] { chosen = [options] { return run_projector(*options); }; });
+    command.add_option("--config", options->configuration, "The site's settings; screen.power says how it is switched")
+        .required();
+    command.add_flag("--service", options->is_service,
+                     "With a mistake in the settings, follow the last with which the exhibit worked");
+    command.add_option("--state", options->state, "The exhibit's state folder")
+        .tells_default("the service's, else ~/.local/state/quadrat");
+    command.add_option("--runtime", options->runtime, "Where the exhibit writes its health, as /run/quadrat")
+        .tells_default("the service's, else the state folder");
+    const Option turn = command.add_option("--turn", options->turn, "Switch it now, say how it is, and end")
+                            .among({"on", "off"})
+                            .tells_default("neither");
+    command.add_flag("--ask", options->asks, "Say how it is, and end").excludes(turn);
+    command.does([options] { return run_projector(*options); });
 }
 
 }  // namespace quadrat::commands

@@ -64,19 +64,18 @@ int publish(const Options& options) {
 
 }  // namespace
 
-void add_publish(CLI::App& app, Action& chosen) {
+void add_publish(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
+    const Command command = program.add_subcommand(
         "publish", "Tell a broker by MQTT how the exhibit beside us is and what visitors did, until told to stop");
-    command->add_option("--config", options->configuration, "The site's settings; [fleet] names the broker")
-        ->required();
-    command->add_flag("--service", options->is_service,
-                      "With a mistake in the settings, publish by the last with which the exhibit worked");
-    command->add_option("--state", options->state, "The exhibit's state folder")
-        ->default_str("the service's, else ~/.local/state/quadrat");
-    command->add_option("--runtime", options->runtime, "Where the exhibit writes its health, as /run/quadrat")
-        ->default_str("the service's, else the state folder");
-    command->callback([options, &chosen] { chosen = [options] { return publish(*options); }; });
+    command.add_option("--config", options->configuration, "The site's settings; [fleet] names the broker").required();
+    command.add_flag("--service", options->is_service,
+                     "With a mistake in the settings, publish by the last with which the exhibit worked");
+    command.add_option("--state", options->state, "The exhibit's state folder")
+        .tells_default("the service's, else ~/.local/state/quadrat");
+    command.add_option("--runtime", options->runtime, "Where the exhibit writes its health, as /run/quadrat")
+        .tells_default("the service's, else the state folder");
+    command.does([options] { return publish(*options); });
 }
 
 }  // namespace quadrat::commands

@@ -62,38 +62,39 @@ int draw(const Options& options) {
 
 }  // namespace
 
-void add_render(CLI::App& app, Action& chosen) {
+void add_render(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("render", "Draw one scene to a PNG or EXR that carries the scene inside");
-    command->add_option("scene", options->scene, "seed:N, a scene file, a picture that quadrat wrote, or a scene code")
-        ->required();
-    command->add_option("-o,--output", options->output, "Where to write it: NAME.png or NAME.exr")->required();
-    command->add_option("--size", options->size, "Width and height in pixels, as 1280x720")
-        ->default_str("the scene's, else 1280x720");
-    command->add_option("--time", options->seconds, "Seconds into the flight")
-        ->check(CLI::Range(0.0F, 1e6F))
-        ->default_str("the scene's, else 0");
-    command->add_option("--camera", options->camera, "EX,EY,EZ:TX,TY,TZ[:FOV] instead of the flight's, metres, degrees")
-        ->default_str("the flight's");
-    command->add_option("--detail", options->detail, "alpha: 1 is standard, 0.25 coarse, 4 fine")
-        ->check(CLI::Range(0.01F, 100.0F))
-        ->default_str("the scene's, else 1");
-    command->add_option("--triangles", options->budget.triangles, "In so much detail that no more are drawn")
-        ->default_str("no limit");
-    command->add_option("--pixels", options->budget.pixels, "No more of the landscape; spread over the picture")
-        ->default_str("no limit");
-    command->add_option("--samples", options->samples, "A pixel: 1, or 4 for smooth edges")
-        ->check(CLI::IsMember({1, 4}))
-        ->default_str("the scene's, else 1");
-    command->add_flag("--wires", options->has_wires,
-                      "With the edges of all triangles, warm where fine, cold where coarse");
-    command->add_option("--ground", options->ground, "What draws the land: blocks (standard) or roam")
-        ->check(CLI::IsMember(render::ground_names()))
-        ->default_str("the scene's, else blocks");
-    command->add_option("--growth", options->growth, "0 seedlings to 1 grown")
-        ->check(CLI::Range(0.0F, 1.0F))
-        ->default_str("the scene's, else 1");
-    command->callback([options, &chosen] { chosen = [options] { return draw(*options); }; });
+    const Command command =
+        program.add_subcommand("render", "Draw one scene to a PNG or EXR that carries the scene inside");
+    command.add_option("scene", options->scene, "seed:N, a scene file, a picture that quadrat wrote, or a scene code")
+        .required();
+    command.add_option("-o,--output", options->output, "Where to write it: NAME.png or NAME.exr").required();
+    command.add_option("--size", options->size, "Width and height in pixels, as 1280x720")
+        .tells_default("the scene's, else 1280x720");
+    command.add_option("--time", options->seconds, "Seconds into the flight")
+        .between(0.0F, 1e6F)
+        .tells_default("the scene's, else 0");
+    command.add_option("--camera", options->camera, "EX,EY,EZ:TX,TY,TZ[:FOV] instead of the flight's, metres, degrees")
+        .tells_default("the flight's");
+    command.add_option("--detail", options->detail, "alpha: 1 is standard, 0.25 coarse, 4 fine")
+        .between(0.01F, 100.0F)
+        .tells_default("the scene's, else 1");
+    command.add_option("--triangles", options->budget.triangles, "In so much detail that no more are drawn")
+        .tells_default("no limit");
+    command.add_option("--pixels", options->budget.pixels, "No more of the landscape; spread over the picture")
+        .tells_default("no limit");
+    command.add_option("--samples", options->samples, "A pixel: 1, or 4 for smooth edges")
+        .among({1, 4})
+        .tells_default("the scene's, else 1");
+    command.add_flag("--wires", options->has_wires,
+                     "With the edges of all triangles, warm where fine, cold where coarse");
+    command.add_option("--ground", options->ground, "What draws the land: blocks (standard) or roam")
+        .among(render::ground_names())
+        .tells_default("the scene's, else blocks");
+    command.add_option("--growth", options->growth, "0 seedlings to 1 grown")
+        .between(0.0F, 1.0F)
+        .tells_default("the scene's, else 1");
+    command.does([options] { return draw(*options); });
 }
 
 }  // namespace quadrat::commands

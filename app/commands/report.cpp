@@ -54,26 +54,26 @@ int tell(const Options& options) {
 
 }  // namespace
 
-void add_report(CLI::App& app, Action& chosen) {
+void add_report(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
+    const Command command = program.add_subcommand(
         "report",
         "What visitors did, from the state file, also while the exhibit runs: how many came when, how long they "
         "stayed,\n"
         "where they left, what they answered. Without -o a few lines. Nothing in it tells who a visitor was");
     command
-        ->add_option("--state", options->state,
-                     "Folder of what is kept between runs; without it, the service's where it is installed")
-        ->default_str("the service's, else ~/.local/state/quadrat");
-    command->add_option("--from", options->from, "First day, as 2026-11-26")->default_str("the first that is kept");
-    command->add_option("--to", options->to, "Last day, itself included")->default_str("the last that is kept");
+        .add_option("--state", options->state,
+                    "Folder of what is kept between runs; without it, the service's where it is installed")
+        .tells_default("the service's, else ~/.local/state/quadrat");
+    command.add_option("--from", options->from, "First day, as 2026-11-26").tells_default("the first that is kept");
+    command.add_option("--to", options->to, "Last day, itself included").tells_default("the last that is kept");
     command
-        ->add_option("-o,--output", options->output,
-                     "NAME.html: a page with plots, to read or print; .csv: a row a day; .json: all counts; -: JSON on "
-                     "standard output")
-        ->default_str("a few lines on standard output");
-    command->add_option("--title", options->title, "Of the page")->capture_default_str();
-    command->callback([options, &chosen] { chosen = [options] { return tell(*options); }; });
+        .add_option("-o,--output", options->output,
+                    "NAME.html: a page with plots, to read or print; .csv: a row a day; .json: all counts; -: JSON on "
+                    "standard output")
+        .tells_default("a few lines on standard output");
+    command.add_option("--title", options->title, "Of the page").shows_default();
+    command.does([options] { return tell(*options); });
 }
 
 }  // namespace quadrat::commands

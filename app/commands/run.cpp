@@ -245,7 +245,7 @@ archive::Archive open_archive(const fs::path& state, const archive::TellKept& te
     using Condition = archive::Archive::Condition;
     auto opened = archive::Archive::open(state, wall_time(), {}, tell);
     const bool is_trouble = opened.condition == Condition::Replaced || opened.condition == Condition::MemoryOnly;
-    base::log::log(is_trouble ? base::log::level::warn : base::log::level::info, "state: {}", opened.message);
+    base::log::write(is_trouble ? base::log::Level::Warning : base::log::Level::Info, "state: " + opened.message);
     return std::move(opened.archive);
 }
 
@@ -378,55 +378,53 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_run(CLI::App& app, Action& chosen) {
+void add_run(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("run", "The exhibit");
-    command->add_option("--display", options->display, "auto, kms, window or headless")
-        ->check(CLI::IsMember({"auto", "kms", "window", "headless"}))
-        ->default_str("the settings', else auto");
-    command->add_option("--size", options->size, "Pixels to draw, as 1280x720; without it, the screen's")
-        ->default_str("the settings', else the screen's");
+    const Command command = program.add_subcommand("run", "The exhibit");
+    command.add_option("--display", options->display, "auto, kms, window or headless")
+        .among({"auto", "kms", "window", "headless"})
+        .tells_default("the settings', else auto");
+    command.add_option("--size", options->size, "Pixels to draw, as 1280x720; without it, the screen's")
+        .tells_default("the settings', else the screen's");
     command
-        ->add_option("--input", options->inputs,
-                     "Where presses come from, repeatable: gpio:A=GPIO17,…  hid:  evdev:  keyboard  script:FILE")
-        ->default_str("the settings', else hid:, and the keyboard in a window");
-    command->add_option("--config", options->configuration, "The site's settings (deploy/quadrat.toml shows all)")
-        ->default_str("none");
-    command->add_flag("--service", options->is_service,
-                      "Start whatever the settings are: with a mistake in them, with the last that worked or the\n"
-                      "defaults, and say so. Without it, as in $RUNTIME_DIRECTORY's absence, mistakes end with 2");
-    command->add_option("--state", options->state, "Folder of what is kept between runs")
-        ->default_str("the service's, else ~/.local/state/quadrat");
-    command->add_flag(
-        "--gallery", options->is_wall,
-        "No visit: what the visitors of an exhibit bred hangs here in turn, with its words, and what its\n"
-        "staff chose. --state and --config are that exhibit's; it may run beside");
-    command->add_option("--rounds", options->rounds, "Rounds of a visit; the program ends after one visit")
-        ->check(CLI::Range(1, 50))
-        ->default_str("the settings', without an end");
-    command->add_option("--ground", options->ground, "What draws the land: blocks (standard) or roam")
-        ->check(CLI::IsMember(render::ground_names()))
-        ->default_str("the settings', else blocks");
+        .add_option("--input", options->inputs,
+                    "Where presses come from, repeatable: gpio:A=GPIO17,…  hid:  evdev:  keyboard  script:FILE")
+        .tells_default("the settings', else hid:, and the keyboard in a window");
+    command.add_option("--config", options->configuration, "The site's settings (deploy/quadrat.toml shows all)")
+        .tells_default("none");
+    command.add_flag("--service", options->is_service,
+                     "Start whatever the settings are: with a mistake in them, with the last that worked or the\n"
+                     "defaults, and say so. Without it, as in $RUNTIME_DIRECTORY's absence, mistakes end with 2");
+    command.add_option("--state", options->state, "Folder of what is kept between runs")
+        .tells_default("the service's, else ~/.local/state/quadrat");
+    command.add_flag("--gallery", options->is_wall,
+                     "No visit: what the visitors of an exhibit bred hangs here in turn, with its words, and what its\n"
+                     "staff chose. --state and --config are that exhibit's; it may run beside");
+    command.add_option("--rounds", options->rounds, "Rounds of a visit; the program ends after one visit")
+        .between(1, 50)
+        .tells_default("the settings', without an end");
+    command.add_option("--ground", options->ground, "What draws the land: blocks (standard) or roam")
+        .among(render::ground_names())
+        .tells_default("the settings', else blocks");
+    command.add_option("--capture", options->capture, "Folder for one PNG a generation, the finale and a contact sheet")
+        .tells_default("none");
+    command.add_option("--seed", options->seed, "Names all chance; without it, every start is another")
+        .tells_default("another every start");
     command
-        ->add_option("--capture", options->capture, "Folder for one PNG a generation, the finale and a contact sheet")
-        ->default_str("none");
-    command->add_option("--seed", options->seed, "Names all chance; without it, every start is another")
-        ->default_str("another every start");
+        .add_option("--triangles", options->budget.triangles,
+                    "No more a frame, whatever this machine could draw: for tests")
+        .tells_default("no limit");
+    command.add_option("--pixels", options->budget.pixels, "The same for the pixels of the landscapes")
+        .tells_default("no limit");
     command
-        ->add_option("--triangles", options->budget.triangles,
-                     "No more a frame, whatever this machine could draw: for tests")
-        ->default_str("no limit");
-    command->add_option("--pixels", options->budget.pixels, "The same for the pixels of the landscapes")
-        ->default_str("no limit");
+        .add_option("--log-file", options->log_file,
+                    "Write the log there too: appended; three files of before, 4 MB each, are kept")
+        .tells_default("none");
     command
-        ->add_option("--log-file", options->log_file,
-                     "Write the log there too: appended; three files of before, 4 MB each, are kept")
-        ->default_str("none");
-    command
-        ->add_option("--speed", options->speed, "How many times as fast the clock runs, 1 to 100: for endurance tests")
-        ->check(CLI::Range(1.0, 100.0))
-        ->capture_default_str();
-    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+        .add_option("--speed", options->speed, "How many times as fast the clock runs, 1 to 100: for endurance tests")
+        .between(1.0, 100.0)
+        .shows_default();
+    command.does([options] { return run(*options); });
 }
 
 }  // namespace quadrat::commands

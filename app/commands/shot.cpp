@@ -28,13 +28,14 @@ int shoot(const Options& options) {
 
 }  // namespace
 
-void add_shot(CLI::App& app, Action& chosen) {
+void add_shot(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("shot", "A picture of what a running exhibit shows just now, as PNG");
-    command->add_option("-o,--output", options->output, "Where to: NAME.png")->required();
-    command->add_option("--state", options->state, "The exhibit's state folder, when it is not the service")
-        ->default_str("the service's");
-    command->callback([options, &chosen] { chosen = [options] { return shoot(*options); }; });
+    const Command command =
+        program.add_subcommand("shot", "A picture of what a running exhibit shows just now, as PNG");
+    command.add_option("-o,--output", options->output, "Where to: NAME.png").required();
+    command.add_option("--state", options->state, "The exhibit's state folder, when it is not the service")
+        .tells_default("the service's");
+    command.does([options] { return shoot(*options); });
 }
 
 }  // namespace quadrat::commands

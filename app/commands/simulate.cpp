@@ -248,47 +248,45 @@ int simulate(const Options& options) {
 
 }  // namespace
 
-void add_simulate(CLI::App& app, Action& chosen) {
+void add_simulate(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("simulate", "Let simulated visitors play breeders and sliders: closeness to their wish");
-    command->add_flag("--all", options->is_all, "Both genomes, both worlds");
-    command->add_flag("--study", options->is_study,
-                      "The user test of the paper of 2003 again, by simulated users: breeding against sliders");
-    command->add_flag("--switches", options->is_switches,
-                      "How many rounds a minute are played with one button, two and four, by the pace of the mark");
-    command->add_option("--genome", options->genome, "words or classic")
-        ->check(CLI::IsMember({"words", "classic"}))
-        ->capture_default_str();
+    const Command command =
+        program.add_subcommand("simulate", "Let simulated visitors play breeders and sliders: closeness to their wish");
+    command.add_flag("--all", options->is_all, "Both genomes, both worlds");
+    command.add_flag("--study", options->is_study,
+                     "The user test of the paper of 2003 again, by simulated users: breeding against sliders");
+    command.add_flag("--switches", options->is_switches,
+                     "How many rounds a minute are played with one button, two and four, by the pace of the mark");
+    command.add_option("--genome", options->genome, "words or classic").among({"words", "classic"}).shows_default();
     command
-        ->add_option("--world", options->world,
-                     "Where wishes lie: archetypes (near mixtures of them) or anywhere; sees: visitors compare small "
-                     "pictures instead of parameters (60 visitors, 8 rounds take minutes)")
-        ->check(CLI::IsMember({"archetypes", "anywhere", "sees"}))
-        ->capture_default_str();
-    command->add_option("--noise", options->noise, "How badly visitors see: none, mild, strong")
-        ->check(CLI::IsMember({"none", "mild", "strong"}))
-        ->capture_default_str();
+        .add_option("--world", options->world,
+                    "Where wishes lie: archetypes (near mixtures of them) or anywhere; sees: visitors compare small "
+                    "pictures instead of parameters (60 visitors, 8 rounds take minutes)")
+        .among({"archetypes", "anywhere", "sees"})
+        .shows_default();
+    command.add_option("--noise", options->noise, "How badly visitors see: none, mild, strong")
+        .among({"none", "mild", "strong"})
+        .shows_default();
     command
-        ->add_option("--party", options->party,
-                     "Who presses: one; drifting (who comes to wish half of all as another does); group (three who "
-                     "take turns, a round each: closeness is the mean of theirs)")
-        ->check(CLI::IsMember({"one", "drifting", "group"}))
-        ->capture_default_str();
-    command->add_option("--visitors", options->visitors, "How many play each method")
-        ->check(CLI::Range(2, 100000))
-        ->default_str("200; 60 who see, are studied or play with switches");
-    command->add_option("--rounds", options->rounds, "How many each plays")
-        ->check(CLI::Range(1, 200))
-        ->default_str("15; 8 for those who see, 6 with switches");
-    command->add_option("--seed", options->seed, "Names all chance")->capture_default_str();
+        .add_option("--party", options->party,
+                    "Who presses: one; drifting (who comes to wish half of all as another does); group (three who "
+                    "take turns, a round each: closeness is the mean of theirs)")
+        .among({"one", "drifting", "group"})
+        .shows_default();
+    command.add_option("--visitors", options->visitors, "How many play each method")
+        .between(2, 100000)
+        .tells_default("200; 60 who see, are studied or play with switches");
+    command.add_option("--rounds", options->rounds, "How many each plays")
+        .between(1, 200)
+        .tells_default("15; 8 for those who see, 6 with switches");
+    command.add_option("--seed", options->seed, "Names all chance").shows_default();
     command
-        ->add_option("--from", options->from,
-                     "A state folder: its visitors' picks are bred again instead, and how well each breeder would have "
-                     "foretold them is told in bits a pick, with the noise that suits them best")
-        ->default_str("none");
-    command->add_option("--plot", options->plot, "An SVG file; with --all, one a table, numbered")->default_str("none");
-    command->callback([options, &chosen] { chosen = [options] { return simulate(*options); }; });
+        .add_option("--from", options->from,
+                    "A state folder: its visitors' picks are bred again instead, and how well each breeder would have "
+                    "foretold them is told in bits a pick, with the noise that suits them best")
+        .tells_default("none");
+    command.add_option("--plot", options->plot, "An SVG file; with --all, one a table, numbered").tells_default("none");
+    command.does([options] { return simulate(*options); });
 }
 
 }  // namespace quadrat::commands

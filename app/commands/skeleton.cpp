@@ -43,20 +43,20 @@ int roof_over(const Options& options) {
 
 }  // namespace
 
-void add_skeleton(CLI::App& app, Action& chosen) {
+void add_skeleton(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("skeleton", "Roof a polygon by its weighted straight skeleton");
+    const Command command = program.add_subcommand("skeleton", "Roof a polygon by its weighted straight skeleton");
     command
-        ->add_option(
+        .add_option(
             "plan", options->plan,
             "JSON, metres: {\"outer\": [[x, y], …], \"holes\": […], \"weights\": [slope of each edge, degrees], "
             "\"profiles\": {\"all\": [{\"slope\": 90}, {\"from\": 3, \"slope\": 40}]}, \"height\": end, "
             "\"ambiguity\": \"least\"}; all but outer may be left out")
-        ->required();
+        .required();
     command
-        ->add_option("-o,--output", options->output, "NAME.json, .svg, .obj, .glb or .gltf; -: JSON on standard output")
-        ->capture_default_str();
-    command->callback([options, &chosen] { chosen = [options] { return roof_over(*options); }; });
+        .add_option("-o,--output", options->output, "NAME.json, .svg, .obj, .glb or .gltf; -: JSON on standard output")
+        .shows_default();
+    command.does([options] { return roof_over(*options); });
 }
 
 }  // namespace quadrat::commands

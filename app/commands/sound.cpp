@@ -68,16 +68,14 @@ int write_sound(const Options& options) {
 
 }  // namespace
 
-void add_sound(CLI::App& app, Action& chosen) {
+void add_sound(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("sound", "What is heard of a scene, as the exhibit plays it");
-    command->add_option("scene", options->scene, "seed:N, a scene file, a scene code, or a picture that quadrat wrote")
-        ->required();
-    command->add_option("-o,--output", options->output, "Where to write it: NAME.wav")->required();
-    command->add_option("--seconds", options->seconds, "How long, 0.1 to 600")
-        ->check(CLI::Range(0.1, 600.0))
-        ->capture_default_str();
-    command->callback([options, &chosen] { chosen = [options] { return write_sound(*options); }; });
+    const Command command = program.add_subcommand("sound", "What is heard of a scene, as the exhibit plays it");
+    command.add_option("scene", options->scene, "seed:N, a scene file, a scene code, or a picture that quadrat wrote")
+        .required();
+    command.add_option("-o,--output", options->output, "Where to write it: NAME.wav").required();
+    command.add_option("--seconds", options->seconds, "How long, 0.1 to 600").between(0.1, 600.0).shows_default();
+    command.does([options] { return write_sound(*options); });
 }
 
 }  // namespace quadrat::commands

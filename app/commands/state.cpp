@@ -127,41 +127,41 @@ int act(const Options& options) {
 
 }  // namespace
 
-void add_state(CLI::App& app, Action& chosen) {
+void add_state(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
+    const Command command = program.add_subcommand(
         "state",
         "Back up what a site has made, put it onto this machine or another, or move it to another schema version.\n"
         "A backup is one file: settings, what visitors did, words, maps of buttons, what is known of the GPU");
     command
-        ->add_option("--state", options->state,
-                     "Folder of what is kept between runs; without it, the service's where it is installed")
-        ->default_str("the service's, else ~/.local/state/quadrat");
+        .add_option("--state", options->state,
+                    "Folder of what is kept between runs; without it, the service's where it is installed")
+        .tells_default("the service's, else ~/.local/state/quadrat");
     command
-        ->add_option("--config", options->configuration,
-                     "The site's settings; without it, /etc/quadrat/quadrat.toml for the service's folder")
-        ->default_str("the service's, else none");
-    auto* backup =
-        command->add_option("--backup", options->backup, "Write all of it to FILE.tar.xz; the exhibit may run");
-    auto* restored = command->add_option("--restore", options->restore,
-                                         "Put a backup in place of what is here, which stays under a dated name; with "
-                                         "the exhibit stopped");
-    command->add_flag(
-        "--clone", options->is_clone,
-        "With --restore: this machine stays another one. No visits come along, and the machine's own name "
-        "counts in the fleet");
-    command->add_flag("--keep-settings", options->keeps_settings,
-                      "With --restore: the settings of this machine stay as they are");
-    auto* moved = command->add_option(
+        .add_option("--config", options->configuration,
+                    "The site's settings; without it, /etc/quadrat/quadrat.toml for the service's folder")
+        .tells_default("the service's, else none");
+    const Option backup =
+        command.add_option("--backup", options->backup, "Write all of it to FILE.tar.xz; the exhibit may run");
+    const Option restored =
+        command.add_option("--restore", options->restore,
+                           "Put a backup in place of what is here, which stays under a dated name; with "
+                           "the exhibit stopped");
+    command.add_flag("--clone", options->is_clone,
+                     "With --restore: this machine stays another one. No visits come along, and the machine's own name "
+                     "counts in the fleet");
+    command.add_flag("--keep-settings", options->keeps_settings,
+                     "With --restore: the settings of this machine stay as they are");
+    const Option moved = command.add_option(
         "--move-to", options->version,
         "Move the state file to a version, 1 to " + std::to_string(archive::state_version()) +
             ", so that an older program can go on with it; with the exhibit stopped. A newer program moves an older "
             "file by itself");
-    for (CLI::Option* option : {backup, restored, moved}) option->default_str("none");
-    moved->check(CLI::Range(1, archive::state_version()));
-    backup->excludes(restored)->excludes(moved);
-    restored->excludes(moved);
-    command->callback([options, &chosen] { chosen = [options] { return act(*options); }; });
+    for (const Option& option : {backup, restored, moved}) option.tells_default("none");
+    moved.between(1, archive::state_version());
+    backup.excludes(restored).excludes(moved);
+    restored.excludes(moved);
+    command.does([options] { return act(*options); });
 }
 
 }  // namespace quadrat::commands

@@ -102,23 +102,23 @@ int make(const Options& options) {
 
 }  // namespace
 
-void add_tiles(CLI::App& app, Action& chosen) {
+void add_tiles(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command =
-        app.add_subcommand("tiles", "Fill a box with tiles as an example has them, and print or mesh it");
-    command->add_option("example", options->example, "A file of tiles, or the name of an example that comes along")
-        ->default_str("none: needed unless --list is");
+    const Command command =
+        program.add_subcommand("tiles", "Fill a box with tiles as an example has them, and print or mesh it");
+    command.add_option("example", options->example, "A file of tiles, or the name of an example that comes along")
+        .tells_default("none: needed unless --list is");
     command
-        ->add_option("-o,--output", options->output,
-                     "NAME.txt, .obj, .glb or .gltf; layers on standard output otherwise")
-        ->default_str("standard output");
-    command->add_option("--size", options->size, "EASTxSOUTHxUP, in tiles")->capture_default_str();
-    command->add_option("--seed", options->seed, "Of chance")->capture_default_str();
-    command->add_option("--decay", options->decay, "Of an example that comes along: how much has fallen")
-        ->check(CLI::Range(0.0F, 1.0F))
-        ->capture_default_str();
-    command->add_flag("--list", options->is_listing, "Name the examples that come along");
-    command->callback([options, &chosen] { chosen = [options] { return make(*options); }; });
+        .add_option("-o,--output", options->output,
+                    "NAME.txt, .obj, .glb or .gltf; layers on standard output otherwise")
+        .tells_default("standard output");
+    command.add_option("--size", options->size, "EASTxSOUTHxUP, in tiles").shows_default();
+    command.add_option("--seed", options->seed, "Of chance").shows_default();
+    command.add_option("--decay", options->decay, "Of an example that comes along: how much has fallen")
+        .between(0.0F, 1.0F)
+        .shows_default();
+    command.add_flag("--list", options->is_listing, "Name the examples that come along");
+    command.does([options] { return make(*options); });
 }
 
 }  // namespace quadrat::commands

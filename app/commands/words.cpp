@@ -302,90 +302,86 @@ int forget(const Options& options) {
     return 0;
 }
 
-void add_own(CLI::App& command, const std::shared_ptr<Options>& options, Action& chosen) {
-    CLI::App* own = command.add_subcommand("own", "What a word of one's own means, told by ten scenes or more");
-    own->footer(
+void add_own(const Command& command, const std::shared_ptr<Options>& options) {
+    const Command own = command.add_subcommand("own", "What a word of one's own means, told by ten scenes or more");
+    own.set_footer(
         "FILE is {\"quadrat\":\"own word\",\"version\":1,\"name\":\"spooky\",\"aspect\":\"sky\",\"scenes\":[…]} with "
         "ten "
         "scenes or more,\neach {\"value\":0.8,\"words\":{\"misty\":0.5,…}} or "
         "{\"value\":-0.4,\"parameters\":{\"haze.distance_m\":900,…}}; values from -1 to 1.");
-    own->add_option("FILE", options->files, "Scenes, and how far the word suits each")->required()->expected(1);
-    own->add_option("--value", options->value, "How much of it")->check(CLI::Range(-1.0, 1.0))->capture_default_str();
-    own->add_option("-o,--output", options->output, "SCENE.json, the scene it then asks for")->default_str("none");
-    own->callback([options, &chosen] { chosen = [options] { return tell_own(*options); }; });
+    own.add_option("FILE", options->files, "Scenes, and how far the word suits each").required().takes(1);
+    own.add_option("--value", options->value, "How much of it").between(-1.0, 1.0).shows_default();
+    own.add_option("-o,--output", options->output, "SCENE.json, the scene it then asks for").tells_default("none");
+    own.does([options] { return tell_own(*options); });
 }
 
 // What only looks.
-void add_looking(CLI::App& words, const std::shared_ptr<Options>& options, Action& chosen) {
-    CLI::App* shown = words.add_subcommand("show", "Every word with its two ends, and how well the map knows them");
-    shown->add_flag("--scenes", options->is_all, "Every described scene too: its reach, and what is left over of it");
-    shown->callback([options, &chosen] { chosen = [options] { return show(*options); }; });
-    CLI::App* reach = words.add_subcommand(
+void add_looking(const Command& words, const std::shared_ptr<Options>& options) {
+    const Command shown = words.add_subcommand("show", "Every word with its two ends, and how well the map knows them");
+    shown.add_flag("--scenes", options->is_all, "Every described scene too: its reach, and what is left over of it");
+    shown.does([options] { return show(*options); });
+    const Command reach = words.add_subcommand(
         "reach", "How far picks move each parameter, and how often each kind is offered, where anybody picks anything");
-    reach->add_option("--visits", options->visits, "To look through")
-        ->check(CLI::Range(1, 10000))
-        ->capture_default_str();
-    reach->add_option("--offers", options->offers, "In each")->check(CLI::Range(1, 100))->capture_default_str();
-    reach->add_flag("--all", options->is_all, "A line for every parameter and kind, not only for what falls short");
-    reach->callback([options, &chosen] { chosen = [options] { return tell_reach(*options); }; });
-    CLI::App* sheet = words.add_subcommand("sheet", "A picture with a row a word, from one end to the other");
-    sheet->add_option("-o,--output", options->output, "NAME.png or NAME.exr")->required();
-    sheet->add_option("--size", options->size, "Of each picture, in pixels")->capture_default_str();
-    sheet->add_option("--steps", options->steps, "Pictures a row")->check(CLI::Range(2, 21))->capture_default_str();
-    sheet->add_option("--seed", options->seed, "Names the places")->capture_default_str();
-    sheet->callback([options, &chosen] { chosen = [options] { return draw_sheet(*options); }; });
-    CLI::App* asked = words.add_subcommand(
+    reach.add_option("--visits", options->visits, "To look through").between(1, 10000).shows_default();
+    reach.add_option("--offers", options->offers, "In each").between(1, 100).shows_default();
+    reach.add_flag("--all", options->is_all, "A line for every parameter and kind, not only for what falls short");
+    reach.does([options] { return tell_reach(*options); });
+    const Command sheet = words.add_subcommand("sheet", "A picture with a row a word, from one end to the other");
+    sheet.add_option("-o,--output", options->output, "NAME.png or NAME.exr").required();
+    sheet.add_option("--size", options->size, "Of each picture, in pixels").shows_default();
+    sheet.add_option("--steps", options->steps, "Pictures a row").between(2, 21).shows_default();
+    sheet.add_option("--seed", options->seed, "Names the places").shows_default();
+    sheet.does([options] { return draw_sheet(*options); });
+    const Command asked = words.add_subcommand(
         "ask", "Landscapes spread evenly over the words (Halton), to be described: NAME.json for train, and NAME.png");
-    asked->add_option("-o,--output", options->output, "NAME.json")->required();
-    asked->add_option("--aspect", options->aspect, "trees, land or sky")
-        ->check(CLI::IsMember({"trees", "land", "sky"}))
-        ->capture_default_str();
-    asked->add_option("--count", options->count, "Landscapes")->check(CLI::Range(1, 400))->capture_default_str();
-    asked->add_option("--first", options->first, "Go on after so many that were asked before")->capture_default_str();
-    asked->add_option("--size", options->size, "Of each picture, in pixels")->capture_default_str();
-    asked->callback([options, &chosen] { chosen = [options] { return ask(*options); }; });
+    asked.add_option("-o,--output", options->output, "NAME.json").required();
+    asked.add_option("--aspect", options->aspect, "trees, land or sky").among({"trees", "land", "sky"}).shows_default();
+    asked.add_option("--count", options->count, "Landscapes").between(1, 400).shows_default();
+    asked.add_option("--first", options->first, "Go on after so many that were asked before").shows_default();
+    asked.add_option("--size", options->size, "Of each picture, in pixels").shows_default();
+    asked.does([options] { return ask(*options); });
 }
 
 }  // namespace
 
-void add_words(CLI::App& app, Action& chosen) {
+void add_words(const Command& program) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("words", "The words that wishes are held in, and what they look like");
-    command->require_subcommand(1);
-    command->fallthrough();  // its options may stand after a subcommand too
-    command->add_option("--language", options->language, "Of their ends: ar, de, en, es, … (quadrat languages)")
-        ->check(CLI::Validator(
-            [](std::string& code) {
-                const auto codes = genome::language_codes();
-                const std::string_view spoken = std::string_view(code).substr(0, code.find_first_of("-_."));
-                if (std::ranges::find(codes, spoken) != codes.end()) return std::string();
-                return fmt::format("{} is not spoken here; there are {}", code, fmt::join(codes, ", "));
-            },
-            ""))
-        ->capture_default_str();
-    command->add_option("--state", options->state, "The exhibit's state folder, for the map that its site has trained")
-        ->default_str("show, sheet, own: the map that comes along; others: the service's, else the user's");
-    add_looking(*command, options, chosen);
-    CLI::App* trained =
-        command->add_subcommand("train", "Learn from what visitors said, and from files, with the exhibit stopped");
-    trained->add_option("FILE", options->files, "Scenes described by a curator, instead of those taught before")
-        ->default_str("none");
-    trained->add_flag("--anyway", options->is_anyway, "Also where scenes could be told from one another less well");
-    trained->callback([options, &chosen] { chosen = [options] { return train(*options); }; });
-    add_own(*command, options, chosen);
-    CLI::App* exported = command->add_subcommand("export", "Write what visitors and the curator taught, to train from");
-    exported->add_option("-o,--output", options->output, "FILE.json")->required();
-    exported->callback([options, &chosen] { chosen = [options] { return export_lessons(*options); }; });
-    CLI::App* axes = command->add_subcommand(
+    const Command command =
+        program.add_subcommand("words", "The words that wishes are held in, and what they look like");
+    command.requires_subcommand();
+    command.shares_options();  // its options may stand after a subcommand too
+    command.add_option("--language", options->language, "Of their ends: ar, de, en, es, … (quadrat languages)")
+        .refused_by([](const std::string& code) {
+            const auto codes = genome::language_codes();
+            const std::string_view spoken = std::string_view(code).substr(0, code.find_first_of("-_."));
+            if (std::ranges::find(codes, spoken) != codes.end()) return std::string();
+            return fmt::format("{} is not spoken here; there are {}", code, fmt::join(codes, ", "));
+        })
+        .shows_default();
+    command.add_option("--state", options->state, "The exhibit's state folder, for the map that its site has trained")
+        .tells_default("show, sheet, own: the map that comes along; others: the service's, else the user's");
+    add_looking(command, options);
+    const Command trained =
+        command.add_subcommand("train", "Learn from what visitors said, and from files, with the exhibit stopped");
+    trained.add_option("FILE", options->files, "Scenes described by a curator, instead of those taught before")
+        .tells_default("none");
+    trained.add_flag("--anyway", options->is_anyway, "Also where scenes could be told from one another less well");
+    trained.does([options] { return train(*options); });
+    add_own(command, options);
+    const Command exported =
+        command.add_subcommand("export", "Write what visitors and the curator taught, to train from");
+    exported.add_option("-o,--output", options->output, "FILE.json").required();
+    exported.does([options] { return export_lessons(*options); });
+    const Command axes = command.add_subcommand(
         "axes", "Measure by pictures along which axes scenes of the same words still differ; takes minutes");
-    axes->add_option("-o,--output", options->output, "A folder for trees.json, land.json and sky.json")
-        ->required()
-        ->check(CLI::ExistingDirectory);
-    axes->callback([options, &chosen] { chosen = [options] { return measure_axes(options->output); }; });
-    CLI::App* forgotten = command->add_subcommand(
+    axes.add_option("-o,--output", options->output, "A folder for trees.json, land.json and sky.json")
+        .required()
+        .is_folder();
+    axes.does([options] { return measure_axes(options->output); });
+    const Command forgotten = command.add_subcommand(
         "forget", "Delete what visitors said, and what was learnt of it, with the exhibit stopped; a dated copy stays");
-    forgotten->add_flag("--yes", options->is_sure, "Without being asked");
-    forgotten->callback([options, &chosen] { chosen = [options] { return forget(*options); }; });
+    forgotten.add_flag("--yes", options->is_sure, "Without being asked");
+    forgotten.does([options] { return forget(*options); });
 }
 
 }  // namespace quadrat::commands

@@ -11,15 +11,17 @@ namespace quadrat::kiosk {
 
 // A landscape that was bred, while it is asked about.
 struct Bred {
-    genome::Recipe recipe;
-    std::optional<genome::Description> words;
-    std::vector<genome::WordId> asked;  // one after another
-    std::string take_home;              // where it can be had; "" where the site says nothing
-    bool wants_postcard = false;        // and nobody has been told yet
-    // Described instead of it: which of all that ever were, and what it was made of. Empty: it is itself described.
-    std::size_t others = 0;
-    std::optional<genome::Recipe> other;
-    std::optional<genome::Description> others_words;
+    struct Landscape {
+        genome::Recipe recipe = {};
+        std::optional<genome::Description> words = {};  // what it was made of
+    };
+    Landscape own = {};
+    std::optional<Landscape> other = {};     // described instead of it
+    std::vector<genome::WordId> asked = {};  // one after another
+    std::string take_home = "";              // where it can be had; "" where the site says nothing
+    bool wants_postcard = false;             // and nobody has been told yet
+
+    const Landscape& described() const { return other ? *other : own; }
 };
 
 // What the site wants of it.

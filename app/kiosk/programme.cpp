@@ -83,10 +83,10 @@ void Programme::refined() {
             act->scenes = refined_->scenes;
         }
         is_full_ = true;
-    } else if (asking_ && !asked_) {
-        asked_ = std::move(refined_);
-        asked_->number = ++acts_;
-        asked_->recipes = {genome::recipe_of(asking_->candidate, asking_->flight)};
+    } else if (asked_about_.is_growing()) {
+        nursery::Act& act = asked_about_.act.emplace(std::move(*refined_));
+        act.number = ++acts_;
+        act.recipes = {genome::recipe_of(asked_about_.landscape->candidate, asked_about_.landscape->flight)};
     } else {
         const auto grown = std::exchange(regrowing_, nullptr);
         gallery_.bring_back(genome::recipe_of(grown->candidate, grown->flight), refined_->scenes.front());
@@ -96,21 +96,19 @@ void Programme::refined() {
 }
 
 void Programme::ask_about(std::shared_ptr<const nursery::Landscape> other) {
-    if (asking_ && !asked_) refined_.reset();  // it may be of that
-    asking_ = std::move(other);
-    asked_.reset();
-    is_asked_shown_ = false;
+    if (asked_about_.is_growing()) refined_.reset();  // it may be of that
+    asked_about_ = {.landscape = std::move(other)};
     want();
 }
 
 const nursery::Landscape* Programme::begin_asking(base::Instant now) {
-    is_asked_shown_ = asked_.has_value();
-    if (!is_asked_shown_) {
+    if (!asked_about_.act) {
         ask_about(nullptr);  // it would come in the midst of a question
         return nullptr;
     }
-    asked_->arrived = now;
-    return asking_.get();
+    asked_about_.is_shown = true;
+    asked_about_.act->arrived = now;
+    return asked_about_.landscape.get();
 }
 
 void Programme::begin_visit(base::Instant now) {
@@ -155,7 +153,7 @@ void Programme::stop_regrowing() {
 
 const nursery::Act& Programme::act_of(exhibit::Screen screen) const {
     using exhibit::Screen;
-    if (screen == Screen::Describe && is_asked_shown_) return *asked_;
+    if (screen == Screen::Describe && asked_about_.is_shown) return *asked_about_.act;
     if (screen == Screen::Finale || screen == Screen::Describe || screen == Screen::Family) return finale_;
     if (screen == Screen::Attract && !gallery_.act().scenes.empty()) return gallery_.act();
     return offered_;
@@ -170,7 +168,7 @@ nursery::Scenes Programme::in_use() const {
     nursery::Scenes all;
     for (const nursery::Act* act : {&offered_, &finale_, &gallery_.act()})
         all.insert(all.end(), act->scenes.begin(), act->scenes.end());
-    if (asked_) all.insert(all.end(), asked_->scenes.begin(), asked_->scenes.end());
+    if (const auto& asked = asked_about_.act) all.insert(all.end(), asked->scenes.begin(), asked->scenes.end());
     return all;
 }
 

@@ -87,10 +87,20 @@ class Programme {
     nursery::Scenes in_use() const;  // must stay on the GPU
 
   private:
+    // Instead of the finale.
+    struct AskedAbout {
+        std::shared_ptr<const nursery::Landscape> landscape = {};  // null: the finale is
+        std::optional<nursery::Act> act = {};                      // once it has grown
+        bool is_shown = false;                                     // in Describe; it has grown then
+        bool is_growing() const { return landscape && !act; }
+    };
+
     void want();
     void stop_regrowing();
     // What grows when all else stands; or null.
-    std::shared_ptr<const nursery::Landscape> spare() const { return asking_ && !asked_ ? asking_ : regrowing_; }
+    std::shared_ptr<const nursery::Landscape> spare() const {
+        return asked_about_.is_growing() ? asked_about_.landscape : regrowing_;
+    }
 
     nursery::Nursery nursery_;
     std::optional<Coming> coming_;
@@ -104,9 +114,7 @@ class Programme {
     std::optional<nursery::Wall> wall_;
     std::string liked_;
     std::shared_ptr<const nursery::Landscape> regrowing_;  // that is missing in the gallery; or null
-    std::shared_ptr<const nursery::Landscape> asking_;     // that is asked about instead of the finale; or null
-    std::optional<nursery::Act> asked_;                    // it, once it has grown
-    bool is_asked_shown_ = false;
+    AskedAbout asked_about_;
     int acts_ = 0;
 };
 

@@ -89,7 +89,7 @@ bool Show::take_up(base::Instant now) {
     const auto kept = diary_.take_left_behind();
     if (kept) {
         programme_.recall(nursery::Collection::from_json(kept->collection));
-        bred_.others = number_in(kept->described);
+        others_described_ = number_in(kept->described);
     }
     const bool is_free = state_.screen == Screen::Attract && visits_ended() == 0;
     if (!kept || !kept->interrupted || !is_free) return false;
@@ -184,15 +184,9 @@ void Show::carry_out(const exhibit::GrowFinale& wish, base::Instant /*now*/) {
     }
     genome::Candidate favourite = lineages_.now->session().favourite();
     favourite.values = genome::rounded_for_code(favourite.values);  // as whoever has its code grows it
-    bred_ = {genome::recipe_of(favourite, flight),
-             favourite.words,
-             breeding::words_to_ask(lineages_.now->session().seed().child("describe"), kMostWordsAsked),
-             "",
-             false,
-             bred_.others,
-             {},
-             {}};
-    if (!wanted_.take_home_url.empty()) bred_.take_home = wanted_.take_home_url + genome::code_of(bred_.recipe);
+    bred_ = {.own = {genome::recipe_of(favourite, flight), favourite.words},
+             .asked = breeding::words_to_ask(lineages_.now->session().seed().child("describe"), kMostWordsAsked)};
+    if (!wanted_.take_home_url.empty()) bred_.take_home = wanted_.take_home_url + genome::code_of(bred_.own.recipe);
     caption_ = favourite.words ? spoken_.language().describe(*favourite.words) : "";
     if (!caption_.empty()) base::log::info("the landscape they bred: {}", caption_);
     programme_.order({wish.generation, 0, true}, {favourite}, flight);
@@ -209,7 +203,7 @@ void Show::carry_out(const exhibit::UndoTurn& wish, base::Instant /*now*/) {
 }
 
 void Show::carry_out(const exhibit::KeepWord& wish, base::Instant /*now*/) {
-    const genome::WordAnswer answer{bred_.other.value_or(bred_.recipe), bred_.other ? bred_.others_words : bred_.words,
+    const genome::WordAnswer answer{bred_.described().recipe, bred_.described().words,
                                     bred_.asked.at(static_cast<std::size_t>(wish.which)), wish.answer};
     base::log::info("it was called {}", genome::language("en").answers(answer.word).at(answer.step));
     diary_.keep_word(answer);
@@ -251,7 +245,7 @@ void Show::uploaded(base::Instant now) {
     if (programme_.waiting_for_upload() == nullptr || !is_kept_within({})) return;
     // A landscape that is turned stays where the eye is; four new ones grow in.
     const Coming done = programme_.uploaded(state_.screen == Screen::Slide ? programme_.offered().arrived : now,
-                                            {bred_.words, diary_.today(), lineages_.now->liked()});
+                                            {bred_.own.words, diary_.today(), lineages_.now->liked()});
     if (done.is_finale)
         remember("collection", programme_.collection().to_json());
     else
@@ -267,7 +261,7 @@ void Show::ask_about_another() {
     if (!wanted_.describes_others || !asks) return;
     const breeding::Session& session = lineages_.now->session();
     genome::Candidate other =
-        breeding::landscape_to_describe(school_.school().map(), bred_.others, session.seed().child("described"));
+        breeding::landscape_to_describe(school_.school().map(), others_described_, session.seed().child("described"));
     other.values = genome::rounded_for_code(other.values);
     programme_.ask_about(nursery::landscape_of(std::move(other), session.flight()));
 }
@@ -275,9 +269,8 @@ void Show::ask_about_another() {
 void Show::begin_to_describe(base::Instant now) {
     const nursery::Landscape* other = programme_.begin_asking(now);
     if (other == nullptr) return;
-    bred_.other = genome::recipe_of(other->candidate, other->flight);
-    bred_.others_words = other->candidate.words;
-    remember("described", std::to_string(++bred_.others));
+    bred_.other = {genome::recipe_of(other->candidate, other->flight), other->candidate.words};
+    remember("described", std::to_string(++others_described_));
 }
 
 void Show::finish_growing() {

@@ -120,6 +120,7 @@ class Show {
     std::optional<stage::Flash> last_press_;
     std::string caption_;
     Bred bred_;
+    std::size_t others_described_ = 0;  // instead of what was bred, ever
     Wanted wanted_;
 };
 

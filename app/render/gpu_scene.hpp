@@ -36,7 +36,7 @@ class GpuScene {
     std::shared_ptr<const passes::SkyOnGpu> sky;
     passes::GroundPictureOnGpu ground;
     passes::MirrorOnGpu mirror;
-    passes::CoverOfScene cover;
+    choose::CoverOfScene cover;
     std::shared_ptr<const std::vector<scene::Plant>> plants;  // the grown scene's, which stays for them
     LightAndAir air;
 };

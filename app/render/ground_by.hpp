@@ -8,7 +8,7 @@ namespace quadrat::render {
 
 // Which triangles a land's square is drawn from; the country around it is always made of blocks.
 enum class GroundBy {
-    Blocks,  // squares at powers of two, whose vertices move from level to level (passes/blocks)
+    Blocks,  // squares at powers of two, whose vertices move from level to level (choose/blocks)
     Roam     // triangles halved where the ground is rough for its distance, as it is (mesh/roam)
 };
 

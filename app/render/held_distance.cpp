@@ -86,7 +86,7 @@ passes::DistanceWarp HeldDistance::warp(const Sight& sight, const glm::mat4& cli
     return warp;
 }
 
-std::optional<passes::DistanceWarp> HeldDistance::from_view(const View& view, const passes::ViewBlock& now,
+std::optional<passes::DistanceWarp> HeldDistance::from_view(const View& view, const choose::ViewBlock& now,
                                                             float scale) const {
     if (!can_hold(view) || sight_.scene.lock() != view.scene || sight_.viewport != view.viewport ||
         sight_.fov_deg != view.camera.vertical_fov_deg || picture_.name() == 0)
@@ -102,7 +102,7 @@ std::optional<passes::DistanceWarp> HeldDistance::from_view(const View& view, co
     return there;
 }
 
-passes::Reach HeldDistance::near() const { return {passes::Reach::Part::Near, on_map(sight_.eye_m), sight_.split_m}; }
+choose::Reach HeldDistance::near() const { return {choose::Reach::Part::Near, on_map(sight_.eye_m), sight_.split_m}; }
 
 std::optional<HeldDistances::Turn> HeldDistances::turn_of(std::size_t frame, std::size_t views) {
     const std::size_t strips = std::max(kFrames / std::max<std::size_t>(views, 1), std::size_t{1});
@@ -198,7 +198,7 @@ bool HeldDistances::begin(const Frame& frame, const Turn& turn) {
     view_.camera.eye_m += ahead * glide.eye_step_m;
     view_.camera.target_m += ahead * glide.target_step_m;
     const glm::mat4 clip_from_world = clip_from_world_of(view_);
-    const passes::ViewBlock block = block_of(view_, clip_from_world, frame.seconds);
+    const choose::ViewBlock block = block_of(view_, clip_from_world, frame.seconds);
     const glm::mat3 half{{0.5F, 0, 0}, {0, 0.5F, 0}, {0.5F, 0.5F, 1}};
     sight_ = {view.scene,
               view.viewport,
@@ -230,18 +230,18 @@ void HeldDistances::draw_in_turn(const Frame& frame, ViewPainter& painter, std::
     const auto share = [&](std::size_t strip) { return static_cast<float>(strip) / static_cast<float>(turn->strips); };
     const glm::mat4 clip_from_world = clip_from_world_of(view_);
     Selection s(strip_of(clip_from_world, {2 * share(turn->strip) - 1, 2 * share(turn->strip + 1) - 1}),
-                allowance_of(frame.detail, frame.views.size()));
+                choose::allowance_of(frame.detail, frame.views.size()));
     s.block = block_of(view_, clip_from_world, sight_.seconds);
-    s.reach = {passes::Reach::Part::Far, on_map(sight_.eye_m), sight_.split_m};
+    s.reach = {choose::Reach::Part::Far, on_map(sight_.eye_m), sight_.split_m};
     s.strip = {2 * share(turn->strip) - 1, 2 * share(turn->strip + 1) - 1};
     look(frame, view_, stock.ground, s);
     sight_.plants.push_back(s.plants);
     sight_.gatherings.push_back(s.gathering);
     sight_.other_triangles += s.other_triangles;
-    stock.cover.fill<passes::CoverInstance>(s.cover.instances);
+    stock.cover.fill<choose::CoverInstance>(s.cover.instances);
     painter.send_plants(frame, view_, *step, s, stock, drawn);
     drawn.sent_bytes +=
-        passes::kViewBlockBytes + stock.ground.sent_bytes() + s.cover.instances.size() * sizeof(passes::CoverInstance);
+        choose::kViewBlockBytes + stock.ground.sent_bytes() + s.cover.instances.size() * sizeof(choose::CoverInstance);
 
     glBindFramebuffer(GL_FRAMEBUFFER, smooth != 0 ? smooth : framebuffer);
     const auto pixel = [&](std::size_t strip) {
@@ -250,7 +250,7 @@ void HeldDistances::draw_in_turn(const Frame& frame, ViewPainter& painter, std::
     glEnable(GL_SCISSOR_TEST);
     glScissor(pixel(turn->strip), 0, pixel(turn->strip + 1) - pixel(turn->strip), size.y);
     begin_drawing({0, 0, 0, 0}, false);
-    gl::bind_uniforms(block_, passes::kViewBinding, 0, sizeof(passes::ViewBlock));
+    gl::bind_uniforms(block_, choose::kViewBinding, 0, sizeof(choose::ViewBlock));
     painter.draw(frame, view_, s, stock, {}, {0, 0, size.x, size.y}, drawn);
     const GLenum unneeded[] = {GL_DEPTH_ATTACHMENT, GL_STENCIL_ATTACHMENT};
     glInvalidateFramebuffer(GL_FRAMEBUFFER, 2, unneeded);

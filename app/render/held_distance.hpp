@@ -36,8 +36,8 @@ class HeldDistance {
         float seconds = 0;
         float light = 1;
         // As its plants were chosen, of its strips one after the other.
-        std::vector<passes::Gathering> gatherings;
-        std::vector<passes::Sight> plants;
+        std::vector<choose::Gathering> gatherings;
+        std::vector<choose::Sight> plants;
         std::size_t other_triangles = 0;
     };
 
@@ -57,8 +57,8 @@ class HeldDistance {
 
     // Where the view sees the picture. None: it is of something else, too old, too far off, or would leave
     // a corner bare. now: the view's block of this frame.
-    std::optional<passes::DistanceWarp> from_view(const View& view, const passes::ViewBlock& now, float scale) const;
-    passes::Reach near() const;
+    std::optional<passes::DistanceWarp> from_view(const View& view, const choose::ViewBlock& now, float scale) const;
+    choose::Reach near() const;
     const Sight& sight() const { return sight_; }
     const gl::Texture2D& picture() const { return picture_; }
 

@@ -22,7 +22,7 @@ std::uint32_t side_of(const std::uint32_t* triangle, std::uint32_t columns) {
 
 // Where the land is drawn by ROAM: adapts it to the eye. How much lower than the land what is drawn may lie then, for
 // each metre from the eye; blocks lie within their own bounds.
-float adapted(const passes::GridOnGpu& land, const passes::Frustum& frustum, const passes::Blocks::Wish& wish) {
+float adapted(const passes::GridOnGpu& land, const choose::Frustum& frustum, const choose::Blocks::Wish& wish) {
     if (!land.roam) return 0;
     land.roam->update({wish.eye_m, wish.pixels_per_radian, wish.error_px, wish.triangle_budget, {frustum.planes()}});
     return land.roam->error_px() / wish.pixels_per_radian;
@@ -46,18 +46,18 @@ void HeldGround::update(const View& view, const glm::mat4& clip_from_world, cons
     wish_ = wish;
     hold_.choose(view.camera);
     chosen_.clear();
-    const passes::Frustum frustum = passes::Hold::wider(strip_of(clip_from_world, wish.strip));
+    const choose::Frustum frustum = choose::Hold::wider(strip_of(clip_from_world, wish.strip));
     const CountryOnGpu& country = *view.scene->country;
-    const Allowance& allowance = wish.allowance;
+    const choose::Allowance& allowance = wish.allowance;
     grain_m_ = passes::kGrainSeen_m * wish.pixels_per_radian * allowance.grain;
     const auto within = [&](float error_px, float triangles) {
-        return passes::Blocks::Wish{
+        return choose::Blocks::Wish{
             view.camera.eye_m, wish.pixels_per_radian, error_px, static_cast<std::size_t>(triangles), grain_m_, {},
             wish.reach};
     };
-    passes::Blocks::Wish land = within(allowance.land_error_px, allowance.land_triangles);
-    passes::Blocks::Wish surround = within(allowance.surround_error_px, allowance.surround_triangles);
-    look_around(*view.scene, view.camera, passes::Hold::wider(clip_from_world),
+    choose::Blocks::Wish land = within(allowance.land_error_px, allowance.land_triangles);
+    choose::Blocks::Wish surround = within(allowance.surround_error_px, allowance.surround_triangles);
+    look_around(*view.scene, view.camera, choose::Hold::wider(clip_from_world),
                 adapted(country.land.land, frustum, land));
     land.hidden = hidden_land_;
     surround.hidden = hidden_surround_;
@@ -78,13 +78,13 @@ void HeldGround::update(const View& view, const glm::mat4& clip_from_world, cons
 }
 
 // Anew only where the last look no longer serves: it costs as much as the choice does.
-void HeldGround::look_around(const GpuScene& scene, const scene::Camera& camera, const passes::Frustum& frustum,
+void HeldGround::look_around(const GpuScene& scene, const scene::Camera& camera, const choose::Frustum& frustum,
                              float sunk) {
     constexpr float kRoom = 1.3F;  // for a step of what a budget makes of the wish
     if (sight_.serves(camera) && sunk <= sunk_) return;
     sight_.choose(camera);
     sunk_ = kRoom * sunk;
-    horizon_.begin(camera.eye_m, passes::Horizon::kMoved_m + passes::Hold::kMoved_m, sunk_);
+    horizon_.begin(camera.eye_m, choose::Horizon::kMoved_m + choose::Hold::kMoved_m, sunk_);
     const auto hidden_of = [&](const passes::GridOnGpu& grid) {
         return grid.blocks ? grid.blocks->hidden(frustum, camera.eye_m, horizon_) : std::vector<std::uint8_t>{};
     };
@@ -111,7 +111,7 @@ void HeldGround::sort_by_level(const GpuScene& scene) {
     std::vector<std::uint32_t> sorted;
     land_by_level_.clear();
     for (const auto& [step, indices] : by_step) {
-        passes::IndexRange range = land_;
+        choose::IndexRange range = land_;
         range.first = sorted.size();
         range.count = indices.size();
         range.near_count = 0;
@@ -122,19 +122,19 @@ void HeldGround::sort_by_level(const GpuScene& scene) {
     level_indices_.fill<std::uint32_t>(sorted);
 }
 
-passes::IndexRange HeldGround::choose(const passes::GridOnGpu& grid, const passes::Frustum& frustum,
-                                      const passes::Blocks::Wish& wish) {
+choose::IndexRange HeldGround::choose(const passes::GridOnGpu& grid, const choose::Frustum& frustum,
+                                      const choose::Blocks::Wish& wish) {
     if (grid.roam) return choose_by_roam(*grid.roam, frustum, wish);
     if (!grid.blocks) return {};
     const std::size_t first = chosen_.size();
-    const passes::Blocks::Selected selected = grid.blocks->select(frustum, wish, chosen_);
-    return {first, chosen_.size() - first, selected.near_indices, passes::ease_of(wish, selected.error_px)};
+    const choose::Blocks::Selected selected = grid.blocks->select(frustum, wish, chosen_);
+    return {first, chosen_.size() - first, selected.near_indices, choose::ease_of(wish, selected.error_px)};
 }
 
 // Nothing eases: each of its vertices lies where the land does. An ease of 0 puts the eye so near to all of them that
 // none has begun to leave.
-passes::IndexRange HeldGround::choose_by_roam(const mesh::Roam& roam, const passes::Frustum& frustum,
-                                              const passes::Blocks::Wish& wish) {
+choose::IndexRange HeldGround::choose_by_roam(const mesh::Roam& roam, const choose::Frustum& frustum,
+                                              const choose::Blocks::Wish& wish) {
     constexpr float kNoEase = 0;
     const std::size_t first = chosen_.size();
     roam.append_indices(frustum.planes(), chosen_);

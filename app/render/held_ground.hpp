@@ -4,12 +4,12 @@
 #include <memory>
 #include <vector>
 
-#include "render/allowance.hpp"
+#include "render/choose/allowance.hpp"
+#include "render/choose/hold.hpp"
+#include "render/choose/horizon.hpp"
 #include "render/gl/buffer.hpp"
 #include "render/gpu_scene.hpp"
 #include "render/passes/grid.hpp"
-#include "render/passes/hold.hpp"
-#include "render/passes/horizon.hpp"
 
 namespace quadrat::render {
 
@@ -18,10 +18,10 @@ namespace quadrat::render {
 class HeldGround {
   public:
     struct Wish {
-        Allowance allowance = {};
+        choose::Allowance allowance = {};
         float pixels_per_radian = 500;
         float aspect_ratio = 1;  // of the view
-        passes::Reach reach = {};
+        choose::Reach reach = {};
         glm::vec2 strip{-1, 1};  // of the view, clip x
         float growth = 1;        // of its settlement: the share of the houses that stand
         friend bool operator==(const Wish&, const Wish&) = default;
@@ -30,40 +30,40 @@ class HeldGround {
     void drop();  // nothing is drawn
 
     const gl::StreamBuffer& indices() const { return indices_; }
-    const passes::IndexRange& land() const { return land_; }
-    const passes::IndexRange& surround() const { return surround_; }
-    const passes::IndexRange& stone() const { return stone_; }
-    const passes::IndexRange& houses() const { return houses_; }
-    const passes::Horizon& horizon() const { return horizon_; }  // of land and surround
+    const choose::IndexRange& land() const { return land_; }
+    const choose::IndexRange& surround() const { return surround_; }
+    const choose::IndexRange& stone() const { return stone_; }
+    const choose::IndexRange& houses() const { return houses_; }
+    const choose::Horizon& horizon() const { return horizon_; }  // of land and surround
     float grain_m() const { return grain_m_; }                   // how far the land's grain is seen
     // The land's triangles a level, for wires: sorted by it, in the index stream of its own.
-    const std::vector<passes::IndexRange>& land_by_level() const { return land_by_level_; }
+    const std::vector<choose::IndexRange>& land_by_level() const { return land_by_level_; }
     const gl::StreamBuffer& level_indices() const { return level_indices_; }
     void sort_by_level(const GpuScene& scene);
     std::size_t triangles() const { return chosen_.size() / 3; }
     std::size_t sent_bytes() const { return sent_bytes_; }  // by the last update
 
   private:
-    passes::IndexRange choose(const passes::GridOnGpu& grid, const passes::Frustum& frustum,
-                              const passes::Blocks::Wish& wish);
-    passes::IndexRange choose_by_roam(const mesh::Roam& roam, const passes::Frustum& frustum,
-                                      const passes::Blocks::Wish& wish);
+    choose::IndexRange choose(const passes::GridOnGpu& grid, const choose::Frustum& frustum,
+                              const choose::Blocks::Wish& wish);
+    choose::IndexRange choose_by_roam(const mesh::Roam& roam, const choose::Frustum& frustum,
+                                      const choose::Blocks::Wish& wish);
 
-    void look_around(const GpuScene& scene, const scene::Camera& camera, const passes::Frustum& frustum, float sunk);
+    void look_around(const GpuScene& scene, const scene::Camera& camera, const choose::Frustum& frustum, float sunk);
 
     std::weak_ptr<const GpuScene> scene_;
     Wish wish_;
-    passes::Hold hold_;
-    passes::Hold sight_{passes::Horizon::kMoved_m, passes::Horizon::kTurned_rad};
-    passes::Horizon horizon_;
+    choose::Hold hold_;
+    choose::Hold sight_{choose::Horizon::kMoved_m, choose::Horizon::kTurned_rad};
+    choose::Horizon horizon_;
     float sunk_ = 0;  // of the horizon
     std::vector<std::uint8_t> hidden_land_, hidden_surround_;
     std::vector<std::uint32_t> chosen_;
     std::vector<std::uint32_t> farther_;  // kept for its memory only
     gl::StreamBuffer indices_{GL_ELEMENT_ARRAY_BUFFER};
     gl::StreamBuffer level_indices_{GL_ELEMENT_ARRAY_BUFFER};
-    std::vector<passes::IndexRange> land_by_level_;
-    passes::IndexRange land_, surround_, stone_, houses_;
+    std::vector<choose::IndexRange> land_by_level_;
+    choose::IndexRange land_, surround_, stone_, houses_;
     float grain_m_ = 1;
     std::size_t sent_bytes_ = 0;
 };

@@ -63,7 +63,7 @@ gl::Texture2D flat_picture(glm::ivec2 size) {
 
 const float kSkyDrawnAnew = kWider * kWider * kFineness * kFineness / HeldSky::kFrames;
 
-std::optional<glm::mat3> HeldSky::from_view(const View& view, const passes::ViewBlock& now) const {
+std::optional<glm::mat3> HeldSky::from_view(const View& view, const choose::ViewBlock& now) const {
     if (held_.scene.lock() != view.scene || held_.viewport != view.viewport ||
         held_.fov_deg != view.camera.vertical_fov_deg)
         return std::nullopt;
@@ -98,8 +98,8 @@ gl::Work HeldSky::Canvas::draw(const View& view, float seconds, const passes::Sk
     const auto drawing = target_.onto(picture_);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);  // a tiler need not fetch what was there
-    gl::bind_uniforms(block_, passes::kViewBinding, 0, sizeof(passes::ViewBlock));
-    return sky.draw_dome(*view.scene->sky, passes::Frustum(clip_from_world), view.camera.eye_m);
+    gl::bind_uniforms(block_, choose::kViewBinding, 0, sizeof(choose::ViewBlock));
+    return sky.draw_dome(*view.scene->sky, choose::Frustum(clip_from_world), view.camera.eye_m);
 }
 
 void HeldSky::take(const Canvas& canvas) {

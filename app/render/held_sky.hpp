@@ -4,10 +4,10 @@
 #include <memory>
 #include <optional>
 
+#include "render/choose/view_block.hpp"
 #include "render/gl/buffer.hpp"
 #include "render/gl/texture_target.hpp"
 #include "render/passes/sky.hpp"
-#include "render/passes/view_block.hpp"
 #include "render/renderer.hpp"
 
 namespace quadrat::render {
@@ -26,12 +26,12 @@ class HeldSky {
         std::weak_ptr<const GpuScene> scene;
         Rect viewport;
         float fov_deg = 0;
-        passes::ViewBlock block;
+        choose::ViewBlock block;
     };
 
     // From the view's clip xy and 1 to coordinates of picture(), times depth. now: the view's block of this frame.
     // None: what is held would leave a corner of the view bare, or is of another scene, or too old for its dome.
-    std::optional<glm::mat3> from_view(const View& view, const passes::ViewBlock& now) const;
+    std::optional<glm::mat3> from_view(const View& view, const choose::ViewBlock& now) const;
 
     // Where the skies of all views are drawn, one at a time: what they show is a copy.
     class Canvas {
@@ -51,7 +51,7 @@ class HeldSky {
 
     const gl::Texture2D& picture() const { return picture_; }
     // Of its light, where the view has been dimmed since.
-    float kept(const passes::ViewBlock& now) const { return now.to_sun.w / held_.block.to_sun.w; }
+    float kept(const choose::ViewBlock& now) const { return now.to_sun.w / held_.block.to_sun.w; }
 
   private:
     Sight held_;

@@ -94,9 +94,9 @@ struct Renderer::Parts {
 };
 
 void Renderer::Parts::fill(const std::vector<Selection>& selections) {
-    std::vector<std::byte> bytes(selections.size() * passes::kViewBlockBytes);
+    std::vector<std::byte> bytes(selections.size() * choose::kViewBlockBytes);
     for (std::size_t i = 0; i < selections.size(); ++i)
-        std::memcpy(bytes.data() + i * passes::kViewBlockBytes, &selections[i].block, sizeof(passes::ViewBlock));
+        std::memcpy(bytes.data() + i * choose::kViewBlockBytes, &selections[i].block, sizeof(choose::ViewBlock));
     blocks.fill<std::byte>(bytes);
 }
 
@@ -106,9 +106,9 @@ void Renderer::Parts::look_at_all(const Frame& frame, std::vector<Selection>& se
     for (std::size_t i = 0; i < frame.views.size(); ++i) {
         Selection& s = selections[i];
         look(frame, frame.views[i], stocks[i].ground, s);
-        stocks[i].cover.fill<passes::CoverInstance>(s.cover.instances);
-        drawn.sent_bytes += passes::kViewBlockBytes + stocks[i].ground.sent_bytes() +
-                            s.cover.instances.size() * sizeof(passes::CoverInstance);
+        stocks[i].cover.fill<choose::CoverInstance>(s.cover.instances);
+        drawn.sent_bytes += choose::kViewBlockBytes + stocks[i].ground.sent_bytes() +
+                            s.cover.instances.size() * sizeof(choose::CoverInstance);
         if (!s.held_distance) continue;
         const HeldDistance::Sight& sight = distances.of(i).sight();
         held.others += sight.other_triangles;
@@ -117,7 +117,7 @@ void Renderer::Parts::look_at_all(const Frame& frame, std::vector<Selection>& se
             held.plants.push_back({frame.views[i].scene->flora->kinds, &sight.gatherings[strip], &sight.plants[strip]});
     }
     // A part is drawn as closely as in the whole before it.
-    if (draws_plants(frame) && (frame.measured.part == passes::Reach::Part::Whole || !step))
+    if (draws_plants(frame) && (frame.measured.part == choose::Reach::Part::Whole || !step))
         step = affordable_step(frame, selections, std::move(held), step);
 }
 
@@ -160,7 +160,7 @@ void Renderer::Parts::draw_views(const Frame& frame, std::vector<Selection>& sel
     const auto draw_one = [&](std::size_t i, Drawn& to) {
         const Rect place = scaled(on_panel(frame.views[i].viewport, frame.size, frame.hanging), scale);
         glScissor(place.x, place.y, place.width, place.height);
-        gl::bind_uniforms(blocks, passes::kViewBinding, i * passes::kViewBlockBytes, passes::kViewBlockBytes);
+        gl::bind_uniforms(blocks, choose::kViewBinding, i * choose::kViewBlockBytes, choose::kViewBlockBytes);
         ViewPainter::Held held;
         if (selections[i].held_sky_from_view) held.sky = &skies[i];
         if (selections[i].held_distance) held.distance = &distances.of(i).picture();
@@ -252,7 +252,7 @@ Drawn Renderer::draw(const Frame& frame) {
     std::vector<Selection> selections;
     for (std::size_t slot = 0; slot < frame.views.size(); ++slot) selections.push_back(outline(frame, slot));
     Drawn drawn;
-    gl::Work& skies = drawn.of[static_cast<std::size_t>(Kind::Sky)];
+    gl::Work& skies = drawn.of[static_cast<std::size_t>(DrawnKind::Sky)];
     if (++parts.frames == 2 && parts.is_on_processor)
         parts.threads = gl::RasteriserThreads::of_this_process("llvmpipe-");
     const bool holds_skies =

@@ -12,22 +12,17 @@
 #include <vector>
 
 #include "mesh/image.hpp"
+#include "render/choose/allowance.hpp"
+#include "render/choose/reach.hpp"
 #include "render/gl/work.hpp"
 #include "render/ground_by.hpp"
 #include "render/hanging.hpp"
-#include "render/passes/reach.hpp"
 #include "scene/scene.hpp"
 
 // Draws on the context that is current on the calling thread. Everything here belongs to that thread.
 namespace quadrat::render {
 
-// How finely to draw. alpha is the one knob of speed against quality (D = alpha E^beta, "Genetic selection of
-// parametric scenes" 2003, section 6.2): 1 is the standard, 0.25 coarse, 4 as fine as there is.
-struct Detail {
-    float alpha = 1;
-    float scale = 1;  // of each side of the views, 0.25 to 1, drawn smaller and spread; signs stay sharp
-    int samples = 1;  // a pixel, 1 or 4: edges are smooth. Not where views are drawn smaller, nor where a GPU has none
-};
+using choose::Detail;
 
 class GpuScene;  // a scene's buffers and textures; freed on the context's thread
 
@@ -74,7 +69,7 @@ struct Measured {
     bool water = true;
     bool sky = true;          // and what falls from it
     bool is_counted = false;  // plants and ground leave their picture out and add 1 to alpha for every pixel shaded
-    passes::Reach::Part part = passes::Reach::Part::Whole;  // of each view, split about its eye
+    choose::Reach::Part part = choose::Reach::Part::Whole;  // of each view, split about its eye
     float split_m = 0;
     friend bool operator==(const Measured&, const Measured&) = default;
 };
@@ -101,12 +96,12 @@ struct Frame {
 };
 
 // What a frame asked of the GPU, signs left out.
-enum class Kind : std::size_t { Leaves, Wood, Cover, Ground, Water, Sky, Falling };
-inline constexpr std::size_t kKinds = 7;
+enum class DrawnKind : std::size_t { Leaves, Wood, Cover, Ground, Water, Sky, Falling };
+inline constexpr std::size_t kDrawnKinds = 7;
 
 struct Drawn {
-    std::array<gl::Work, kKinds> of{};  // a Kind
-    std::size_t triangles = 0;          // of all
+    std::array<gl::Work, kDrawnKinds> of{};  // a DrawnKind
+    std::size_t triangles = 0;               // of all
     std::size_t draws = 0;
     std::size_t sent_bytes = 0;  // that are new every frame: instances, indices, views
     std::size_t objects = 0;     // buffers, textures, programs that there are

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "render/choose/falling.hpp"
 #include "render/gpu_scene.hpp"
-#include "render/passes/falling.hpp"
 #include "render/view.hpp"
 
 namespace quadrat::render {
@@ -42,7 +42,7 @@ bool draws_plants(const Frame& frame) { return frame.measured.leaves || frame.me
 Selection outline(const Frame& frame, std::size_t slot) {
     const View& view = frame.views[slot];
     const glm::mat4 clip_from_world = clip_from_world_of(view);
-    Selection s(clip_from_world, allowance_of(frame.detail, frame.views.size()));
+    Selection s(clip_from_world, choose::allowance_of(frame.detail, frame.views.size()));
     s.block = block_of(view, turned(clip_from_world, frame.hanging), frame.seconds);
     s.reach = {frame.measured.part, {view.camera.eye_m.x, view.camera.eye_m.z}, frame.measured.split_m};
     return s;
@@ -62,7 +62,7 @@ void look(const Frame& frame, const View& view, HeldGround& held, Selection& s) 
         s.cover_wish = {
             &s.block, &scene.sky->shadow_map, scale, s.allowance.cover_whole, s.allowance.cover_reach, view.growth,
             s.reach};
-        s.cover = passes::look_at_cover(scene.cover, s.frustum, s.cover_wish);
+        s.cover = choose::look_at_cover(scene.cover, s.frustum, s.cover_wish);
     }
     if (!draws_plants(frame)) return;
 
@@ -75,27 +75,27 @@ void look(const Frame& frame, const View& view, HeldGround& held, Selection& s) 
     s.gathering.fineness = s.allowance.plant_fineness;
     s.gathering.horizon = &held.horizon();
     s.gathering.reach = s.reach;
-    s.plants = passes::look(*scene.plants, scene.flora->kinds, s.frustum, s.gathering);
+    s.plants = choose::look(*scene.plants, scene.flora->kinds, s.frustum, s.gathering);
     s.other_triangles = held.triangles() + s.cover.triangles +
-                        (frame.measured.sky && s.reach.part != passes::Reach::Part::Far
-                             ? passes::FallingPass::triangles(scene.air.sky.precipitation, s.allowance.drops)
+                        (frame.measured.sky && s.reach.part != choose::Reach::Part::Far
+                             ? 2 * choose::drops_of(scene.air.sky.precipitation, s.allowance.drops)
                              : 0);
 }
 
 int affordable_step(const Frame& frame, const std::vector<Selection>& selections, HeldTriangles held,
                     std::optional<int> before) {
-    std::vector<passes::Crowding> views = std::move(held.plants);
-    for (passes::Crowding& view : views) view.share = kHeldShare;
+    std::vector<choose::Crowding> views = std::move(held.plants);
+    for (choose::Crowding& view : views) view.share = kHeldShare;
     auto others = static_cast<std::size_t>(kHeldShare * static_cast<float>(held.others));
     for (std::size_t i = 0; i < selections.size(); ++i) {
         const Selection& s = selections[i];
         views.push_back({frame.views[i].scene->flora->kinds, &s.gathering, &s.plants});
         others += s.other_triangles;
     }
-    const Allowance allowance = allowance_of(frame.detail, frame.views.size());
+    const choose::Allowance allowance = choose::allowance_of(frame.detail, frame.views.size());
     const auto budget = static_cast<std::size_t>(allowance.triangles);
     const auto fewest = static_cast<std::size_t>(allowance.fewest_plant_triangles);
-    return passes::affordable_step(views, std::max(budget, others + fewest) - others, before);
+    return choose::affordable_step(views, std::max(budget, others + fewest) - others, before);
 }
 
 }  // namespace quadrat::render

@@ -6,13 +6,13 @@
 #include <optional>
 #include <vector>
 
-#include "render/allowance.hpp"
+#include "render/choose/allowance.hpp"
+#include "render/choose/crowd.hpp"
+#include "render/choose/frustum.hpp"
+#include "render/choose/view_block.hpp"
 #include "render/held_ground.hpp"
 #include "render/passes/cover.hpp"
-#include "render/passes/crowd.hpp"
 #include "render/passes/distance.hpp"
-#include "render/passes/frustum.hpp"
-#include "render/passes/view_block.hpp"
 #include "render/renderer.hpp"
 
 // What is drawn of each view, before any of it is.
@@ -23,20 +23,20 @@ bool draws_plants(const Frame& frame);
 
 // One view's share of the frame.
 struct Selection {
-    Selection(const glm::mat4& clip_from_world, const Allowance& allowed)
+    Selection(const glm::mat4& clip_from_world, const choose::Allowance& allowed)
         : frustum(clip_from_world), allowance(allowed) {}
 
-    passes::Frustum frustum;
-    Allowance allowance;
-    passes::Reach reach;
+    choose::Frustum frustum;
+    choose::Allowance allowance;
+    choose::Reach reach;
     glm::vec2 strip{-1, 1};  // of the view, clip x
-    passes::ViewBlock block;
-    passes::Gathering gathering;
-    passes::Sight plants;
+    choose::ViewBlock block;
+    choose::Gathering gathering;
+    choose::Sight plants;
     std::size_t other_triangles = 0;  // than those of plants
-    std::vector<passes::Batch> batches;
-    passes::CoverWish cover_wish;
-    passes::CoverSeen cover;
+    std::vector<choose::Batch> batches;
+    choose::CoverWish cover_wish;
+    choose::CoverSeen cover;
     std::optional<glm::mat3> held_sky_from_view;        // where the sky is a picture of some frames ago
     std::optional<passes::DistanceWarp> held_distance;  // where all is that the reach leaves out
 };
@@ -46,7 +46,7 @@ Selection outline(const Frame& frame, std::size_t slot);
 void look(const Frame& frame, const View& view, HeldGround& held, Selection& selection);
 // What the views show as it was held.
 struct HeldTriangles {
-    std::vector<passes::Crowding> plants;
+    std::vector<choose::Crowding> plants;
     std::size_t others = 0;
 };
 // All views' plants are drawn with one fineness: a forest has more of the frame's triangles than a desert. before: of

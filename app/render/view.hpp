@@ -4,13 +4,13 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
-#include "render/passes/view_block.hpp"
+#include "render/choose/view_block.hpp"
 #include "render/renderer.hpp"
 
 namespace quadrat::render {
 
 // The view's uniform block at this time.
-passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, float seconds);
+choose::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, float seconds);
 
 float aspect_ratio(const View& view);
 

@@ -26,7 +26,7 @@ float kept(float dim) { return 1 - 0.68F * glm::clamp(dim, 0.0F, 1.0F); }
 // Of a bright cloud's colour no more is shown than fits beside it.
 glm::vec3 shown(const glm::vec3& light, float left) { return encode(passes::held(light) * left); }
 
-void set_clouds(passes::ViewBlock& b, const View& view, float left, float seconds) {
+void set_clouds(choose::ViewBlock& b, const View& view, float left, float seconds) {
     const scene::Sky& sky = view.scene->air.sky;
     const auto& layers = sky.clouds;
     const glm::vec3 shaded = shown(layers[0].shaded, left);
@@ -56,7 +56,7 @@ void set_clouds(passes::ViewBlock& b, const View& view, float left, float second
     b.shadow_place = {glm::fract(scene::tile_at(layers[0], over_middle)), scene::tile_at(layers[0], run)};
 }
 
-void set_water(passes::ViewBlock& b, const LightAndAir& air, float left) {
+void set_water(choose::ViewBlock& b, const LightAndAir& air, float left) {
     const glm::vec3 shallow = encode(air.shallow_water * left);
     b.shallow_water = {shallow, scene::colour_seen(air.sky.darkness)};
     b.deepening = {encode(air.deep_water * left) - shallow, 0};
@@ -104,11 +104,11 @@ LightAndAir light_and_air_of(const scene::Scene& scene) {
     return a;
 }
 
-passes::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, float seconds) {
+choose::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, float seconds) {
     const LightAndAir& air = view.scene->air;
     const scene::Sky& sky = air.sky;
     const float left = kept(view.dim) * air.exposure;
-    passes::ViewBlock b;
+    choose::ViewBlock b;
     b.clip_from_world = clip_from_world;
     b.eye_seconds = {view.camera.eye_m, seconds};
     const float kept_shown = std::pow(left, 0.45F);

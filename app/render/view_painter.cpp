@@ -16,7 +16,7 @@
 namespace quadrat::render {
 namespace {
 
-gl::Work& of(Drawn& drawn, Kind kind) { return drawn.of[static_cast<std::size_t>(kind)]; }
+gl::Work& of(Drawn& drawn, DrawnKind kind) { return drawn.of[static_cast<std::size_t>(kind)]; }
 
 }  // namespace
 
@@ -35,14 +35,14 @@ void ViewPainter::send_plants(const Frame& frame, const View& view, int step, Se
     if (!draws_plants(frame)) return;
     const GpuScene& scene = *view.scene;
     view_instances_.clear();
-    passes::Crowd crowd =
-        passes::gather(*scene.plants, scene.flora->kinds, std::move(s.plants), step, s.gathering, view_instances_);
+    choose::Crowd crowd =
+        choose::gather(*scene.plants, scene.flora->kinds, std::move(s.plants), step, s.gathering, view_instances_);
     s.batches = std::move(crowd.batches);
-    std::erase_if(s.batches, [&](const passes::Batch& batch) {
-        return batch.part == passes::Batch::Part::Wood ? !frame.measured.wood : !frame.measured.leaves;
+    std::erase_if(s.batches, [&](const choose::Batch& batch) {
+        return batch.part == choose::Batch::Part::Wood ? !frame.measured.wood : !frame.measured.leaves;
     });
-    stock.instances.fill<passes::Instance>(view_instances_);
-    drawn.sent_bytes += view_instances_.size() * sizeof(passes::Instance);
+    stock.instances.fill<choose::Instance>(view_instances_);
+    drawn.sent_bytes += view_instances_.size() * sizeof(choose::Instance);
 }
 
 void ViewPainter::draw(const Frame& frame, const View& view, const Selection& selection, const Stock& stock,
@@ -60,17 +60,17 @@ void ViewPainter::draw(const Frame& frame, const View& view, const Selection& se
     if (what.sky && !gl::Wires::are_on()) draw_sky(view, selection, held, place, drawn);
     marks.reset();
     if (what.sky && !gl::Wires::are_on())
-        of(drawn, Kind::Falling) += smoke_.draw(view.scene->country->smoke, view.scene->air.sky.clouds[0].wind_m_s,
-                                                view.growth, selection.reach);
-    if (what.sky && !gl::Wires::are_on() && selection.reach.part != passes::Reach::Part::Far)
-        of(drawn, Kind::Falling) += falling_.draw(view.scene->air.sky.precipitation, selection.block,
-                                                  pixels_per_radian(view), selection.allowance.drops);
+        of(drawn, DrawnKind::Falling) += smoke_.draw(view.scene->country->smoke, view.scene->air.sky.clouds[0].wind_m_s,
+                                                     view.growth, selection.reach);
+    if (what.sky && !gl::Wires::are_on() && selection.reach.part != choose::Reach::Part::Far)
+        of(drawn, DrawnKind::Falling) += falling_.draw(view.scene->air.sky.precipitation, selection.block,
+                                                       pixels_per_radian(view), selection.allowance.drops);
 }
 
 void ViewPainter::draw_plants(const View& view, const Selection& selection, const Stock& stock, Drawn& drawn) const {
     const passes::PlantsPass::Drawn trees = plants_.draw(*view.scene->flora, selection.batches, stock.instances);
-    of(drawn, Kind::Leaves) += trees.leaves;
-    of(drawn, Kind::Wood) += trees.wood;
+    of(drawn, DrawnKind::Leaves) += trees.leaves;
+    of(drawn, DrawnKind::Wood) += trees.wood;
 }
 
 void ViewPainter::draw_ground(const View& view, const Selection& selection, const Stock& stock, Drawn& drawn) const {
@@ -78,12 +78,12 @@ void ViewPainter::draw_ground(const View& view, const Selection& selection, cons
     const CountryOnGpu& country = *scene.country;
     const HeldGround& held = stock.ground;
     gl::bind_uniforms(scene.sky->shadow, passes::kShadowBinding);
-    of(drawn, Kind::Cover) += cover_.draw(scene.cover, selection.cover, stock.cover);
-    gl::Work& work = of(drawn, Kind::Ground);
+    of(drawn, DrawnKind::Cover) += cover_.draw(scene.cover, selection.cover, stock.cover);
+    gl::Work& work = of(drawn, DrawnKind::Ground);
     work += houses_.draw(country.houses, held.indices(), held.houses());
     work += stone_.draw(country.stone, scene.ground, held.indices(), held.stone());
     if (gl::Wires::are_on()) {
-        for (const passes::IndexRange& level : held.land_by_level())
+        for (const choose::IndexRange& level : held.land_by_level())
             work += ground_.draw(country.land, scene.ground, held.level_indices(), level, held.grain_m());
     } else {
         work += ground_.draw(country.land, scene.ground, held.indices(), held.land(), held.grain_m());
@@ -95,10 +95,10 @@ void ViewPainter::draw_water(const Frame& frame, const View& view, const Selecti
     const GpuScene& scene = *view.scene;
     const CountryOnGpu& country = *scene.country;
     const glm::vec3 eye_m = view.camera.eye_m;
-    gl::Work& work = of(drawn, Kind::Water);
+    gl::Work& work = of(drawn, DrawnKind::Water);
     // As many pixels as the lines of a finer or smaller picture ask for.
     const float nearness = selection.allowance.water_nearness * scale_of(frame) * pixels_per_radian(view) /
-                           passes::WaterLevels::kPixelsPerRadian;
+                           choose::WaterLevels::kPixelsPerRadian;
     work += water_.draw_fresh(country.fresh_water, *scene.ground.lit, scene.mirror,
                               country.fresh_water.levels.seen(selection.frustum, eye_m, nearness, selection.reach));
     // The sea after it: where a river's mouth lies over the sea, one of them is seen.
@@ -110,14 +110,14 @@ void ViewPainter::draw_water(const Frame& frame, const View& view, const Selecti
 void ViewPainter::draw_sky(const View& view, const Selection& selection, const Held& held, const Rect& place,
                            Drawn& drawn) const {
     const GpuScene& scene = *view.scene;
-    gl::Work& work = of(drawn, Kind::Sky);
+    gl::Work& work = of(drawn, DrawnKind::Sky);
     if (selection.held_distance) {
         work += distance_.draw(*held.distance, held.sky->picture(), *selection.held_distance);
         return;
     }
     if (selection.held_sky_from_view)
         work += sky_.draw_held(held.sky->picture(), *selection.held_sky_from_view, held.sky->kept(selection.block));
-    else if (selection.reach.part != passes::Reach::Part::Far)
+    else if (selection.reach.part != choose::Reach::Part::Far)
         work += sky_.draw_dome(*scene.sky, selection.frustum, view.camera.eye_m);
     work += sky_.draw_lights(*scene.sky, place.height, selection.allowance.stars);
 }

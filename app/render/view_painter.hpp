@@ -66,7 +66,7 @@ class ViewPainter {
     passes::SkyPass sky_;
     passes::DistancePass distance_;
     passes::FallingPass falling_;
-    std::vector<passes::Instance> view_instances_;  // kept from view to view for its memory only
+    std::vector<choose::Instance> view_instances_;  // kept from view to view for its memory only
 };
 
 }  // namespace quadrat::render

@@ -55,9 +55,7 @@ HouseFrame::HouseFrame(const Building& building, const House& house)
       sin_(std::sin(house.yaw_rad)) {}
 
 float HouseFrame::away_m(glm::vec2 at_m) const {
-    const glm::vec2 d = at_m - foot_m_;
-    const glm::vec2 local{cos_ * d.x - sin_ * d.y, sin_ * d.x + cos_ * d.y};
-    return glm::length(glm::max(glm::abs(local) - half_m_, glm::vec2{0}));
+    return glm::length(glm::max(glm::abs(in_house_m(at_m)) - half_m_, glm::vec2{0}));
 }
 
 float to_house_m(const Building& building, const House& house, glm::vec2 at_m) {
@@ -69,8 +67,6 @@ Settlement Settlement::without_masses() const {
     for (const Building& building : buildings)
         bare.buildings.push_back({{}, building.half_m, building.height_m, building.chimneys_m});
     bare.houses = houses;
-    bare.fields = fields;
-    bare.gardens = gardens;
     bare.lit_share = lit_share;
     return bare;
 }

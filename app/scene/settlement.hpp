@@ -74,6 +74,8 @@ struct FieldPlot {
     glm::vec3 colour{0.5F};  // sRGB
     float rows = 0;          // how much they show, 0 to 1
     bool has_hedge = false;
+
+    friend bool operator==(const FieldPlot&, const FieldPlot&) = default;
 };
 
 inline constexpr float kStainsTile_m = 4;
@@ -91,7 +93,7 @@ struct Settlement {
     std::shared_ptr<const mesh::Image> stains;
 
     bool is_empty() const { return houses.empty(); }
-    Settlement without_masses() const;  // of its buildings; nor bounds: where everything stands
+    Settlement without_masses() const;  // its houses where they stand: neither bounds nor what is planted
     std::size_t triangles() const;      // of the finest level of all
 };
 
@@ -106,6 +108,11 @@ class HouseFrame {
   public:
     HouseFrame(const Building& building, const House& house);
     float away_m(glm::vec2 at_m) const;  // from its walls; 0 within them
+    // A place from its foot, and a direction, on the map and in its own directions.
+    glm::vec2 in_house_m(glm::vec2 at_m) const { return in_house(at_m - foot_m_); }
+    glm::vec2 in_house(glm::vec2 direction) const {
+        return {cos_ * direction.x - sin_ * direction.y, sin_ * direction.x + cos_ * direction.y};
+    }
 
   private:
     glm::vec2 foot_m_, half_m_;

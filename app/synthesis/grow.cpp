@@ -15,6 +15,7 @@
 #include "synthesis/compose/settlers.hpp"
 #include "synthesis/compose/sward.hpp"
 #include "synthesis/compose/track.hpp"
+#include "synthesis/compose/view_merit.hpp"
 #include "synthesis/land/country.hpp"
 #include "synthesis/sky/firmament.hpp"
 #include "synthesis/trees/flora.hpp"
@@ -49,8 +50,9 @@ scene::Land grow_land(const scene::LandParameters& parameters, base::Seed seed, 
 scene::Sky grow_sky(const scene::SkyParameters& parameters, base::Seed seed) { return sky::make_sky(parameters, seed); }
 
 Layout lay_out(const scene::Flora& flora, const scene::Land& land, base::Seed planting, base::Seed flight) {
-    const FlightPlan plan = fitted_to(land, plan_flight(flight));
-    scene::Track track = fly(plan, land, flight);
+    const Lookout lookout(land);
+    const FlightPlan plan = fitted_to(lookout, plan_flight(flight));
+    scene::Track track = fly(plan, lookout, flight);
     std::vector<scene::Plant> plants = plant_land(land, flora, plan, track, planting);
     return {std::move(track), std::move(plants), lay_sward(land, flora, plan, planting.child("sward")),
             openness_of(land)};

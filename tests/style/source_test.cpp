@@ -94,7 +94,7 @@ TEST(Source, TheAllowanceAloneHasCurvesOfAlpha) {
     std::set<std::string> with_curves;
     for (const auto& file : source_files({"app/render"}, {".hpp", ".cpp"}))
         if (std::regex_search(file.text, curve)) with_curves.insert(file.path);
-    EXPECT_EQ(with_curves, std::set<std::string>{"app/render/allowance.cpp"});
+    EXPECT_EQ(with_curves, std::set<std::string>{"app/render/choose/allowance.cpp"});
 }
 
 TEST(Source, TheMainFunctionStaysSmall) {

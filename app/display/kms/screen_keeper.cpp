@@ -57,19 +57,19 @@ void ScreenKeeper::feed(ScreenEvent event) {
 }
 
 void ScreenKeeper::perform(const ScreenAction& wanted) {
-    std::visit(Overloaded{[this](const action::Probe&) { feed(event::Probed{hardware_.probe()}); },
-                          [this](const action::Glance&) {
-                              if (const auto moved = hardware_.glance()) feed(*moved);
-                          },
-                          [this](const action::Disable&) { hardware_.disable(); },
-                          [this](const action::Modeset& modeset) {
-                              feed(event::ModesetEnded{hardware_.modeset(modeset.rung)});
-                          },
-                          [this](const action::CloseCard&) { hardware_.close_card(); },
-                          [](const action::Say& say) {
-                              base::log::log(say.is_warning ? spdlog::level::warn : spdlog::level::info, say.text);
-                          }},
-               wanted);
+    std::visit(
+        Overloaded{
+            [this](const action::Probe&) { feed(event::Probed{hardware_.probe()}); },
+            [this](const action::Glance&) {
+                if (const auto moved = hardware_.glance()) feed(*moved);
+            },
+            [this](const action::Disable&) { hardware_.disable(); },
+            [this](const action::Modeset& modeset) { feed(event::ModesetEnded{hardware_.modeset(modeset.rung)}); },
+            [this](const action::CloseCard&) { hardware_.close_card(); },
+            [](const action::Say& say) {
+                base::log::write(say.is_warning ? base::log::Level::Warning : base::log::Level::Info, say.text);
+            }},
+        wanted);
 }
 
 void ScreenKeeper::take_news(Instant at_most) {

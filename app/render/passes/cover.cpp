@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "base/seed.hpp"
+#include "render/choose/air.hpp"
 #include "render/gl/wires.hpp"
-#include "render/passes/air.hpp"
 #include "render/passes/cloud_shadow.hpp"
 #include "render/passes/encode.hpp"
 #include "render/passes/packing.hpp"
@@ -22,9 +22,11 @@ namespace {
 
 constexpr float kTurn_rad = 6.2831853F;
 constexpr float kGoldenAngle_rad = 2.3999632F;
-constexpr float kWhole_m = 4.4F;  // to this distance, in a quarter of a screen of 1080 lines, all blades are drawn
-constexpr float kUsual_px = 703;  // pixels per radian there
-constexpr float kGust = 0.22F;    // of a blade's height, at most
+constexpr float kGust = 0.22F;  // of a blade's height, at most
+
+constexpr const choose::CoverParts& parts_of(scene::CoverKind kind) {
+    return choose::kCoverParts[static_cast<std::size_t>(kind)];
+}
 
 struct CoverVertex {
     glm::vec3 at;
@@ -77,8 +79,8 @@ glm::vec2 any_way(base::RandomStream& random) {
 }
 
 // Three blades side by side that share their feet: seven vertices instead of nine.
-constexpr int kGrassRows = 12;
-constexpr int kBladesARow = 3;
+constexpr int kGrassRows = parts_of(scene::CoverKind::Grass).count;
+constexpr int kBladesARow = parts_of(scene::CoverKind::Grass).triangles;
 void add_grass(CoverMesh& to) {
     Tufts tufts(0x67'72'61'73, kGrassRows, to);
     for (int row = 0; row < kGrassRows; ++row) {
@@ -103,7 +105,7 @@ void add_grass(CoverMesh& to) {
     }
 }
 
-constexpr int kCushionLeaves = 26;
+constexpr int kCushionLeaves = parts_of(scene::CoverKind::Cushion).count;
 void add_cushion(CoverMesh& to) {
     Tufts tufts(0x63'75'73'68, kCushionLeaves, to);
     for (int i = 0; i < kCushionLeaves; ++i) {
@@ -124,8 +126,7 @@ void add_cushion(CoverMesh& to) {
 }
 
 // Stems, each with a head of two triangles.
-constexpr int kStems = 12;
-constexpr int kTrianglesAStem = 3;
+constexpr int kStems = parts_of(scene::CoverKind::Flower).count;
 void add_flowers(CoverMesh& to) {
     Tufts tufts(0x66'6C'6F'77, kStems, to);
     for (int i = 0; i < kStems; ++i) {
@@ -153,9 +154,9 @@ void add_flowers(CoverMesh& to) {
 }
 
 // A stone of five sides under a tilted top of three facets, and a small one beside it.
-constexpr int kStones = 2;
+constexpr int kStones = parts_of(scene::CoverKind::Stone).count;
 constexpr int kSides = 5;
-constexpr int kFacets = 2 * kSides + kSides - 2;
+static_assert(2 * kSides + kSides - 2 == parts_of(scene::CoverKind::Stone).triangles);
 void add_stones(CoverMesh& to) {
     Tufts tufts(0x73'74'6F'6E, kStones, to);
     constexpr std::array<glm::vec3, kStones> kPlaces{{{0, 0, 1}, {1.7F, 0.9F, 0.48F}}};  // across, along, size
@@ -195,18 +196,7 @@ void add_stones(CoverMesh& to) {
     }
 }
 
-// A kind's parts, of which a prefix stands for all.
-struct Parts {
-    int count;
-    int triangles;  // of each
-    int vertices;
-};
-constexpr std::array<Parts, scene::kCoverKinds> kParts{{{kGrassRows, kBladesARow, 2 * kBladesARow + 1},
-                                                        {kCushionLeaves, 1, 3},
-                                                        {kStems, kTrianglesAStem, 7},
-                                                        {kStones, kFacets, 3 * kFacets}}};
-
-CoverTuft kept(const scene::Tuft& tuft) {
+choose::CoverTuft kept(const scene::Tuft& tuft) {
     const glm::vec3 shown = encode(tuft.sent);
     return {tuft.root_m,
             tuft.radius_m * glm::vec2{std::cos(tuft.yaw_rad), std::sin(tuft.yaw_rad)},
@@ -214,61 +204,9 @@ CoverTuft kept(const scene::Tuft& tuft) {
             {unsigned_byte(shown.r), unsigned_byte(shown.g), unsigned_byte(shown.b), unsigned_byte(encode(tuft.lit))}};
 }
 
-// Of a wave of turns of 2 pi: near enough to a sine, for what sways.
-float wave(float turns) {
-    const float t = turns - std::floor(turns) - 0.5F;
-    return 8 * t * (1 - 2 * std::abs(t));
-}
-
-// Gusts travel over the land, with eddies in them.
-float gust_at(const glm::vec3& at_m, float seconds) {
-    const float turns = 0.30F * seconds - 0.037F * at_m.x - 0.027F * at_m.z;
-    return (wave(turns) + 0.6F * wave(2.3F * turns + 0.31F * at_m.x)) / 1.6F;
-}
-
-float nearest_m(const scene::Sward::Cell& cell, const glm::vec3& eye_m) {
-    return glm::distance(eye_m, glm::clamp(eye_m, cell.low_m, cell.high_m));
-}
-
-float whole_m(const CoverWish& wish) { return kWhole_m * wish.pixels_per_radian / kUsual_px * wish.whole; }
-
-// To where the shader draws it in.
-float reach_m(const CoverOfScene& cover, const CoverWish& wish) { return cover.reach_m * wish.drawn_to; }
-
-// Of a tuft's blades, those that are drawn.
-float share_at(float distance, float whole) {
-    const float share = std::min(whole / std::max(distance, 1e-3F), 1.0F);
-    return share * std::sqrt(share);
-}
-
-// In this view, through its air and under its clouds.
-CoverInstance seen(const CoverTuft& tuft, const CoverWish& wish, float whole, float ends_m, float grown) {
-    const glm::vec4 haze = haze_at(*wish.view, tuft.root_m);
-    const float clouds = wish.clouds ? cloud_light_at(*wish.view, *wish.clouds, tuft.root_m) : 1;
-    const float clear = wish.view->sunlight.w * (1 - haze.a) * clouds;
-    const float distance_m = glm::distance(tuft.root_m, wish.eye_m());
-    const float ending = std::clamp(3.2F - 3.2F * distance_m / ends_m, 0.0F, 1.0F);
-    const float widened = 1 / std::sqrt(std::max(share_at(distance_m, whole), 1e-4F));
-    CoverInstance instance{tuft.root_m,
-                           {glm::packHalf1x16(tuft.turn_m.x), glm::packHalf1x16(tuft.turn_m.y),
-                            glm::packHalf1x16(tuft.height_m * ending * grown), glm::packHalf1x16(widened)},
-                           tuft.ground_lit,
-                           {}};
-    for (std::uint8_t& byte : instance.ground_lit)
-        byte = static_cast<std::uint8_t>(std::min(static_cast<float>(byte) * clear + 0.5F, 255.0F));
-    for (int c = 0; c < 3; ++c) instance.veil_gust[static_cast<std::size_t>(c)] = unsigned_byte(haze[c] * haze.a);
-    instance.veil_gust[3] = unsigned_byte(0.5F + 0.5F * gust_at(tuft.root_m, wish.view->eye_seconds.w));
-    return instance;
-}
-
-// Shares are grouped by half powers of two, so that few batches serve all.
-constexpr int kBuckets = 9;
-int bucket_of(float share) { return std::clamp(static_cast<int>(std::floor(-2 * std::log2(share))), 0, kBuckets - 1); }
-float share_of(int bucket) { return std::exp2(-0.5F * static_cast<float>(bucket)); }
-
 }  // namespace
 
-void add_cover(gl::Slices& slices, CoverOfScene& cover, const std::shared_ptr<const scene::Scene>& source) {
+void add_cover(gl::Slices& slices, choose::CoverOfScene& cover, const std::shared_ptr<const scene::Scene>& source) {
     slices.prepare([&cover, source] {
         cover.cells = source->sward.cells;
         cover.blossom = scene::seen_by_night(source->sward.blossom, scene::colour_seen(source->sky->darkness));
@@ -288,12 +226,12 @@ CoverPass::CoverPass()
                 {2, 2, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(CoverVertex, tone)},
                 {3, 1, GL_UNSIGNED_SHORT, gl::Numbers::Normalised, offsetof(CoverVertex, rank)}}},
               {1,
-               sizeof(CoverInstance),
+               sizeof(choose::CoverInstance),
                gl::Advance::PerInstance,
-               {{8, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(CoverInstance, root_m)},
-                {9, 4, GL_HALF_FLOAT, gl::Numbers::AsTheyAre, offsetof(CoverInstance, turn_size)},
-                {10, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(CoverInstance, ground_lit)},
-                {11, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(CoverInstance, veil_gust)}}}} {
+               {{8, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(choose::CoverInstance, root_m)},
+                {9, 4, GL_HALF_FLOAT, gl::Numbers::AsTheyAre, offsetof(choose::CoverInstance, turn_size)},
+                {10, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(choose::CoverInstance, ground_lit)},
+                {11, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(choose::CoverInstance, veil_gust)}}}} {
     CoverMesh mesh;
     std::size_t kind = 0;
     for (const auto make : {add_grass, add_cushion, add_flowers, add_stones}) {  // as scene::CoverKind names them
@@ -306,48 +244,8 @@ CoverPass::CoverPass()
     indices_.write<std::uint16_t>(0, mesh.indices);
 }
 
-CoverSeen look_at_cover(const CoverOfScene& cover, const Frustum& frustum, const CoverWish& wish) {
-    struct Seen {
-        std::size_t cell;
-        int bucket;
-    };
-    std::vector<Seen> cells;
-    const float whole = whole_m(wish);
-    const float reach = reach_m(cover, wish);
-    for (std::size_t i = 0; i < cover.cells.size(); ++i) {
-        const scene::Sward::Cell& cell = cover.cells[i];
-        const float distance = nearest_m(cell, wish.eye_m());
-        if (distance < reach && wish.reach.may_hold_box(cell.low_m, cell.high_m) &&
-            frustum.may_see_box(cell.low_m, cell.high_m))
-            cells.push_back({i, bucket_of(share_at(distance, whole))});
-    }
-    const float grown = 0.1F + 0.9F * glm::smoothstep(0.0F, 0.7F, wish.growth);
-    CoverSeen shown;
-    for (std::size_t kind = 0; kind < scene::kCoverKinds; ++kind) {
-        for (int bucket = 0; bucket < kBuckets; ++bucket) {
-            const bool is_stone = kind == static_cast<std::size_t>(scene::CoverKind::Stone);
-            const auto all = static_cast<float>(kParts[kind].count);
-            const auto parts = static_cast<std::size_t>(std::ceil(all * (is_stone ? 1 : share_of(bucket))));
-            CoverSeen::Batch batch{static_cast<scene::CoverKind>(kind), parts, shown.instances.size(), 0};
-            for (const Seen& s : cells) {
-                if (s.bucket != bucket) continue;
-                const scene::Sward::Cell& cell = cover.cells[s.cell];
-                std::size_t first = cell.first;
-                for (std::size_t k = 0; k < kind; ++k) first += cell.counts[k];
-                for (std::size_t i = first; i < first + cell.counts[kind]; ++i)
-                    if (wish.reach.holds_standing({cover.tufts[i].root_m.x, cover.tufts[i].root_m.z}, 0))
-                        shown.instances.push_back(seen(cover.tufts[i], wish, whole, reach, grown));
-            }
-            batch.count = shown.instances.size() - batch.first;
-            if (batch.count == 0) continue;
-            shown.triangles += batch.count * parts * static_cast<std::size_t>(kParts[kind].triangles);
-            shown.batches.push_back(batch);
-        }
-    }
-    return shown;
-}
-
-gl::Work CoverPass::draw(const CoverOfScene& cover, const CoverSeen& seen, const gl::StreamBuffer& instances) const {
+gl::Work CoverPass::draw(const choose::CoverOfScene& cover, const choose::CoverSeen& seen,
+                         const gl::StreamBuffer& instances) const {
     if (seen.batches.empty()) return {};
     program_.use();
     const glm::vec3 blossom = encode(cover.blossom);
@@ -357,13 +255,13 @@ gl::Work CoverPass::draw(const CoverOfScene& cover, const CoverSeen& seen, const
     layout_.feed_indices(indices_.name());
     glDisable(GL_CULL_FACE);
     gl::Work work;
-    for (const CoverSeen::Batch& batch : seen.batches) {
-        layout_.feed(1, instances.name(), batch.first * sizeof(CoverInstance));
-        const auto kind = static_cast<std::size_t>(batch.kind);
-        const std::size_t triangles = batch.parts * static_cast<std::size_t>(kParts[kind].triangles);
-        gl::draw_triangles(GL_UNSIGNED_SHORT, first_indices_[kind], 3 * triangles, batch.count);
-        work +=
-            {1, batch.count * triangles, batch.count * batch.parts * static_cast<std::size_t>(kParts[kind].vertices)};
+    for (const choose::CoverSeen::Batch& batch : seen.batches) {
+        layout_.feed(1, instances.name(), batch.first * sizeof(choose::CoverInstance));
+        const choose::CoverParts& parts = parts_of(batch.kind);
+        const std::size_t triangles = batch.parts * static_cast<std::size_t>(parts.triangles);
+        gl::draw_triangles(GL_UNSIGNED_SHORT, first_indices_[static_cast<std::size_t>(batch.kind)], 3 * triangles,
+                           batch.count);
+        work += {1, batch.count * triangles, batch.count * batch.parts * static_cast<std::size_t>(parts.vertices)};
     }
     glEnable(GL_CULL_FACE);
     return work;

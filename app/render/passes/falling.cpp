@@ -14,9 +14,6 @@
 namespace quadrat::render::passes {
 namespace {
 
-constexpr std::size_t kDrops = 9000;
-constexpr float kFlakes = 0.5F;  // of them: a flake is seen whole, a drop as a stroke
-
 struct DropCorner {
     glm::vec3 home;
     glm::vec2 corner;
@@ -25,7 +22,7 @@ struct DropCorner {
 std::vector<DropCorner> drop_corners() {
     std::vector<DropCorner> corners;
     base::RandomStream random{base::Seed{0x64'72'6f'70'73}};
-    for (std::size_t i = 0; i < kDrops; ++i) {
+    for (std::size_t i = 0; i < choose::kDrops; ++i) {
         const float x = random.unit_f();
         const float y = random.unit_f();
         const glm::vec3 home{x, y, random.unit_f()};
@@ -37,16 +34,9 @@ std::vector<DropCorner> drop_corners() {
 
 std::vector<std::uint16_t> drop_indices() {
     std::vector<std::uint16_t> indices;
-    for (std::size_t i = 0; i < kDrops; ++i)
+    for (std::size_t i = 0; i < choose::kDrops; ++i)
         for (const std::size_t k : {0, 1, 2, 2, 1, 3}) indices.push_back(static_cast<std::uint16_t>(4 * i + k));
     return indices;
-}
-
-// Any prefix of the drops there are is even in the box.
-std::size_t drops_of(const scene::Precipitation& what, float share) {
-    if (what.kind == scene::Precipitation::Kind::None) return 0;
-    const float of_drops = what.kind == scene::Precipitation::Kind::Snow ? kFlakes : 1.0F;
-    return static_cast<std::size_t>(std::lround(what.amount * share * of_drops * static_cast<float>(kDrops)));
 }
 
 }  // namespace
@@ -66,9 +56,7 @@ FallingPass::FallingPass()
     indices_.write<std::uint16_t>(0, indices);
 }
 
-std::size_t FallingPass::triangles(const scene::Precipitation& what, float share) { return 2 * drops_of(what, share); }
-
-gl::Work FallingPass::draw(const scene::Precipitation& what, const ViewBlock& view, float pixels_per_radian,
+gl::Work FallingPass::draw(const scene::Precipitation& what, const choose::ViewBlock& view, float pixels_per_radian,
                            float share) const {
     using Kind = scene::Precipitation::Kind;
     if (what.kind == Kind::None) return {};
@@ -90,7 +78,7 @@ gl::Work FallingPass::draw(const scene::Precipitation& what, const ViewBlock& vi
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     glDisable(GL_CULL_FACE);
-    const std::size_t drops = drops_of(what, share);
+    const std::size_t drops = choose::drops_of(what, share);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * drops), GL_UNSIGNED_SHORT, nullptr);
     glEnable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);

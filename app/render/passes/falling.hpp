@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include "render/choose/falling.hpp"
+#include "render/choose/view_block.hpp"
 #include "render/gl/buffer.hpp"
 #include "render/gl/program.hpp"
 #include "render/gl/vertex_array.hpp"
 #include "render/gl/work.hpp"
-#include "render/passes/view_block.hpp"
 #include "scene/sky.hpp"
 
 namespace quadrat::render::passes {
@@ -14,8 +15,8 @@ class FallingPass {
   public:
     FallingPass();
     // In less detail fewer drops fall, each wider: as much light comes through them.
-    gl::Work draw(const scene::Precipitation& what, const ViewBlock& view, float pixels_per_radian, float share) const;
-    static std::size_t triangles(const scene::Precipitation& what, float share);
+    gl::Work draw(const scene::Precipitation& what, const choose::ViewBlock& view, float pixels_per_radian,
+                  float share) const;
 
   private:
     gl::Program program_;

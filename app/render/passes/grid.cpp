@@ -20,9 +20,9 @@ std::vector<GridPlace> places_of(const GridOnGpu& grid, const mesh::Field& heigh
     places.reserve(height_m.samples.size());
     for (int row = 0; row < height_m.rows; ++row) {
         for (int column = 0; column < height_m.columns; ++column) {
-            const Blocks::Leaving leaving = grid.blocks->leaving(height_m, column, row);
+            const choose::Blocks::Leaving leaving = grid.blocks->leaving(height_m, column, row);
             // Rounded up: it has moved before the level can change. None divides by nothing.
-            const float units = std::clamp(std::ceil(leaving.error_m / kErrorUnit_m), 1.0F, 65535.0F);
+            const float units = std::clamp(std::ceil(leaving.error_m / choose::kErrorUnit_m), 1.0F, 65535.0F);
             GridPlace place{share_of(height_m.at(column, row), grid.lowest_m, grid.range_m),
                             share_of(leaving.coarser_m, grid.lowest_m, grid.range_m),
                             static_cast<std::uint16_t>(units),
@@ -56,16 +56,11 @@ void add_grid(gl::Slices& slices, GridOnGpu& grid, const std::shared_ptr<gl::Buf
                                 [places] { return std::span<const GridPlace>(*places); });
 }
 
-float ease_of(const Blocks::Wish& wish, float error_px) {
-    // Never later than the blocks change: a rounding error more.
-    constexpr float kMargin = 1.002F;
-    return kMargin * error_px / (wish.pixels_per_radian * kErrorUnit_m * (1 - Blocks::kEaseFrom));
-}
-
-void set_grid(const GridOnGpu& grid, const IndexRange& range) {
+void set_grid(const GridOnGpu& grid, const choose::IndexRange& range) {
     const auto columns = static_cast<float>(grid.columns);
     glUniform4f(0, grid.cell_m, columns, grid.lowest_m, grid.range_m);
-    glUniform4f(2, range.ease, Blocks::kEaseFrom / (1 - Blocks::kEaseFrom), 1 / columns, (columns - 1) / 2);
+    glUniform4f(2, range.ease, choose::Blocks::kEaseFrom / (1 - choose::Blocks::kEaseFrom), 1 / columns,
+                (columns - 1) / 2);
 }
 
 gl::Work draw_indices(const gl::VertexArray& vertices, const gl::StreamBuffer& indices, std::size_t first,

@@ -9,11 +9,12 @@
 #include "mesh/field.hpp"
 #include "mesh/image.hpp"
 #include "mesh/roam.hpp"
+#include "render/choose/blocks.hpp"
+#include "render/choose/ranges.hpp"
 #include "render/gl/buffer_pool.hpp"
 #include "render/gl/slices.hpp"
 #include "render/gl/vertex_array.hpp"
 #include "render/gl/work.hpp"
-#include "render/passes/blocks.hpp"
 
 namespace quadrat::render::passes {
 
@@ -21,16 +22,14 @@ namespace quadrat::render::passes {
 struct GridPlace {
     std::uint16_t height;   // share of the heights' range
     std::uint16_t coarser;  // the same, on the next coarser level (Blocks::Leaving)
-    std::uint16_t error;    // in kErrorUnit_m
+    std::uint16_t error;    // in choose::kErrorUnit_m
     std::uint8_t kinds[2];  // how far its grain is soft ground's, how far stone's
 };
-
-inline constexpr float kErrorUnit_m = 1.0F / 128;
 
 // A heightfield's vertices; which of its triangles are drawn is chosen every frame.
 struct GridOnGpu {
     std::shared_ptr<gl::Buffer> places;  // GridPlace a sample
-    std::optional<Blocks> blocks;
+    std::optional<choose::Blocks> blocks;
     // Its triangles, where they are drawn instead; where its blocks are, none. As it is for the eye that was last: who
     // draws it for another one updates it first, and keeps no more of it than indices.
     std::unique_ptr<mesh::Roam> roam;
@@ -52,20 +51,8 @@ void add_grid(gl::Slices& slices, GridOnGpu& grid, const std::shared_ptr<gl::Buf
               const std::shared_ptr<const mesh::Field>& height_m, const std::shared_ptr<const mesh::Image>& kinds,
               const GridShape& shape);
 
-// A run of indices in the frame's index stream, and what they were chosen for.
-struct IndexRange {
-    std::size_t first = 0;
-    std::size_t count = 0;
-    std::size_t near_count = 0;  // of them come first, nearer than the grain is seen
-    float ease = 0;              // shaders/common/grid.glsl
-    std::size_t level = 0;       // whose colour its wires have
-};
-
-// What the vertices of a selection are eased by.
-float ease_of(const Blocks::Wish& wish, float error_px);
-
 // The uniforms of shaders/common/grid.glsl in the program that is used.
-void set_grid(const GridOnGpu& grid, const IndexRange& range);
+void set_grid(const GridOnGpu& grid, const choose::IndexRange& range);
 
 inline const std::initializer_list<gl::Attribute> kPlaceAttributes{
     {1, 2, GL_UNSIGNED_SHORT, gl::Numbers::Normalised, offsetof(GridPlace, height)},

@@ -89,7 +89,7 @@ GroundPass::GroundPass()
       vertices_{{0, sizeof(GridPlace), gl::Advance::PerVertex, kPlaceAttributes}} {}
 
 gl::Work GroundPass::draw(const LandOnGpu& land, const GroundPictureOnGpu& picture, const gl::StreamBuffer& indices,
-                          const IndexRange& range, float grain_m) const {
+                          const choose::IndexRange& range, float grain_m) const {
     gl::Work work;
     if (range.count == 0) return work;
     picture.lit->bind(0);
@@ -120,7 +120,7 @@ SurroundPass::SurroundPass()
                   {4, 3, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Facing, root_colour)}}}} {}
 
 gl::Work SurroundPass::draw(const LandOnGpu& land, const GroundPictureOnGpu& picture, const gl::StreamBuffer& indices,
-                            const IndexRange& range) const {
+                            const choose::IndexRange& range) const {
     if (range.count == 0) return {};
     picture.grain->lit->bind(1);
     program_.use();

@@ -40,7 +40,7 @@ class GroundPass {
     GroundPass();
     // grain_m: how far it is seen.
     gl::Work draw(const LandOnGpu& land, const GroundPictureOnGpu& picture, const gl::StreamBuffer& indices,
-                  const IndexRange& range, float grain_m) const;
+                  const choose::IndexRange& range, float grain_m) const;
 
   private:
     gl::Program near_;
@@ -53,7 +53,7 @@ class SurroundPass {
   public:
     SurroundPass();
     gl::Work draw(const LandOnGpu& land, const GroundPictureOnGpu& picture, const gl::StreamBuffer& indices,
-                  const IndexRange& range) const;
+                  const choose::IndexRange& range) const;
 
   private:
     gl::Program program_;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <span>
 
 #include "render/gl/buffer_upload.hpp"
@@ -15,9 +14,6 @@
 namespace quadrat::render::passes {
 namespace {
 
-constexpr float kNear_px_per_m = 5.5F;  // from there on every pane is seen,
-constexpr float kMiddle_px_per_m = 2.0F;
-constexpr float kLeast_px = 0.7F;
 constexpr float kUnitsPerM = 256;
 constexpr float kBoundsWear = 0.7F;  // of walls, fences and hedges: nobody paints them
 
@@ -69,94 +65,19 @@ void append(Corners& to, const scene::Masses& masses, const scene::House& house,
     }
 }
 
-// Which houses have their finest level: as many as a viewer in the south could come near.
-std::vector<bool> with_finest(const scene::Settlement& settlement) {
-    constexpr glm::vec2 kViewer_m{0, 270};
-    constexpr std::size_t kMost = 90;
-    std::vector<std::size_t> order(settlement.houses.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto away_m = [&](std::size_t i) {
-        const glm::vec3& foot = settlement.houses[i].foot_m;
-        return glm::distance(glm::vec2{foot.x, foot.z}, kViewer_m);
-    };
-    std::ranges::stable_sort(order, {}, away_m);
-    std::vector<bool> has(order.size(), false);
-    for (std::size_t i = 0; i < std::min(kMost, order.size()); ++i) has[order[i]] = true;
-    return has;
-}
-
-// visit(house, level, masses) of all that is sent, in order.
-template <typename Visit>
-void for_levels(const scene::Settlement& settlement, const Visit& visit) {
-    const std::vector<bool> has_finest = with_finest(settlement);
-    for (std::size_t i = 0; i < settlement.houses.size(); ++i) {
-        const scene::House& house = settlement.houses[i];
-        const auto& levels = settlement.buildings[house.building].levels;
-        for (std::size_t level = has_finest[i] ? 0 : 1; level < levels.size(); ++level) visit(i, level, levels[level]);
-    }
+const scene::Masses& masses_of(const scene::Settlement& settlement, const choose::SentLevel& sent) {
+    return settlement.buildings[settlement.houses[sent.house].building].levels[sent.level];
 }
 
 std::size_t corners_of(const scene::Settlement& settlement) {
     std::size_t sum = 0;
     for (const scene::Masses& piece : settlement.bounds) sum += piece.mesh.positions_m.size();
-    for_levels(settlement,
-               [&](std::size_t, std::size_t, const scene::Masses& masses) { sum += masses.mesh.positions_m.size(); });
+    for (const choose::SentLevel& sent : choose::sent_levels(settlement))
+        sum += masses_of(settlement, sent).mesh.positions_m.size();
     return sum;
 }
 
 }  // namespace
-
-HouseLevels::HouseLevels(const scene::Settlement& settlement) {
-    std::vector<std::size_t> first_list;
-    for (const scene::Building& building : settlement.buildings) {
-        first_list.push_back(indices_.size());
-        for (const scene::Masses& level : building.levels) indices_.push_back(level.mesh.indices);
-    }
-    std::uint32_t corner = 0;
-    for (const scene::House& house : settlement.houses) {
-        const scene::Building& building = settlement.buildings[house.building];
-        standing_.push_back({house.foot_m + glm::vec3{0, 0.5F * building.height_m, 0},
-                             glm::length(glm::vec3{building.half_m, 0.5F * building.height_m}) + 1,
-                             {}});
-    }
-    for_levels(settlement, [&](std::size_t i, std::size_t level, const scene::Masses& masses) {
-        Standing& standing = standing_[i];
-        standing.finest = std::min(standing.finest, level);
-        standing.levels.push_back({corner, first_list[settlement.houses[i].building] + level});
-        corner += static_cast<std::uint32_t>(masses.mesh.positions_m.size());
-    });
-    for (const scene::Masses& piece : settlement.bounds) {
-        const std::vector<glm::vec3>& places = piece.mesh.positions_m;
-        glm::vec3 low = places.front();
-        glm::vec3 high = low;
-        for (const glm::vec3& p : places) {
-            low = glm::min(low, p);
-            high = glm::max(high, p);
-        }
-        standing_.push_back({0.5F * (low + high), 0.5F * glm::distance(low, high), {{corner, indices_.size()}}, 0});
-        indices_.push_back(piece.mesh.indices);
-        corner += static_cast<std::uint32_t>(places.size());
-    }
-}
-
-void HouseLevels::select(const Frustum& frustum, const Wish& wish, std::vector<std::uint32_t>& indices) const {
-    const auto built = static_cast<std::size_t>(std::ceil(wish.standing * static_cast<float>(standing_.size())));
-    for (const Standing& house : std::span(standing_).first(std::min(built, standing_.size()))) {
-        const float distance_m = std::max(glm::distance(house.middle_m, wish.eye_m) - house.radius_m, 0.5F);
-        const float px_per_m = wish.pixels_per_radian / distance_m;
-        if (house.radius_m * px_per_m < kLeast_px) continue;
-        if (!wish.reach.may_hold_sphere(house.middle_m, house.radius_m)) continue;
-        if (!frustum.may_see_sphere(house.middle_m, house.radius_m)) continue;
-        if (wish.horizon && wish.horizon->hides_standing({house.middle_m.x, house.middle_m.z}, house.radius_m,
-                                                         house.middle_m.y + house.radius_m))
-            continue;
-        const float fine = px_per_m * wish.fineness;
-        const std::size_t wished = fine > kNear_px_per_m ? 0 : fine > kMiddle_px_per_m ? 1 : 2;
-        const std::size_t wanted = std::max(wished, house.finest) - house.finest;
-        const Level& level = house.levels[std::min(wanted, house.levels.size() - 1)];
-        for (const std::uint32_t index : indices_[level.list]) indices.push_back(level.first + index);
-    }
-}
 
 void add_houses(gl::Slices& slices, HousesOnGpu& houses, const std::shared_ptr<const scene::Land>& land) {
     const scene::Settlement& settlement = land->settlement;
@@ -164,13 +85,13 @@ void add_houses(gl::Slices& slices, HousesOnGpu& houses, const std::shared_ptr<c
     if (count == 0) return;
     const auto corners = std::make_shared<Corners>();
     slices.prepare([&houses, &settlement, land, corners, count] {
-        houses.levels = HouseLevels(settlement);
+        houses.levels = choose::HouseLevels(settlement);
         corners->places.reserve(count);
         corners->looks.reserve(count);
-        for_levels(settlement, [&](std::size_t i, std::size_t, const scene::Masses& masses) {
-            const scene::House& house = settlement.houses[i];
-            append(*corners, masses, house, settlement.buildings[house.building].wear);
-        });
+        for (const choose::SentLevel& sent : choose::sent_levels(settlement)) {
+            const scene::House& house = settlement.houses[sent.house];
+            append(*corners, masses_of(settlement, sent), house, settlement.buildings[house.building].wear);
+        }
         for (const scene::Masses& piece : settlement.bounds) append(*corners, piece, {}, kBoundsWear);
     });
     gl::add_elements<glm::vec3>(slices, houses.corners, GL_ARRAY_BUFFER, count,
@@ -197,7 +118,8 @@ HousesPass::HousesPass()
                   {4, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(HouseLook, root_colour)},
                   {6, 2, GL_SHORT, gl::Numbers::AsTheyAre, offsetof(HouseLook, on_surface)}}}} {}
 
-gl::Work HousesPass::draw(const HousesOnGpu& houses, const gl::StreamBuffer& indices, const IndexRange& range) const {
+gl::Work HousesPass::draw(const HousesOnGpu& houses, const gl::StreamBuffer& indices,
+                          const choose::IndexRange& range) const {
     if (range.count == 0) return {};
     program_.use();
     houses.stains.bind(0);

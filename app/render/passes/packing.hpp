@@ -5,8 +5,12 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
+#include "render/choose/bytes.hpp"
+
 // Vertex attributes in bytes: what a normal, a share or a colour loses by it is not seen.
 namespace quadrat::render::passes {
+
+using choose::unsigned_byte;
 
 struct PackedNormal {
     std::int8_t x, y, z, w;
@@ -14,9 +18,6 @@ struct PackedNormal {
 
 inline std::int8_t signed_byte(float value) {
     return static_cast<std::int8_t>(std::lround(std::clamp(value, -1.0F, 1.0F) * 127.0F));
-}
-inline std::uint8_t unsigned_byte(float value) {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
 }
 inline PackedNormal packed_normal(glm::vec3 unit) {
     return {signed_byte(unit.x), signed_byte(unit.y), signed_byte(unit.z), 0};

@@ -20,9 +20,7 @@ namespace {
 
 constexpr std::size_t kOfMany_percent = 36;  // of its blades: so enlarged, each shows many (shaders/leaves.vert)
 constexpr float kCopyAside = 0.55F;          // of a spray's length, so far may its copy's tip lie from it on each axis
-constexpr std::size_t kCopies = 6;           // of leaves that hang on a twig
-static_assert(kLeastBlade * kLeastBlade * kCopies >= 1, "a byte holds how small the most copies are");
-constexpr float kFoliageTiles = 4.2F;  // to a plant's height: a leaf of the picture stands for several
+constexpr float kFoliageTiles = 4.2F;        // to a plant's height: a leaf of the picture stands for several
 
 struct WoodPlace {
     glm::vec3 position_m;
@@ -161,91 +159,15 @@ void add_leaves(gl::Slices& slices, SpeciesOnGpu& species, const std::shared_ptr
     gl::add_elements<std::uint32_t>(slices, species.leaf_indices, GL_ELEMENT_ARRAY_BUFFER, {source, &source->indices});
 }
 
-// Of leaves among the first, which are as good as any: in the mean, but without what is much shorter, as blossoms are.
-// A plain form has no twig.
-float blade_length(const scene::Species& species) {
-    constexpr std::size_t kLookedAt = 24;
-    constexpr float kOwnTips = 1.15F;  // a spray reaches so much farther than its plain form
-    const scene::Leaves& leaves = species.leaves;
-    const bool has_plain = !leaves.plain_indices.empty();
-    const std::vector<std::uint32_t>& indices = has_plain ? leaves.plain_indices : leaves.indices;
-    const std::size_t a_blade = has_plain ? leaves.indices_per_plain_blade() : leaves.indices_per_blade();
-    std::vector<float> lengths_m{1e-3F};
-    for (std::size_t blade = 0; blade < std::min(leaves.blades, kLookedAt); ++blade) {
-        lengths_m.push_back(1e-3F);
-        for (std::size_t i = blade * a_blade; i < (blade + 1) * a_blade; ++i)
-            lengths_m.back() = std::max(lengths_m.back(), glm::length(leaves.vertices[indices[i]].corner_m));
-    }
-    const float least_m = 0.6F * *std::ranges::max_element(lengths_m);
-    float sum_m = 0;
-    float count = 0;
-    for (const float length_m : lengths_m) {
-        if (length_m < least_m) continue;
-        sum_m += length_m;
-        ++count;
-    }
-    return (has_plain ? kOwnTips : 1.0F) * sum_m / count;
-}
-
-float reach_of(const scene::Species& species) {
-    float reach = species.crown_radius_m;
-    for (const scene::Wood& wood : species.wood)
-        for (const glm::vec3& p : wood.mesh.positions_m) reach = std::max(reach, std::hypot(p.x, p.z));
-    return reach;
-}
-
-// A blade as long as its crown is wide would be seen as what it is.
-float largest_blade(const scene::Species& species) {
-    const float share = species.masses.empty() ? 0.55F : 0.42F;  // the mass fills in
-    return std::max(share * species.crown_radius_m / blade_length(species), 1.0F);
-}
-
-// Of a crown of leaves that lie by chance (Beer's law over the leaf area that stands before one, seen from aside), but
-// for the gaps that twigs leave between them.
-float opacity_of(const scene::Species& species) {
-    const float crown_m2 = 0.785F * 2 * species.crown_radius_m * 0.7F * species.height_m;
-    constexpr float kTurned = 0.5F;  // of a leaf's area, seen from anywhere
-    constexpr float kMost = 0.85F;
-    return kMost * (1 - std::exp(-kTurned * scene::area_m2(species.leaves) / std::max(crown_m2, 1e-3F)));
-}
-
-// What stands for it far away is strokes about nothing.
-bool is_leafless(const scene::Species& species) {
-    return !species.masses.empty() && species.masses.front().sprays == species.masses.front().mesh.triangle_count();
-}
-
 // Of the light on limbs in it, how much its leaves take; and over which share of the height a tenth of them hang.
-glm::vec2 crown_of(const scene::Species& species) {
+glm::vec2 crown_of(const scene::Species& species, const choose::PlantKind& kind) {
     constexpr float kTaken = 0.75F;  // of what a crown hides
     std::vector<float> heights_m;
     for (const scene::Leaves::Vertex& v : species.leaves.vertices) heights_m.push_back(v.site_m.y);
-    if (heights_m.empty() || is_leafless(species)) return {0, 1};
+    if (heights_m.empty() || kind.are_slivers) return {0, 1};
     const auto tenth = heights_m.begin() + static_cast<std::ptrdiff_t>(heights_m.size() / 10);
     std::ranges::nth_element(heights_m, tenth);
-    return {kTaken * opacity_of(species), *tenth / std::max(species.height_m, 0.1F)};
-}
-
-Kind kind_of(const scene::Species& species) {
-    Kind kind;
-    kind.height_m = species.height_m;
-    kind.radius_m = reach_of(species);
-    kind.crown_m = species.crown_radius_m;
-    kind.opacity = opacity_of(species);
-    kind.trunk_m = species.trunk_radius_m;
-    for (const scene::Wood& wood : species.wood) {
-        kind.wood_triangles.push_back(wood.mesh.triangle_count());
-        kind.wood_left_out_m.push_back(wood.left_out_m);
-    }
-    kind.blades = species.leaves.blades;
-    kind.triangles_per_blade = species.leaves.indices_per_blade() / 3;
-    kind.triangles_per_plain_blade = species.leaves.indices_per_plain_blade() / 3;
-    kind.blade_m = blade_length(species);
-    if (species.leaves.are_sprays) kind.copies = kCopies;
-    kind.are_slivers = is_leafless(species);
-    kind.largest_blade = largest_blade(species);
-    if (!species.masses.empty()) kind.massed = species.masses.front().share;
-    for (const scene::CrownMass& mass : species.masses) kind.mass_triangles.push_back(mass.mesh.triangle_count());
-    return kind;
+    return {kTaken * kind.opacity, *tenth / std::max(species.height_m, 0.1F)};
 }
 
 // What every species without a picture of its own has: neither relief nor spots.
@@ -274,14 +196,14 @@ void add_species(gl::Slices& slices, FloraOnGpu& flora, std::size_t index,
     const scene::Species& from = source->species[index];
     SpeciesOnGpu& species = flora.species[index];
     species.bark_colour = from.bark_colour;
-    species.crown = crown_of(from);
     species.height_m = from.height_m;
-    flora.kinds[index] = kind_of(from);
+    flora.kinds[index] = choose::plant_kind_of(from);
+    species.crown = crown_of(from, flora.kinds[index]);
     species.blade_m = flora.kinds[index].blade_m;
     species.wood.resize(from.wood.size());
     for (std::size_t level = 0; level < from.wood.size(); ++level)
         add_wood(slices, species.wood[level], {source, &from.wood[level]}, 1 / std::max(from.bark_tile_m, 0.01F),
-                 kWidening * from.trunk_radius_m);
+                 choose::kWidening * from.trunk_radius_m);
     species.masses.resize(from.masses.size());
     for (std::size_t level = 0; level < from.masses.size(); ++level)
         add_mass(slices, species.masses[level], {source, &from.masses[level]});
@@ -290,12 +212,12 @@ void add_species(gl::Slices& slices, FloraOnGpu& flora, std::size_t index,
 }
 
 const std::initializer_list<gl::Attribute> kInstanceAttributes{
-    {8, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Instance, root_scale)},
-    {9, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Instance, turn_grown_share)},
-    {10, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(Instance, wind_sun_through)},
-    {11, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, air)},
-    {12, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, half_tint_enlarged)},
-    {13, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Instance, becoming)}};
+    {8, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(choose::Instance, root_scale)},
+    {9, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(choose::Instance, turn_grown_share)},
+    {10, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(choose::Instance, wind_sun_through)},
+    {11, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(choose::Instance, air)},
+    {12, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(choose::Instance, half_tint_enlarged)},
+    {13, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(choose::Instance, becoming)}};
 
 std::size_t halvings(std::size_t all, std::size_t left) {
     std::size_t count = 0;
@@ -338,7 +260,7 @@ PlantsPass::PlantsPass()
                       {{2, 4, GL_BYTE, gl::Numbers::Normalised, offsetof(WoodSurface, normal)},
                        {3, 4, GL_BYTE, gl::Numbers::Normalised, offsetof(WoodSurface, grain)},
                        {4, 2, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(WoodSurface, texcoord)}}},
-                     {2, sizeof(Instance), gl::Advance::PerInstance, kInstanceAttributes}},
+                     {2, sizeof(choose::Instance), gl::Advance::PerInstance, kInstanceAttributes}},
       leaf_vertices_{{0,
                       sizeof(LeafPlace),
                       gl::Advance::PerVertex,
@@ -352,7 +274,7 @@ PlantsPass::PlantsPass()
                       {{4, 4, GL_BYTE, gl::Numbers::Normalised, offsetof(LeafSurface, normal)},
                        {5, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(LeafSurface, root_red)},
                        {6, 2, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(LeafSurface, across)}}},
-                     {2, sizeof(Instance), gl::Advance::PerInstance, kInstanceAttributes}},
+                     {2, sizeof(choose::Instance), gl::Advance::PerInstance, kInstanceAttributes}},
       mass_vertices_{{0,
                       sizeof(MassPlace),
                       gl::Advance::PerVertex,
@@ -364,34 +286,34 @@ PlantsPass::PlantsPass()
                       gl::Advance::PerVertex,
                       {{4, 4, GL_BYTE, gl::Numbers::Normalised, offsetof(MassSurface, normal)},
                        {5, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(MassSurface, root_red)}}},
-                     {2, sizeof(Instance), gl::Advance::PerInstance, kInstanceAttributes}} {}
+                     {2, sizeof(choose::Instance), gl::Advance::PerInstance, kInstanceAttributes}} {}
 
-gl::Work PlantsPass::draw_mass(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
+gl::Work PlantsPass::draw_mass(const SpeciesOnGpu& species, const choose::Batch& batch, GLuint instances) const {
     const MassOnGpu& mass = species.masses[batch.level];
     glUniform2f(0, species.height_m, kFoliageTiles / species.height_m);
     species.foliage.bind(0);
     mass_vertices_.feed(0, mass.places.name());
     mass_vertices_.feed(1, mass.surfaces.name());
-    mass_vertices_.feed(2, instances, batch.first * sizeof(Instance));
+    mass_vertices_.feed(2, instances, batch.first * sizeof(choose::Instance));
     mass_vertices_.feed_indices(mass.indices.name());
     gl::Wires::set_level(batch.level);
     return draw_instances(mass.places.bytes() / sizeof(MassPlace), mass.index_count, batch.count);
 }
 
-gl::Work PlantsPass::draw_wood(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
+gl::Work PlantsPass::draw_wood(const SpeciesOnGpu& species, const choose::Batch& batch, GLuint instances) const {
     const WoodOnGpu& wood = species.wood[batch.level];
     glUniform4f(0, species.bark_colour.r, species.bark_colour.g, species.bark_colour.b, 1 / species.height_m);
     glUniform2f(1, species.crown.x, species.crown.y);
     wood_vertices_.feed(0, wood.places.name());
     species.bark.bind(0);
     wood_vertices_.feed(1, wood.surfaces.name());
-    wood_vertices_.feed(2, instances, batch.first * sizeof(Instance));
+    wood_vertices_.feed(2, instances, batch.first * sizeof(choose::Instance));
     wood_vertices_.feed_indices(wood.indices.name());
     gl::Wires::set_level(batch.level);
     return draw_instances(wood.places.bytes() / sizeof(WoodPlace), wood.index_count, batch.count);
 }
 
-gl::Work PlantsPass::draw_leaves(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const {
+gl::Work PlantsPass::draw_leaves(const SpeciesOnGpu& species, const choose::Batch& batch, GLuint instances) const {
     const bool stands_for_many = batch.blades * 100 < kOfMany_percent * species.blades;
     if (!batch.is_plain) {
         (stands_for_many ? species.foliage : species.leaf).bind(0);
@@ -403,7 +325,7 @@ gl::Work PlantsPass::draw_leaves(const SpeciesOnGpu& species, const Batch& batch
     }
     leaf_vertices_.feed(0, species.leaf_places.name());
     leaf_vertices_.feed(1, species.leaf_surfaces.name());
-    leaf_vertices_.feed(2, instances, batch.first * sizeof(Instance));
+    leaf_vertices_.feed(2, instances, batch.first * sizeof(choose::Instance));
     leaf_vertices_.feed_indices(batch.is_plain ? species.plain_leaf_indices.name() : species.leaf_indices.name());
     const std::size_t per_blade = batch.is_plain ? species.indices_per_plain_blade : species.indices_per_blade;
     gl::Wires::set_level(halvings(species.blades, batch.blades));
@@ -411,7 +333,7 @@ gl::Work PlantsPass::draw_leaves(const SpeciesOnGpu& species, const Batch& batch
     return draw_instances(batch.blades * vertices, batch.blades * per_blade, batch.count);
 }
 
-PlantsPass::Drawn PlantsPass::draw(const FloraOnGpu& flora, const std::vector<Batch>& batches,
+PlantsPass::Drawn PlantsPass::draw(const FloraOnGpu& flora, const std::vector<choose::Batch>& batches,
                                    const gl::StreamBuffer& instances) const {
     Drawn drawn;
     // Leaves first: they hide most of the wood, and what is hidden need not be shaded.
@@ -424,21 +346,21 @@ PlantsPass::Drawn PlantsPass::draw(const FloraOnGpu& flora, const std::vector<Ba
     for (const Leaves& leaves : {Leaves{&leaves_, false, false}, Leaves{&copied_leaves_, false, true},
                                  Leaves{&plain_leaves_, true, false}, Leaves{&plain_copied_leaves_, true, true}}) {
         leaves.program->use();
-        for (const Batch& batch : batches)
-            if (batch.part == Batch::Part::Leaves && batch.is_plain == leaves.are_plain &&
+        for (const choose::Batch& batch : batches)
+            if (batch.part == choose::Batch::Part::Leaves && batch.is_plain == leaves.are_plain &&
                 (batch.copy > 0) == leaves.are_copied)
                 drawn.leaves += draw_leaves(flora.species[batch.species], batch, instances.name());
     }
     glEnable(GL_CULL_FACE);
     masses_.use();
     mass_vertices_.bind();
-    for (const Batch& batch : batches)
-        if (batch.part == Batch::Part::Mass)
+    for (const choose::Batch& batch : batches)
+        if (batch.part == choose::Batch::Part::Mass)
             drawn.leaves += draw_mass(flora.species[batch.species], batch, instances.name());
     wood_.use();
     wood_vertices_.bind();
-    for (const Batch& batch : batches)
-        if (batch.part == Batch::Part::Wood)
+    for (const choose::Batch& batch : batches)
+        if (batch.part == choose::Batch::Part::Wood)
             drawn.wood += draw_wood(flora.species[batch.species], batch, instances.name());
     return drawn;
 }

@@ -3,13 +3,13 @@
 #include <memory>
 #include <vector>
 
+#include "render/choose/crowd.hpp"
 #include "render/gl/buffer.hpp"
 #include "render/gl/program.hpp"
 #include "render/gl/slices.hpp"
 #include "render/gl/texture.hpp"
 #include "render/gl/vertex_array.hpp"
 #include "render/gl/work.hpp"
-#include "render/passes/crowd.hpp"
 #include "scene/flora.hpp"
 
 namespace quadrat::render::passes {
@@ -51,7 +51,7 @@ struct SpeciesOnGpu {
 
 struct FloraOnGpu {
     std::vector<SpeciesOnGpu> species;
-    std::vector<Kind> kinds;
+    std::vector<choose::PlantKind> kinds;
 };
 
 // Adds the slices that fill flora, which must stay where it is until they are done.
@@ -65,13 +65,14 @@ class PlantsPass {
         gl::Work leaves;  // and crowns
         gl::Work wood;
     };
-    Drawn draw(const FloraOnGpu& flora, const std::vector<Batch>& batches, const gl::StreamBuffer& instances) const;
+    Drawn draw(const FloraOnGpu& flora, const std::vector<choose::Batch>& batches,
+               const gl::StreamBuffer& instances) const;
 
   private:
-    gl::Work draw_wood(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const;
-    gl::Work draw_leaves(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const;
+    gl::Work draw_wood(const SpeciesOnGpu& species, const choose::Batch& batch, GLuint instances) const;
+    gl::Work draw_leaves(const SpeciesOnGpu& species, const choose::Batch& batch, GLuint instances) const;
 
-    gl::Work draw_mass(const SpeciesOnGpu& species, const Batch& batch, GLuint instances) const;
+    gl::Work draw_mass(const SpeciesOnGpu& species, const choose::Batch& batch, GLuint instances) const;
 
     gl::Program wood_;
     gl::Program masses_;

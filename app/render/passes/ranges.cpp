@@ -5,9 +5,9 @@
 
 namespace quadrat::render::passes {
 
-gl::Work draw_ranges(std::span<const Range> ranges, GLenum index_type) {
+gl::Work draw_ranges(std::span<const choose::Range> ranges, GLenum index_type) {
     gl::Work work;
-    for (const Range& range : ranges) {
+    for (const choose::Range& range : ranges) {
         gl::draw_triangles(index_type, range.first, range.count);
         work += gl::work_of_mesh(range.count);
     }

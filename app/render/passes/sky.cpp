@@ -19,6 +19,7 @@
 #include "render/passes/cloud_shadow.hpp"
 #include "render/passes/encode.hpp"
 #include "render/passes/packing.hpp"
+#include "render/passes/ranges.hpp"
 
 namespace quadrat::render::passes {
 namespace {
@@ -232,14 +233,14 @@ SkyPass::SkyPass()
         if (edge < kSectors) ways[edge].emplace_back(directions[i]);
         if (edge > 0) ways[edge - 1].emplace_back(directions[i]);
     }
-    sectors_ = Sectors(std::move(ways), indices.size() / kSectors);
+    sectors_ = choose::Sectors(std::move(ways), indices.size() / kSectors);
     bow_corners_ = filled(GL_ARRAY_BUFFER, bow_corners());
     const auto bow = bow_indices();
     bow_indices_ = filled(GL_ELEMENT_ARRAY_BUFFER, bow);
     bow_index_count_ = bow.size();
 }
 
-gl::Work SkyPass::draw_dome(const SkyOnGpu& sky, const Frustum& frustum, glm::vec3 eye_m) const {
+gl::Work SkyPass::draw_dome(const SkyOnGpu& sky, const choose::Frustum& frustum, glm::vec3 eye_m) const {
     glDepthMask(GL_FALSE);  // it lies where depth was cleared to
     program_.use();
     sky.clouds[0]->bind(0);

@@ -4,6 +4,7 @@
 #include <glm/mat3x3.hpp>
 #include <memory>
 
+#include "render/choose/sectors.hpp"
 #include "render/gl/buffer.hpp"
 #include "render/gl/program.hpp"
 #include "render/gl/slices.hpp"
@@ -11,7 +12,6 @@
 #include "render/gl/texture_pool.hpp"
 #include "render/gl/vertex_array.hpp"
 #include "render/gl/work.hpp"
-#include "render/passes/sectors.hpp"
 #include "scene/sky.hpp"
 
 namespace quadrat::render::passes {
@@ -38,7 +38,7 @@ class SkyPass {
   public:
     SkyPass();
     // The dome and the clouds. Leaves depth as it is.
-    gl::Work draw_dome(const SkyOnGpu& sky, const Frustum& frustum, glm::vec3 eye_m) const;
+    gl::Work draw_dome(const SkyOnGpu& sky, const choose::Frustum& frustum, glm::vec3 eye_m) const;
     // The same from a picture of them: from clip xy and 1 to its coordinates; so much of its light is kept.
     gl::Work draw_held(const gl::Texture2D& held, const glm::mat3& held_from_view, float kept) const;
     // What is too small or too bright to be held in a picture, added to either.
@@ -59,7 +59,7 @@ class SkyPass {
     gl::Buffer indices_;
     gl::Buffer bow_corners_;
     gl::Buffer bow_indices_;
-    Sectors sectors_;
+    choose::Sectors sectors_;
     std::size_t bow_index_count_ = 0;
 };
 

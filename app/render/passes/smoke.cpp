@@ -75,7 +75,7 @@ SmokePass::SmokePass()
                   {1, 4, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(PuffCorner, corner_age)},
                   {2, 3, GL_FLOAT, gl::Numbers::AsTheyAre, offsetof(PuffCorner, strength_width_rise)}}}} {}
 
-gl::Work SmokePass::draw(const SmokeOnGpu& smoke, glm::vec2 wind_m_s, float growth, const Reach& reach) const {
+gl::Work SmokePass::draw(const SmokeOnGpu& smoke, glm::vec2 wind_m_s, float growth, const choose::Reach& reach) const {
     const auto chimneys = static_cast<std::size_t>(growth * static_cast<float>(smoke.puffs / kPuffs));
     const std::size_t puffs = kPuffs * chimneys;
     if (puffs == 0) return {};
@@ -83,7 +83,9 @@ gl::Work SmokePass::draw(const SmokeOnGpu& smoke, glm::vec2 wind_m_s, float grow
     const float strong = kAmongHouses * glm::length(wind_m_s);
     const glm::vec2 wind = kAmongHouses * wind_m_s * std::min(1.0F, kStrongest_m_s / std::max(strong, 0.01F));
     glUniform4f(0, wind.x, wind.y, kOpacity, 0);
-    const float part = reach.part == Reach::Part::Whole ? 0.0F : reach.part == Reach::Part::Near ? 1.0F : -1.0F;
+    const float part = reach.part == choose::Reach::Part::Whole  ? 0.0F
+                       : reach.part == choose::Reach::Part::Near ? 1.0F
+                                                                 : -1.0F;
     glUniform4f(1, reach.about_m.x, reach.about_m.y, reach.split_m, part);
     vertices_.bind();
     vertices_.feed(0, smoke.corners.name());

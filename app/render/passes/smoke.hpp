@@ -3,12 +3,12 @@
 #include <glm/vec2.hpp>
 #include <memory>
 
+#include "render/choose/reach.hpp"
 #include "render/gl/buffer.hpp"
 #include "render/gl/program.hpp"
 #include "render/gl/slices.hpp"
 #include "render/gl/vertex_array.hpp"
 #include "render/gl/work.hpp"
-#include "render/passes/reach.hpp"
 #include "scene/land.hpp"
 
 namespace quadrat::render::passes {
@@ -27,7 +27,7 @@ class SmokePass {
   public:
     SmokePass();
     // growth: the share of the chimneys that smoke already, the oldest houses' first.
-    gl::Work draw(const SmokeOnGpu& smoke, glm::vec2 wind_m_s, float growth, const Reach& reach) const;
+    gl::Work draw(const SmokeOnGpu& smoke, glm::vec2 wind_m_s, float growth, const choose::Reach& reach) const;
 
   private:
     gl::Program program_;

@@ -17,7 +17,7 @@ namespace {
 
 // How well lichen grows at a corner, 0 to 1: on what lies open to the sky, not in caves, which are dark; here more,
 // there less, over some ten metres.
-float lichen_of(const Pieces::Corner& corner) {
+float lichen_of(const choose::Pieces::Corner& corner) {
     const float open = std::clamp(0.55F + 0.6F * corner.normal.y, 0.0F, 1.0F);
     const float brightest = std::max({corner.colour.r, corner.colour.g, corner.colour.b});
     const glm::vec3& at = corner.at_m;
@@ -45,7 +45,7 @@ std::shared_ptr<const mesh::Image> lichen_on(const std::shared_ptr<const scene::
     return std::make_shared<mesh::Image>(1, 1, 2);
 }
 
-Facing facing_of(const scene::Land& land, const Pieces::Corner& corner) {
+Facing facing_of(const scene::Land& land, const choose::Pieces::Corner& corner) {
     const glm::vec3 colour = light_at_foot(land, corner.at_m) * shown_colour(corner.colour);
     const auto root = [&](int c) { return unsigned_byte(std::sqrt(std::max(colour[c], 0.0F))); };
     return {packed_normal(corner.normal), {root(0), root(1), root(2), unsigned_byte(lichen_of(corner))}};
@@ -55,13 +55,13 @@ Facing facing_of(const scene::Land& land, const Pieces::Corner& corner) {
 
 void add_stone(gl::Slices& slices, StoneOnGpu& stone, const std::shared_ptr<const scene::Land>& land) {
     const scene::Stone& source = land->stone;
-    const std::size_t most = Pieces::most_corners(source);
-    const auto corners = std::make_shared<std::vector<Pieces::Corner>>();
+    const std::size_t most = choose::Pieces::most_corners(source);
+    const auto corners = std::make_shared<std::vector<choose::Pieces::Corner>>();
     const auto facings = std::make_shared<std::vector<Facing>>();
     slices.prepare([&stone, &source, land, corners, facings, most] {
-        stone.pieces = Pieces(source);
+        stone.pieces = choose::Pieces(source);
         *corners = stone.pieces.take_corners();
-        for (const Pieces::Corner& corner : *corners) facings->push_back(facing_of(*land, corner));
+        for (const choose::Pieces::Corner& corner : *corners) facings->push_back(facing_of(*land, corner));
         corners->resize(most);
         facings->resize(most);
     });
@@ -88,7 +88,7 @@ StonePass::StonePass()
                   {4, 4, GL_UNSIGNED_BYTE, gl::Numbers::Normalised, offsetof(Facing, root_colour)}}}} {}
 
 gl::Work StonePass::draw(const StoneOnGpu& stone, const GroundPictureOnGpu& picture, const gl::StreamBuffer& indices,
-                         const IndexRange& range) const {
+                         const choose::IndexRange& range) const {
     if (range.count == 0) return {};
     program_.use();
     stone.lichen.bind(0);

@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 
+#include "render/choose/pieces.hpp"
 #include "render/gl/buffer.hpp"
 #include "render/gl/program.hpp"
 #include "render/gl/slices.hpp"
@@ -9,7 +10,6 @@
 #include "render/gl/vertex_array.hpp"
 #include "render/passes/grid.hpp"
 #include "render/passes/ground_picture.hpp"
-#include "render/passes/pieces.hpp"
 #include "scene/scene.hpp"
 
 namespace quadrat::render::passes {
@@ -18,7 +18,7 @@ struct StoneOnGpu {
     gl::Buffer corners;
     gl::Buffer facings;
     gl::Texture2D lichen;
-    Pieces pieces;
+    choose::Pieces pieces;
 };
 
 // Adds the slices that fill stone, which must stay where it is until they are done.
@@ -30,7 +30,7 @@ class StonePass {
     StonePass();
     // Of the land's picture it takes the grain.
     gl::Work draw(const StoneOnGpu& stone, const GroundPictureOnGpu& picture, const gl::StreamBuffer& indices,
-                  const IndexRange& range) const;
+                  const choose::IndexRange& range) const;
 
   private:
     gl::Program program_;

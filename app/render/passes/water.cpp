@@ -15,6 +15,7 @@
 #include "render/gl/buffer_upload.hpp"
 #include "render/gl/picture_upload.hpp"
 #include "render/passes/packing.hpp"
+#include "render/passes/ranges.hpp"
 
 namespace quadrat::render::passes {
 namespace {
@@ -31,10 +32,10 @@ std::vector<float> ring_radii_m() {
 }
 
 // Of a sector, the rings that a part of the landscape may hold.
-Range rings_within(const Reach& reach) {
+choose::Range rings_within(const choose::Reach& reach) {
     constexpr std::size_t kIndicesARing = 6;
     const std::vector<float> radii_m = ring_radii_m();
-    Range rings;
+    choose::Range rings;
     for (std::size_t ring = 0; ring + 1 < radii_m.size(); ++ring) {
         if (!reach.may_hold(radii_m[ring], radii_m[ring + 1])) continue;
         if (rings.count == 0) rings.first = ring * kIndicesARing;
@@ -168,9 +169,9 @@ void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shar
     const auto corners = std::make_shared<std::vector<FreshCorner>>();
     const auto indices = std::make_shared<std::vector<std::uint32_t>>();
     // How many of the banks are taken is known when the levels are: room is made for all.
-    const std::size_t most = mesh.positions_m.size() + WaterLevels::most_banks(mesh);
+    const std::size_t most = mesh.positions_m.size() + choose::WaterLevels::most_banks(mesh);
     slices.prepare([&water, land, corners, indices, most] {
-        water.levels = WaterLevels(land->fresh_water, land->height_m, land->cell_m);
+        water.levels = choose::WaterLevels(land->fresh_water, land->height_m, land->cell_m);
         *indices = water.levels.take_indices();
         const mesh::Mesh& surface = land->fresh_water;
         const auto add = [&](glm::vec3 at_m, glm::vec2 current_m_s) {
@@ -178,7 +179,8 @@ void add_fresh_water(gl::Slices& slices, FreshWaterOnGpu& water, const std::shar
         };
         corners->reserve(most);
         for (std::size_t i = 0; i < surface.positions_m.size(); ++i) add(surface.positions_m[i], surface.texcoords[i]);
-        for (const WaterLevels::Bank& bank : water.levels.take_banks()) add(bank.at_m, surface.texcoords[bank.like]);
+        for (const choose::WaterLevels::Bank& bank : water.levels.take_banks())
+            add(bank.at_m, surface.texcoords[bank.like]);
         corners->resize(most);
     });
     gl::add_elements<FreshCorner>(slices, water.corners, pool, GL_ARRAY_BUFFER, most,
@@ -211,7 +213,7 @@ WaterPass::WaterPass()
         ways[i].emplace_back(rim.x, 0, rim.y);
         ways[(i + kSectors - 1) % kSectors].emplace_back(rim.x, 0, rim.y);
     }
-    sectors_ = Sectors(std::move(ways), indices.size() / kSectors);
+    sectors_ = choose::Sectors(std::move(ways), indices.size() / kSectors);
     gl::Slices slices;
     gl::TextureShape shape;
     shape.wrap_s = shape.wrap_t = gl::Wrap::Repeat;
@@ -219,8 +221,8 @@ WaterPass::WaterPass()
     while (!slices.advance(std::size_t{1} << 20U)) continue;
 }
 
-gl::Work WaterPass::draw(const gl::Texture2D& ground, const MirrorOnGpu& mirror, const Frustum& frustum,
-                         glm::vec3 eye_m, const Reach& reach) const {
+gl::Work WaterPass::draw(const gl::Texture2D& ground, const MirrorOnGpu& mirror, const choose::Frustum& frustum,
+                         glm::vec3 eye_m, const choose::Reach& reach) const {
     program_.use();
     vertices_.bind();
     vertices_.feed(0, rings_.name());
@@ -233,7 +235,7 @@ gl::Work WaterPass::draw(const gl::Texture2D& ground, const MirrorOnGpu& mirror,
 }
 
 gl::Work WaterPass::draw_fresh(const FreshWaterOnGpu& water, const gl::Texture2D& ground, const MirrorOnGpu& mirror,
-                               std::span<const Range> seen) const {
+                               std::span<const choose::Range> seen) const {
     if (seen.empty()) return {};
     fresh_program_.use();
     fresh_vertices_.bind();

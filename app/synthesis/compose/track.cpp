@@ -195,17 +195,18 @@ struct Flown {
 };
 
 // Of some manners the one whose beginning, middle and end are the best to look at.
-Manner best_manner(const Flown& flown, const scene::Land& land) {
+Manner best_manner(const Flown& flown, const Lookout& lookout) {
     Manner best{0, 0};
     float most = -1.0e6F;
-    const std::array<float, 3> lifts_m = land.settlement.is_empty() ? std::array{0.0F, 2.0F, 6.0F} : kLiftsOverRoofs_m;
+    const bool is_wild = lookout.land().settlement.is_empty();
+    const std::array<float, 3> lifts_m = is_wild ? std::array{0.0F, 2.0F, 6.0F} : kLiftsOverRoofs_m;
     for (const float lift_m : lifts_m) {
         for (const float tilt_deg : {0.0F, -3.5F, 3.0F}) {
             const Manner manner{lift_m, tilt_deg};
             const std::size_t last = flown.plan.stations.size() - 1;
             float merit = -0.012F * lift_m;  // what is near is best seen from low down
             for (const std::size_t i : {std::size_t{0}, last / 2, last})
-                merit += view_merit(outlook(land, flown.camera(i, manner)));
+                merit += view_merit(lookout.outlook(flown.camera(i, manner)));
             if (merit <= most) continue;
             most = merit;
             best = manner;
@@ -229,10 +230,10 @@ FlightPlan moved(const FlightPlan& plan, glm::vec2 at_m, glm::vec2 ahead) {
 }
 
 // What the early station of a plan sees is worth.
-float merit_of(const scene::Land& land, const FlightPlan& plan) {
+float merit_of(const Lookout& lookout, const FlightPlan& plan) {
     const FlightPlan::Station& early = plan.stations[plan.stations.size() / 5];
-    const glm::vec3 eye{early.at_m.x, floor_m(land, early.at_m) + 3.0F, early.at_m.y};
-    const Outlook seen = outlook(land, {eye, eye + glm::vec3{early.ahead.x, -0.08F, early.ahead.y}, 42.0F});
+    const glm::vec3 eye{early.at_m.x, floor_m(lookout.land(), early.at_m) + 3.0F, early.at_m.y};
+    const Outlook seen = lookout.outlook({eye, eye + glm::vec3{early.ahead.x, -0.08F, early.ahead.y}, 42.0F});
     return view_merit(seen) - 4.0F * std::max(seen.water - 0.25F, 0.0F);
 }
 
@@ -303,23 +304,23 @@ std::vector<FlightPlan> along_roads(const scene::Land& land, const FlightPlan& p
 
 }  // namespace
 
-FlightPlan fitted_to(const scene::Land& land, FlightPlan plan) {
+FlightPlan fitted_to(const Lookout& lookout, FlightPlan plan) {
     // Ahead and aside, in metres; the land's edge is behind.
     constexpr std::array<glm::vec2, 9> kMoves{
         {{0, 0}, {70, 0}, {-40, 0}, {0, 80}, {0, -80}, {70, 80}, {70, -80}, {-40, 80}, {-40, -80}}};
     const FlightPlan::Station early = plan.stations[plan.stations.size() / 5];
     const glm::vec2 aside{-early.ahead.y, early.ahead.x};
-    std::vector<FlightPlan> others = before_landmarks(land, plan);
-    for (FlightPlan& beside : along_roads(land, plan)) others.push_back(std::move(beside));
+    std::vector<FlightPlan> others = before_landmarks(lookout.land(), plan);
+    for (FlightPlan& beside : along_roads(lookout.land(), plan)) others.push_back(std::move(beside));
     for (const glm::vec2& move : kMoves) {
         if (move == glm::vec2{0}) continue;
         others.push_back(plan);
         for (FlightPlan::Station& station : others.back().stations)
             station.at_m += move.x * early.ahead + move.y * aside;
     }
-    float most = merit_of(land, plan) + 0.15F;
+    float most = merit_of(lookout, plan) + 0.15F;
     for (FlightPlan& other : others) {
-        const float merit = merit_of(land, other);
+        const float merit = merit_of(lookout, other);
         if (merit <= most) continue;
         most = merit;
         plan = std::move(other);
@@ -327,7 +328,8 @@ FlightPlan fitted_to(const scene::Land& land, FlightPlan plan) {
     return plan;
 }
 
-scene::Track fly(const FlightPlan& plan, const scene::Land& land, base::Seed flight) {
+scene::Track fly(const FlightPlan& plan, const Lookout& lookout, base::Seed flight) {
+    const scene::Land& land = lookout.land();
     base::RandomStream random{flight.child("height")};
     const float over_m = random.between(0.0F, 1.6F);
     std::vector<float> eyes_m;
@@ -349,7 +351,7 @@ scene::Track fly(const FlightPlan& plan, const scene::Land& land, base::Seed fli
     lower = smoothed_over(lower, 8);
     for (std::size_t i = 0; i < eyes_m.size(); ++i) pitches[i] -= lower[i];
     const Flown flown{plan, eyes_m, pitches};
-    const Manner manner = best_manner(flown, land);
+    const Manner manner = best_manner(flown, lookout);
     scene::Track track;
     track.period_s = kPeriod_s;
     for (std::size_t i = 0; i < eyes_m.size(); ++i) track.cameras.push_back(flown.camera(i, manner));

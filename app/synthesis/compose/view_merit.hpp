@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <vector>
+
 #include "scene/camera.hpp"
 #include "scene/land.hpp"
+#include "synthesis/compose/near_things.hpp"
 
 namespace quadrat::synthesis {
+
+class Picture;
 
 // What a camera of 16 by 9 sees of a land, as shares of its picture.
 struct Outlook {
@@ -21,6 +26,33 @@ struct Outlook {
     float road = 0;    // of roads that are no lanes
 };
 Outlook outlook(const scene::Land& land, const scene::Camera& camera);
+
+// One land, to look out over from many places: what there is to look for is found once. The land stays as it is.
+class Lookout {
+  public:
+    explicit Lookout(const scene::Land& land);
+    Lookout(scene::Land&&) = delete;
+
+    Outlook outlook(const scene::Camera& camera) const;
+    const scene::Land& land() const { return *land_; }
+
+  private:
+    // Of a road that is no lane, from one of its points to the next.
+    struct Stretch {
+        glm::vec3 at_m, ground_normal;
+        float area_m2;
+    };
+    bool is_behind_land(const glm::vec3& eye_m, const glm::vec3& at_m, float distance_m) const;
+    void look_for_landmarks(const glm::vec3& eye_m, const Picture& picture, Outlook& seen) const;
+    float road_in_sight(const scene::Camera& camera, const Picture& picture) const;
+    float housed_share(const glm::vec3& eye_m, const Picture& picture) const;
+
+    const scene::Land* land_;
+    float ceiling_m_;
+    std::vector<scene::Landmark> marks_;  // the land's own first; then tall stones
+    std::vector<Stretch> roads_;
+    StandingRock rock_;
+};
 
 // How well a landscape painter would like it: something near, something far, water if there is any, a third of sky.
 float view_merit(const Outlook& seen);

@@ -29,7 +29,7 @@ class FallingDrops : public Stage {
         const render::Drawn drawn = renderer_->draw(f);
         const mesh::Image picture = renderer_->read_pixels(f);
         Seen seen;
-        seen.triangles = drawn.of[static_cast<std::size_t>(render::Kind::Falling)].triangles;
+        seen.triangles = drawn.of[static_cast<std::size_t>(render::DrawnKind::Falling)].triangles;
         for (std::size_t i = 0; i < picture.bytes.size(); ++i)
             if (i % 4 != 3) seen.light += picture.bytes[i];
         seen.light /= 0.75 * static_cast<double>(picture.bytes.size());

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <spdlog/sinks/sink.h>
+#include <spdlog/spdlog.h>
 
 #include "base/error.hpp"
 #include "support/process.hpp"
@@ -20,7 +21,7 @@ TEST(LogFile, KeepsWhatIsInItAndIsBoundedInSizeAndNumber) {
     EXPECT_THAT(tests::contents_of(file), testing::AllOf(testing::StartsWith("what went wrong before\n"),
                                                          testing::HasSubstr("what goes wrong now")));
     // On standard error, too, it would be too much to read.
-    log::default_logger()->sinks().front()->set_level(log::level::off);
+    spdlog::default_logger()->sinks().front()->set_level(spdlog::level::off);
     const std::string line(64U << 10U, 'x');
     for (int i = 0; i < 400; ++i) log::warn(line);
     std::uintmax_t bytes = 0;

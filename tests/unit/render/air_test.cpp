@@ -5,12 +5,13 @@
 #include <glm/geometric.hpp>
 
 #include "base/seed.hpp"
+#include "render/choose/air.hpp"
+#include "render/choose/cloud_light.hpp"
 #include "render/gpu_scene.hpp"
-#include "render/passes/air.hpp"
 #include "render/passes/cloud_shadow.hpp"
 #include "render/view.hpp"
 
-namespace quadrat::render::passes {
+namespace quadrat::render::choose {
 namespace {
 
 ViewBlock misty(float level_m, float depth_m, glm::vec3 eye) {
@@ -88,12 +89,12 @@ TEST(CloudShadow, MapKeepsTheMeanOfItsClouds) {
     mesh::Image density(512, 512, 1);
     for (int y = 0; y < 512; ++y)
         for (int x = 0; x < 512; ++x) *density.pixel(x, y) = static_cast<std::uint8_t>((x / 64 + y / 64) % 2 * 200);
-    const mesh::Image map = shadow_map_of(density);
-    ASSERT_EQ(map.width, kShadowSide);
+    const mesh::Image map = passes::shadow_map_of(density);
+    ASSERT_EQ(map.width, passes::kShadowSide);
     double sum = 0;
     for (const std::uint8_t b : map.bytes) sum += b;
     EXPECT_NEAR(sum / static_cast<double>(map.bytes.size()), 100, 1);
 }
 
 }  // namespace
-}  // namespace quadrat::render::passes
+}  // namespace quadrat::render::choose

@@ -7,9 +7,9 @@
 #include <cstddef>
 
 #include "base/error.hpp"
-#include "render/passes/crowd.hpp"
+#include "render/choose/crowd.hpp"
+#include "render/choose/view_block.hpp"
 #include "render/passes/mirror.hpp"
-#include "render/passes/view_block.hpp"
 #include "unit/render/gpu_fixture.hpp"
 
 namespace quadrat::render::gl {
@@ -30,7 +30,7 @@ GLint offset_of(GLuint program, const char* name) {
 
 // std140 blocks keep members no shader reads, so one program shows them all.
 TEST_F(Programs, LayTheViewBlockOutAsTheStructThatFillsIt) {
-    using passes::ViewBlock;
+    using choose::ViewBlock;
     const Program sky("sky.vert", "sky.frag");
     const std::pair<const char*, std::size_t> members[] = {
         {"ViewBlock.clip_from_world", offsetof(ViewBlock, clip_from_world)},
@@ -60,7 +60,7 @@ TEST_F(Programs, LayTheViewBlockOutAsTheStructThatFillsIt) {
     GLint bytes = 0;
     glGetProgramResourceiv(sky.name(), GL_UNIFORM_BLOCK, 0, 1, &size, 1, nullptr, &bytes);
     EXPECT_EQ(bytes, static_cast<GLint>(sizeof(ViewBlock)));
-    EXPECT_EQ(passes::kViewBlockBytes % 256, 0U);
+    EXPECT_EQ(choose::kViewBlockBytes % 256, 0U);
 }
 
 TEST_F(Programs, LayTheMirrorOutAsTheStructThatFillsIt) {
@@ -83,7 +83,7 @@ TEST_F(Programs, ReadAnInstanceAsTheStructThatFillsIt) {
     EXPECT_EQ(glGetAttribLocation(leaves.name(), "half_tint_enlarged"), 12);
     const Program crown("crown.vert", "lit.frag");
     EXPECT_EQ(glGetAttribLocation(crown.name(), "becoming"), 13);
-    EXPECT_EQ(sizeof(passes::Instance), 60U);
+    EXPECT_EQ(sizeof(choose::Instance), 60U);
 }
 
 TEST_F(Programs, NameFileAndLineOfAnErrorInAnInclude) {

@@ -22,12 +22,12 @@ TEST_F(Rehearsal, DrawsSomethingOfEveryKind) {
     for (const GroundBy ground : {GroundBy::Blocks, GroundBy::Roam}) {
         Renderer renderer(ground);
         const Drawn drawn = renderer.rehearse(frame_of({1280, 720}));
-        const auto of = [&](Kind kind) { return drawn.of[static_cast<std::size_t>(kind)]; };
-        for (std::size_t kind = 0; kind < kKinds; ++kind) EXPECT_GT(drawn.of[kind].triangles, 0U) << kind;
-        EXPECT_GE(of(Kind::Leaves).draws, 3U) << "with their picture, plain, and as masses";
-        EXPECT_GE(of(Kind::Ground).draws, 5U) << "houses, stone, near, far, around";
-        EXPECT_GE(of(Kind::Water).draws, 2U) << "sea and river";
-        EXPECT_GE(of(Kind::Sky).draws, 4U) << "dome and clouds, stars, disc, rainbow";
+        const auto of = [&](DrawnKind kind) { return drawn.of[static_cast<std::size_t>(kind)]; };
+        for (std::size_t kind = 0; kind < kDrawnKinds; ++kind) EXPECT_GT(drawn.of[kind].triangles, 0U) << kind;
+        EXPECT_GE(of(DrawnKind::Leaves).draws, 3U) << "with their picture, plain, and as masses";
+        EXPECT_GE(of(DrawnKind::Ground).draws, 5U) << "houses, stone, near, far, around";
+        EXPECT_GE(of(DrawnKind::Water).draws, 2U) << "sea and river";
+        EXPECT_GE(of(DrawnKind::Sky).draws, 4U) << "dome and clouds, stars, disc, rainbow";
     }
     EXPECT_EQ(gl::limits::breaches(), std::vector<std::string>{});
 }

@@ -45,10 +45,10 @@ scene::Camera over_the_land(float turn) {
     return {{70 * std::sin(turn), 34, 70 * std::cos(turn)}, {20 * std::sin(turn + 2), 0, 20 * std::cos(turn + 2)}, 60};
 }
 
-Allowance allowed(float alpha, std::size_t views = 1) {
+choose::Allowance allowed(float alpha, std::size_t views = 1) {
     Detail detail;
     detail.alpha = alpha;
-    return allowance_of(detail, views);
+    return choose::allowance_of(detail, views);
 }
 
 class RoamGround : public Gpu {
@@ -91,7 +91,7 @@ double difference(const mesh::Image& a, const mesh::Image& b) {
     return sum / static_cast<double>(a.bytes.size());
 }
 
-std::vector<std::uint32_t> indices_of(const HeldGround& held, const passes::IndexRange& range) {
+std::vector<std::uint32_t> indices_of(const HeldGround& held, const choose::IndexRange& range) {
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, held.indices().name());
     const auto bytes = [](std::size_t count) { return static_cast<GLsizeiptr>(count * sizeof(std::uint32_t)); };
     const auto* mapped = static_cast<const std::uint32_t*>(
@@ -150,7 +150,7 @@ TEST_F(RoamGround, NothingMorphsAndWhatIsNearComesFirst) {
     HeldGround held;
     for (const float alpha : {0.2F, 1.0F, 4.0F}) {
         held.update(view, clip_from_world_of(view), {allowed(alpha), 300, 1});
-        const passes::IndexRange& land = held.land();
+        const choose::IndexRange& land = held.land();
         EXPECT_EQ(land.ease, 0) << "less than any distance and error make begin";
         ASSERT_GT(land.near_count, 0U);
         ASSERT_LT(land.near_count, land.count);
@@ -192,7 +192,7 @@ TEST_F(RoamGround, SortsAllTrianglesByLevelForWires) {
     held.sort_by_level(*studio.scene);
     std::size_t sorted = 0;
     std::size_t coarser = 0;
-    for (const passes::IndexRange& level : held.land_by_level()) {
+    for (const choose::IndexRange& level : held.land_by_level()) {
         EXPECT_EQ(level.first, sorted);
         EXPECT_GE(level.level, coarser);
         EXPECT_EQ(level.ease, 0);

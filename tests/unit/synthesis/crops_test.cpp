@@ -8,6 +8,7 @@
 
 #include "scene/land.hpp"
 #include "synthesis/compose/sward.hpp"
+#include "unit/synthesis/plain_colour.hpp"
 
 namespace quadrat::synthesis {
 namespace {
@@ -53,13 +54,7 @@ scene::Sward on_field(scene::Crop crop) {
     scene::Land land;
     land.cell_m = 2;
     land.height_m = mesh::Field(129, 129, 4.0F);
-    mesh::Image earth(64, 64, 4);
-    for (std::size_t i = 0; i < earth.bytes.size(); i += 4) {
-        earth.bytes[i] = 130;
-        earth.bytes[i + 1] = 115;
-        earth.bytes[i + 2] = 90;
-    }
-    land.albedo = scene::GroundColours(earth);
+    land.albedo = tests::plain_colour(tests::kEarth);
     land.kept_clear = scene::kept_clear_of(mesh::Field(129, 129));
     land.settlement.fields.push_back(square({0, 20}, crop));
     const FlightPlan flight{{{{0, 60}, {0, -1}}, {{2, 50}, {0, -1}}}};

@@ -173,7 +173,8 @@ TEST(Landmarks, AreInSightOfTheFlight) {
         p.land.arch_share = 0.8F;
         scene::Land land = grow_land(p.land, recipe.seeds[genome::Aspect::Land],
                                      {.land_samples = 257, .light_px = 64, .albedo_px = 64});
-        const scene::Track track = fly(fitted_to(land, plan_flight(recipe.flight)), land, recipe.flight);
+        const Lookout lookout(land);
+        const scene::Track track = fly(fitted_to(lookout, plan_flight(recipe.flight)), lookout, recipe.flight);
         ++lands;
         caves += std::ranges::any_of(land.landmarks, &scene::Landmark::has_front);
         const Outlook seen = outlook(land, scene::camera_at(track, 12));
@@ -204,7 +205,8 @@ TEST(Roads, LeadIntoThePicture) {
         const scene::Land land = grow_land(p.land, recipe.seeds[genome::Aspect::Land],
                                            {.land_samples = 257, .light_px = 64, .albedo_px = 64});
         if (land.roads.empty()) continue;
-        const scene::Track track = fly(fitted_to(land, plan_flight(recipe.flight)), land, recipe.flight);
+        const Lookout lookout(land);
+        const scene::Track track = fly(fitted_to(lookout, plan_flight(recipe.flight)), lookout, recipe.flight);
         ++lands;
         wide += outlook(land, scene::camera_at(track, 12)).road > kWide;
     }

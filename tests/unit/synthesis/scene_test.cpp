@@ -75,7 +75,7 @@ bool are_same(const scene::Settlement& a, const scene::Settlement& b) {
     };
     return std::ranges::equal(a.buildings, b.buildings, is_built_alike) &&
            std::ranges::equal(a.houses, b.houses, stands_alike) && all_same(a.bounds, b.bounds) &&
-           a.gardens == b.gardens && a.lit_share == b.lit_share;
+           a.gardens == b.gardens && a.fields == b.fields && a.lit_share == b.lit_share;
 }
 
 bool are_same(const scene::Land& a, const scene::Land& b) {

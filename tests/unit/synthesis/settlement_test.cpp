@@ -11,6 +11,7 @@
 #include "scene/camera.hpp"
 #include "scene/parameters.hpp"
 #include "synthesis/compose/track.hpp"
+#include "synthesis/compose/view_merit.hpp"
 #include "synthesis/grow.hpp"
 #include "synthesis/houses/fields.hpp"
 #include "synthesis/houses/settle.hpp"
@@ -112,9 +113,10 @@ TEST(Settlement, EveryDoorIsNearALaneThatItLooksAt) {
 
 TEST(Settlement, NoFlightPassesThroughAHouse) {
     for (const scene::Land& land : lands()) {
+        const Lookout lookout(land);
         for (std::uint64_t seed = 0; seed < 4; ++seed) {
             const base::Seed flight{seed};
-            const scene::Track track = fly(fitted_to(land, plan_flight(flight)), land, flight);
+            const scene::Track track = fly(fitted_to(lookout, plan_flight(flight)), lookout, flight);
             for (float seconds = 0; seconds < track.period_s; seconds += 0.5F) {
                 const glm::vec3 eye = scene::camera_at(track, seconds).eye_m;
                 for (const scene::House& house : land.settlement.houses) {

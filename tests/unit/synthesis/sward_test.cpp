@@ -14,7 +14,9 @@
 #include "scene/colour.hpp"
 #include "scene/parameters.hpp"
 #include "synthesis/compose/near_shade.hpp"
+#include "synthesis/compose/view_merit.hpp"
 #include "synthesis/grow.hpp"
+#include "unit/synthesis/plain_colour.hpp"
 
 namespace quadrat::synthesis {
 namespace {
@@ -26,13 +28,7 @@ scene::Land shore() {
     land.height_m = mesh::Field(257, 257);
     for (int row = 0; row < 257; ++row)
         for (int column = 0; column < 257; ++column) land.height_m.at(column, row) = column < 128 ? -4 : 4;
-    mesh::Image green(64, 64, 4);
-    for (int i = 0; i < 64 * 64; ++i) {
-        green.bytes[static_cast<std::size_t>(4 * i)] = 90;
-        green.bytes[static_cast<std::size_t>(4 * i + 1)] = 120;
-        green.bytes[static_cast<std::size_t>(4 * i + 2)] = 60;
-    }
-    land.albedo = scene::GroundColours(green);
+    land.albedo = tests::plain_colour({90, 120, 60});
     return land;
 }
 
@@ -129,13 +125,7 @@ TEST(Sward, IsMownOnGreenGroundThatPeopleUseAndGrowsOnNoneOfTheirEarth) {
     EXPECT_LT(tallest_m(lawn), 0.6F * tallest_m(wild));
     EXPECT_TRUE(
         std::ranges::all_of(lawn.tufts, [](const scene::Tuft& tuft) { return tuft.kind == scene::CoverKind::Grass; }));
-    mesh::Image earth(64, 64, 4);
-    for (std::size_t i = 0; i < earth.bytes.size(); i += 4) {
-        earth.bytes[i] = 130;
-        earth.bytes[i + 1] = 115;
-        earth.bytes[i + 2] = 90;
-    }
-    used.albedo = scene::GroundColours(earth);
+    used.albedo = tests::plain_colour(tests::kEarth);
     EXPECT_TRUE(laid(used).tufts.empty());
 }
 
@@ -204,9 +194,10 @@ TEST(NearShade, TakesLightNearTheWayAndNoneFarFromIt) {
 }
 
 TEST(Flight, FittedToALandKeepsItsWayAndMovesALittle) {
+    const scene::Land land = shore();
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         const FlightPlan plan = plan_flight(base::Seed{seed});
-        const FlightPlan fitted = fitted_to(shore(), plan);
+        const FlightPlan fitted = fitted_to(Lookout(land), plan);
         ASSERT_EQ(fitted.stations.size(), plan.stations.size());
         const glm::vec2 shift = fitted.stations.front().at_m - plan.stations.front().at_m;
         EXPECT_LT(glm::length(shift), 110);
@@ -223,7 +214,7 @@ TEST(Flight, LeavesOpenWaterForTheShore) {
     for (int row = 0; row < 257; ++row)
         for (int column = 0; column < 257; ++column)
             sea.height_m.at(column, row) = column > 128 + 25 && column < 128 + 70 ? 4 : -4;
-    const FlightPlan fitted = fitted_to(sea, northward());
+    const FlightPlan fitted = fitted_to(Lookout(sea), northward());
     EXPECT_GT(fitted.stations.front().at_m.x, 40);
 }
 

@@ -116,7 +116,7 @@ TEST(Flight, ShowsSkyAndLandOverEveryGenome) {
         const genome::Recipe recipe = genome::random_recipe(base::Seed{seed});
         const scene::Land land = grow_land(scene::realise_land(recipe.values), recipe.seeds[genome::Aspect::Land],
                                            {.land_samples = 129, .light_px = 64, .albedo_px = 64});
-        const scene::Track track = fly(plan_flight(recipe.flight), land, recipe.flight);
+        const scene::Track track = fly(plan_flight(recipe.flight), Lookout(land), recipe.flight);
         const Outlook seen = outlook(land, track.cameras[track.cameras.size() / 2]);
         EXPECT_GT(seen.sky, 0.08F) << seed;
         EXPECT_LT(seen.sky, 0.72F) << seed;
