@@ -125,7 +125,7 @@ choose::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, f
               7.0F + 0.005F * sky.haze_distance_m};
     // However long a picture is exposed, its sun or moon is not: a moon would be a white disc.
     b.disc = {encode(sky.disc.colour * std::min(left, kept(view.dim))), sky.disc.radius_rad};
-    b.glare = {sky.glare * kept_shown, 0.20F * sky.bow * kept_shown};
+    b.glare = {sky.glare * kept_shown, 0.14F * sky.bow * kept_shown};
     set_water(b, air, left);
     set_clouds(b, view, left, seconds);
     b.cloud_place[0].y = air.withered;

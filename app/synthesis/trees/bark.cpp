@@ -48,6 +48,17 @@ void normalise(mesh::Field& field) {
     for (float& value : field.samples) value = (value - least) / range;
 }
 
+// Ribs up the stem, of which the edges bear tufts of spines.
+float ribs(float u, float v) {
+    constexpr float kRibs = 6;  // a tile
+    constexpr float kTufts = 7;
+    const float rib = std::abs(std::sin(3.14159265F * kRibs * u));
+    const float along = kTufts * v + 0.5F * static_cast<float>(static_cast<int>(kRibs * u) % 2);
+    const float to_tuft = std::abs(along - std::round(along)) / 0.22F;
+    const bool is_tuft = rib > 0.93F && to_tuft < 1;
+    return 0.75F * std::sqrt(rib) + (is_tuft ? 0.25F : 0.0F);
+}
+
 }  // namespace
 
 mesh::Field bark_relief(Bark kind, base::Seed seed, int side) {
@@ -83,6 +94,9 @@ mesh::Field bark_relief(Bark kind, base::Seed seed, int side) {
                     h = std::min(2.6F * (f.y - f.x), 1.0F) + 0.15F * grain;
                     break;
                 }
+                case Bark::Ribbed:
+                    h = ribs(u, v) + 0.04F * grain;
+                    break;
                 case Bark::Smooth:
                     h = 0.5F + 0.22F * tile_noise(bend, u, v, 3, 2) + 0.05F * grain;
                     break;

@@ -6,7 +6,8 @@
 
 namespace quadrat::synthesis::trees {
 
-enum class Bark { Furrowed, Plates, Smooth, Banded };
+// Ribbed: of a cactus; no gene chooses it.
+enum class Bark { Furrowed, Plates, Smooth, Banded, Ribbed };
 
 // Tileable relief of bark, 0 to 1, side x side samples: columns around the limb, rows along it.
 mesh::Field bark_relief(Bark kind, base::Seed seed, int side);

@@ -416,7 +416,7 @@ TEST(Bark, ReactsIntoAPatternThatRunsAlongTheLimb) {
 }
 
 TEST(Bark, OfEveryKindTilesAndIsLevelInTheMean) {
-    for (const Bark kind : {Bark::Furrowed, Bark::Plates, Bark::Smooth, Bark::Banded}) {
+    for (const Bark kind : {Bark::Furrowed, Bark::Plates, Bark::Smooth, Bark::Banded, Bark::Ribbed}) {
         const mesh::Field relief = bark_relief(kind, base::Seed{9}, 128);
         double inside = 0;
         double seam = 0;
