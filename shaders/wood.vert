@@ -1,7 +1,6 @@
 #version 310 es
 // SPDX-License-Identifier: Apache-2.0
 #include "common/view.glsl"
-#include "common/night_eye.glsl"
 #include "common/encode.glsl"
 #include "common/ambient.glsl"
 #include "common/instance.glsl"
@@ -12,8 +11,10 @@ layout(location = 5) in vec3 to_coarser_m;
 layout(location = 2) in vec3 wood_normal;
 layout(location = 3) in vec4 grain;  // xyz: along the limb; w: which way the bark runs around it
 layout(location = 4) in vec2 bark_tile;
-layout(location = 0) uniform vec4 bark;  // rgb: colour; w: 1 / height of the species, 1/m
+layout(location = 0) uniform vec4 bark;   // rgb: twice the colour, as it is seen at this hour; w: 1 / height of the
+                                          // species, 1/m
 layout(location = 1) uniform vec2 crown;  // x: how much of the light its leaves take; y: where it begins, of the height
+layout(location = 2) uniform vec3 sunlight;  // as it colours wood
 
 out vec3 shown;     // of the bark, less what the air hides
 out vec3 veil;      // of the air before it
@@ -34,11 +35,9 @@ void main() {
     float high = position_m.y * bark.w;
     float foot = min(0.55 + 3.0 * high, 1.0);
     // Limbs among leaves stand in their shade: lit as the trunk is, they would lie before the crown.
-    float left = 1.0 - crown.x * smoothstep(crown.y, crown.y + 0.25, high);
-    // A low sun's colour is nearly bark's own: all of it on a trunk in the open would be gaudy.
-    vec3 sun = mix(view.sunlight.rgb, vec3(dot(view.sunlight.rgb, vec3(0.2126, 0.7152, 0.0722))), 0.4);
-    vec3 light = (sun * (facing * wind_sun_through.z) + ambient_on(normal) * foot) * left;
-    shown = encode(seen_by_night(bark.rgb * half_tint_enlarged.rgb) * 2.0 * light) * (1.0 - air.a);
+    float left = 1.0 - crown.x * clamp((high - crown.y) * 4.0, 0.0, 1.0);
+    vec3 light = (sunlight * (facing * wind_sun_through.z) + ambient_on(normal) * foot) * left;
+    shown = encode_root(sqrt(bark.rgb * half_tint_enlarged.rgb * light)) * (1.0 - air.a);
     veil = air.rgb * air.a;
     on_bark = bark_tile;
     vec3 toward = view.to_sun.xyz * (0.35 + 0.65 * wind_sun_through.z) + vec3(0.0, 0.35, 0.0);

@@ -58,8 +58,9 @@ void set_clouds(choose::ViewBlock& b, const View& view, float left, float second
 
 void set_water(choose::ViewBlock& b, const LightAndAir& air, float left) {
     const glm::vec3 shallow = encode(air.shallow_water * left);
-    b.shallow_water = {shallow, scene::colour_seen(air.sky.darkness)};
-    b.deepening = {encode(air.deep_water * left) - shallow, 0};
+    const float colour_seen = scene::colour_seen(air.sky.darkness);
+    b.shallow_water = {shallow, colour_seen};
+    b.deepening = {encode(air.deep_water * left) - shallow, 1 - colour_seen};
     b.mirrored = {shown(air.high_sky, left), 0.35F * encode(scene::luminance(air.foam) * left)};
 }
 

@@ -68,7 +68,8 @@ void ViewPainter::draw(const Frame& frame, const View& view, const Selection& se
 }
 
 void ViewPainter::draw_plants(const View& view, const Selection& selection, const Stock& stock, Drawn& drawn) const {
-    const passes::PlantsPass::Drawn trees = plants_.draw(*view.scene->flora, selection.batches, stock.instances);
+    const passes::PlantsPass::Drawn trees =
+        plants_.draw(*view.scene->flora, selection.batches, stock.instances, selection.block);
     of(drawn, DrawnKind::Leaves) += trees.leaves;
     of(drawn, DrawnKind::Wood) += trees.wood;
 }

@@ -2,11 +2,12 @@
 // Leaves in the light, as shown through the air. shade: of the crown itself, in root_colour's a.
 vec3 leaf_shown(vec3 normal, vec4 root_colour_shade) {
     float shade = root_colour_shade.a;
-    float facing = max(dot(normal, view.to_sun.xyz) * 0.75 + 0.25, 0.0) * wind_sun_through.z;
+    // Twice the light, for the tint is halved.
+    float facing = max(dot(normal, view.to_sun.xyz) * 1.5 + 0.5, 0.0) * wind_sun_through.z;
     // Light that comes through a leaf has lost its blue.
-    vec3 sun = view.sunlight.rgb * (facing + vec3(0.95, 1.0, 0.30) * wind_sun_through.w);
+    vec3 sun = view.sunlight.rgb * (facing + vec3(1.9, 2.0, 0.6) * wind_sun_through.w);
     // Some of what falls on its back comes through it as well: one that looks down is not black.
-    vec3 light = sun * shade + ambient_on(0.9 * normal) * (0.12 + 1.1 * shade);
+    vec3 light = sun * shade + ambient_on(0.9 * normal) * (0.24 + 2.2 * shade);
     vec3 colour = seen_by_night(root_colour_shade.rgb * root_colour_shade.rgb * half_tint_enlarged.rgb);
-    return mix(encode(colour * light * 2.0), air.rgb, air.a);
+    return mix(encode_root(sqrt(colour * light)), air.rgb, air.a);
 }

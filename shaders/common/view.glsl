@@ -20,7 +20,7 @@ layout(std140, binding = 0) uniform ViewBlock {
     vec4 mist;           // x: log2(e) * extinction, 1/m; y: its level, m; z: log2(e) / its depth, 1/m;
                          // w: how soon the sky rises out of the haze, in powers of two a sine of height
     vec4 shallow_water;  // rgb: shown; w: how much of a colour an eye sees in so little light
-    vec4 deepening;      // rgb: shown, deep water less shallow
+    vec4 deepening;      // rgb: shown, deep water less shallow; w: what of a colour is seen as grey
     vec4 mirrored;       // rgb: shown, the high sky in the water; w: brightness of foam, shown
     vec4 disc;           // rgb: shown, of the sun's or the moon's; w: radius of its picture
     vec4 glare;          // rgb: shown, about the disc; w: strength of the rainbow, shown

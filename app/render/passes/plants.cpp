@@ -14,6 +14,8 @@
 #include "render/gl/picture_upload.hpp"
 #include "render/gl/wires.hpp"
 #include "render/passes/packing.hpp"
+#include "scene/colour.hpp"
+#include "scene/night_eye.hpp"
 
 namespace quadrat::render::passes {
 namespace {
@@ -300,9 +302,11 @@ gl::Work PlantsPass::draw_mass(const SpeciesOnGpu& species, const choose::Batch&
     return draw_instances(mass.places.bytes() / sizeof(MassPlace), mass.index_count, batch.count);
 }
 
-gl::Work PlantsPass::draw_wood(const SpeciesOnGpu& species, const choose::Batch& batch, GLuint instances) const {
+gl::Work PlantsPass::draw_wood(const SpeciesOnGpu& species, const choose::Batch& batch, GLuint instances,
+                               const choose::ViewBlock& view) const {
     const WoodOnGpu& wood = species.wood[batch.level];
-    glUniform4f(0, species.bark_colour.r, species.bark_colour.g, species.bark_colour.b, 1 / species.height_m);
+    const glm::vec3 bark = 2.0F * scene::seen_by_night(species.bark_colour, view.shallow_water.w);
+    glUniform4f(0, bark.r, bark.g, bark.b, 1 / species.height_m);
     glUniform2f(1, species.crown.x, species.crown.y);
     wood_vertices_.feed(0, wood.places.name());
     species.bark.bind(0);
@@ -334,7 +338,7 @@ gl::Work PlantsPass::draw_leaves(const SpeciesOnGpu& species, const choose::Batc
 }
 
 PlantsPass::Drawn PlantsPass::draw(const FloraOnGpu& flora, const std::vector<choose::Batch>& batches,
-                                   const gl::StreamBuffer& instances) const {
+                                   const gl::StreamBuffer& instances, const choose::ViewBlock& view) const {
     Drawn drawn;
     // Leaves first: they hide most of the wood, and what is hidden need not be shaded.
     glDisable(GL_CULL_FACE);
@@ -358,10 +362,14 @@ PlantsPass::Drawn PlantsPass::draw(const FloraOnGpu& flora, const std::vector<ch
         if (batch.part == choose::Batch::Part::Mass)
             drawn.leaves += draw_mass(flora.species[batch.species], batch, instances.name());
     wood_.use();
+    // A low sun's colour is nearly bark's own: all of it on a trunk in the open would be gaudy.
+    const glm::vec3 own{view.sunlight};
+    const glm::vec3 sun = glm::mix(own, glm::vec3{scene::luminance(own)}, 0.4F);
+    glUniform3f(2, sun.r, sun.g, sun.b);
     wood_vertices_.bind();
     for (const choose::Batch& batch : batches)
         if (batch.part == choose::Batch::Part::Wood)
-            drawn.wood += draw_wood(flora.species[batch.species], batch, instances.name());
+            drawn.wood += draw_wood(flora.species[batch.species], batch, instances.name(), view);
     return drawn;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/choose/crowd.hpp"
+#include "render/choose/view_block.hpp"
 #include "render/gl/buffer.hpp"
 #include "render/gl/program.hpp"
 #include "render/gl/slices.hpp"
@@ -65,11 +66,12 @@ class PlantsPass {
         gl::Work leaves;  // and crowns
         gl::Work wood;
     };
-    Drawn draw(const FloraOnGpu& flora, const std::vector<choose::Batch>& batches,
-               const gl::StreamBuffer& instances) const;
+    Drawn draw(const FloraOnGpu& flora, const std::vector<choose::Batch>& batches, const gl::StreamBuffer& instances,
+               const choose::ViewBlock& view) const;
 
   private:
-    gl::Work draw_wood(const SpeciesOnGpu& species, const choose::Batch& batch, GLuint instances) const;
+    gl::Work draw_wood(const SpeciesOnGpu& species, const choose::Batch& batch, GLuint instances,
+                       const choose::ViewBlock& view) const;
     gl::Work draw_leaves(const SpeciesOnGpu& species, const choose::Batch& batch, GLuint instances) const;
 
     gl::Work draw_mass(const SpeciesOnGpu& species, const choose::Batch& batch, GLuint instances) const;

@@ -16,7 +16,7 @@ namespace quadrat::synthesis::trees {
 namespace {
 
 constexpr std::size_t kFewestTriangles = 15;  // of a mass that has a fringe
-constexpr std::size_t kPerTriangle = 9;       // of the mass
+constexpr std::size_t kPerTriangle = 7;       // of the mass
 constexpr std::size_t kFewest = 24;           // sprays, of a bush some ten pixels high: without any it is a ball
 constexpr float kCovers = 1.7F;               // of the mass, by area,
 constexpr float kLargest = 0.009F;            // of it, one spray: larger ones are spikes

@@ -121,7 +121,7 @@ TEST(CrownFringe, StandsOffTheMassAndIsGoneWithIt) {
     auto masses = crown_masses(blades_on_a_ball(3500));
     const auto bare = masses;
     add_fringe(masses);
-    EXPECT_EQ(masses.front().sprays, 9 * bare.front().mesh.triangle_count());
+    EXPECT_EQ(masses.front().sprays, 7 * bare.front().mesh.triangle_count());
     const float crown_m2 = area_of(bare.front().mesh);
     float before_m2 = 2.1F * crown_m2;
     ASSERT_GE(masses.size(), bare.size());

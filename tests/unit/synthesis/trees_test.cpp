@@ -74,7 +74,7 @@ std::string masses_fault(const scene::Species& species) {
     float reach_m = 0;
     for (const scene::Leaves::Vertex& v : species.leaves.vertices)
         reach_m = std::max(reach_m, glm::length(v.site_m + v.corner_m));
-    std::size_t triangles = 1700;
+    std::size_t triangles = 1350;
     for (const scene::CrownMass& mass : species.masses) {
         const std::size_t n = mass.mesh.positions_m.size();
         if (mass.colours.size() != n || mass.shades.size() != n || mass.ages.size() != n || mass.sways.size() != n)
