@@ -132,7 +132,7 @@ void ground(Results& results) {
 // held, unless something else is asked for.
 void as_on(Results& results, Options options) {
     if (options.size == Options{}.size) options.size = "1920x1080";
-    if (options.triangles == 0) options.triangles = options.profile == "pi4" ? 335'000 : 400'000;
+    if (options.triangles == 0) options.triangles = options.profile == "pi4" ? 325'000 : 400'000;
     FourViews views(options);
     estimate(results, options.profile, views);
 }

@@ -75,15 +75,15 @@ void add_costs(Results& results, const Chip& chip) {
 
 }  // namespace
 
-const ChipCosts kPi4Costs{{{"leaves.frag", 19, 214, 120},
-                           {"wood.frag", 29, 195, 71},
+const ChipCosts kPi4Costs{{{"leaves.frag", 19, 208, 120},
+                           {"wood.frag", 29, 177, 71},
                            {"cover.vert", 8, 97, 73},
                            {"near_ground.frag", 42, 220, 81},
                            {"water.frag", 58, 416, 45},
                            {"held_sky.frag", 14, 158, 146},
                            {"falling.frag", 15, 185, 160}}};
-const ChipCosts kPi5Costs{{{"leaves.frag", 20, 193, 94},
-                           {"wood.frag", 29, 172, 64},
+const ChipCosts kPi5Costs{{{"leaves.frag", 20, 183, 94},
+                           {"wood.frag", 29, 158, 64},
                            {"cover.vert", 8, 84, 60},
                            {"near_ground.frag", 39, 201, 73},
                            {"water.frag", 53, 407, 40},
