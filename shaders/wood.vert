@@ -34,8 +34,9 @@ void main() {
     float facing = max(dot(normal, view.to_sun.xyz) * 0.85 + 0.15, 0.0);
     float high = position_m.y * bark.w;
     float foot = min(0.55 + 3.0 * high, 1.0);
-    // Limbs among leaves stand in their shade: lit as the trunk is, they would lie before the crown.
-    float left = 1.0 - crown.x * clamp((high - crown.y) * 4.0, 0.0, 1.0);
+    // Limbs among leaves stand in their shade: lit as the trunk is, they would lie before the crown. The topmost stand
+    // out of it.
+    float left = 1.0 - crown.x * clamp((high - crown.y) * 4.0, 0.0, 1.0) * clamp(3.6 - 3.0 * high, 0.0, 1.0);
     vec3 light = (sunlight * (facing * wind_sun_through.z) + ambient_on(normal) * foot) * left;
     shown = encode_root(sqrt(bark.rgb * half_tint_enlarged.rgb * light)) * (1.0 - air.a);
     veil = air.rgb * air.a;

@@ -163,7 +163,7 @@ void add_leaves(gl::Slices& slices, SpeciesOnGpu& species, const std::shared_ptr
 
 // Of the light on limbs in it, how much its leaves take; and over which share of the height a tenth of them hang.
 glm::vec2 crown_of(const scene::Species& species, const choose::PlantKind& kind) {
-    constexpr float kTaken = 0.75F;  // of what a crown hides
+    constexpr float kTaken = 0.68F;  // of what a crown hides
     std::vector<float> heights_m;
     for (const scene::Leaves::Vertex& v : species.leaves.vertices) heights_m.push_back(v.site_m.y);
     if (heights_m.empty() || kind.are_slivers) return {0, 1};

@@ -143,14 +143,6 @@ struct Place {
     float sway;
 };
 
-// Of a site's group of neighbours, the last on the same limb.
-std::size_t last_beside(const std::vector<Site>& sites, std::size_t site) {
-    constexpr std::size_t kGroup = 5;
-    std::size_t last = std::min(site - site % kGroup + kGroup, sites.size()) - 1;
-    while (last > site && sites[last].limb != sites[site].limb) --last;
-    return last;
-}
-
 // Blades spread over the sites by their weights, then shuffled, so that a prefix covers the whole crown.
 std::vector<Place> shuffled_places(const TreeSkeleton& skeleton, const FoliageOptions& options, base::Seed seed) {
     std::vector<Place> places;
@@ -164,9 +156,11 @@ std::vector<Place> shuffled_places(const TreeSkeleton& skeleton, const FoliageOp
         base::RandomStream random{base::Seed{base::hash_of(seed, 1, static_cast<std::int64_t>(i))}};
         while (passed < each * (static_cast<float>(i) + 0.5F) && at_site + 1 < skeleton.sites.size())
             passed += skeleton.sites[++at_site].weight;
-        // A tuft: the blade moves to the last of its neighbours on its limb, so that no tip is left bare.
+        // A tuft: the blade moves to the first of its group of neighbours, but none leaves a limb's tip bare.
         const bool gathers = random.unit_f() < 0.5F * options.clumping;
-        const Site& site = skeleton.sites[gathers ? last_beside(skeleton.sites, at_site) : at_site];
+        const bool is_tip =
+            at_site + 1 >= skeleton.sites.size() || skeleton.sites[at_site + 1].limb != skeleton.sites[at_site].limb;
+        const Site& site = skeleton.sites[gathers && !is_tip ? at_site - at_site % 5 : at_site];
         const glm::vec3 way = any_direction(random);
         const glm::vec3 off = options.scatter_m * (1 - 0.55F * options.clumping) * random.unit_f() * way;
         const bool is_leaf = site.organ != Organ::Flower && site.organ != Organ::Fruit;
