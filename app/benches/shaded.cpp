@@ -76,7 +76,7 @@ void add_costs(Results& results, const Chip& chip) {
 }  // namespace
 
 const ChipCosts kPi4Costs{{{"leaves.frag", 19, 208, 120},
-                           {"wood.frag", 29, 177, 71},
+                           {"wood.frag", 29, 181, 71},
                            {"cover.vert", 8, 97, 73},
                            {"near_ground.frag", 42, 220, 81},
                            {"water.frag", 58, 416, 45},
