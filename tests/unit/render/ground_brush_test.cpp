@@ -61,17 +61,22 @@ TEST(GroundBrush, IsWhatTheGroundIsMadeOfTimesItsLight) {
     }
 }
 
-TEST(GroundBrush, InAWitheredSeasonPaintsStrawForGrassAndLeavesStone) {
+// How a colour is shown on level, soft ground where one of the sheet's numbers is another.
+glm::ivec3 changed(std::initializer_list<std::uint8_t> albedo, float GroundBrush::Sheet::*number, float value) {
+    const scene::GroundColours colours(filled(kSide, albedo));
     const mesh::Image light = grey(4, 100, 0);
-    const mesh::Image level = filled(1, {128, 128});
     const mesh::Image soft = filled(1, {255, 0});
-    const auto shown = [&](std::initializer_list<std::uint8_t> albedo, float withered) {
-        const scene::GroundColours colours(filled(kSide, albedo));
-        GroundBrush::Sheet sheet{colours, light, soft, level, 3};
-        sheet.withered = withered;
-        const mesh::Image picture = painted(sheet, {kSide, kSide});
-        const std::uint8_t* pixel = picture.pixel(9, 9);
-        return glm::ivec3{pixel[0], pixel[1], pixel[2]};
+    const mesh::Image level = filled(1, {128, 128});
+    GroundBrush::Sheet sheet{colours, light, soft, level, 3};
+    sheet.*number = value;
+    const mesh::Image picture = painted(sheet, {kSide, kSide});
+    const std::uint8_t* pixel = picture.pixel(9, 9);
+    return {pixel[0], pixel[1], pixel[2]};
+}
+
+TEST(GroundBrush, InAWitheredSeasonPaintsStrawForGrassAndLeavesStone) {
+    const auto shown = [](std::initializer_list<std::uint8_t> albedo, float withered) {
+        return changed(albedo, &GroundBrush::Sheet::withered, withered);
     };
     const glm::ivec3 grass = shown({70, 110, 50, 255}, 0);
     const glm::ivec3 straw = shown({70, 110, 50, 255}, 1);
@@ -83,16 +88,8 @@ TEST(GroundBrush, InAWitheredSeasonPaintsStrawForGrassAndLeavesStone) {
 }
 
 TEST(GroundBrush, ByNightPaintsLessColourAndLeavesGreyAlone) {
-    const mesh::Image light = grey(4, 100, 0);
-    const mesh::Image level = filled(1, {128, 128});
-    const mesh::Image soft = filled(1, {255, 0});
-    const auto shown = [&](std::initializer_list<std::uint8_t> albedo, float colour_seen) {
-        const scene::GroundColours colours(filled(kSide, albedo));
-        GroundBrush::Sheet sheet{colours, light, soft, level, 3};
-        sheet.colour_seen = colour_seen;
-        const mesh::Image picture = painted(sheet, {kSide, kSide});
-        const std::uint8_t* pixel = picture.pixel(9, 9);
-        return glm::ivec3{pixel[0], pixel[1], pixel[2]};
+    const auto shown = [](std::initializer_list<std::uint8_t> albedo, float colour_seen) {
+        return changed(albedo, &GroundBrush::Sheet::colour_seen, colour_seen);
     };
     const glm::ivec3 red = shown({160, 60, 40, 255}, 1);
     const glm::ivec3 dark = shown({160, 60, 40, 255}, 0.5F);
