@@ -6,7 +6,9 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <optional>
 
+#include "mesh/nearness.hpp"
 #include "scene/colour.hpp"
 #include "synthesis/trees/foliage.hpp"
 
@@ -18,6 +20,8 @@ constexpr float kPerLeafless = 420;  // where each is but a triangle
 constexpr float kThin = 0.020F;      // half a twig's width, to its length
 constexpr float kLengths = 0.17F;    // of a twig, to the crown's radius
 constexpr float kShortest_m = 0.18F;
+constexpr float kFollows = 1.6F;  // how much a twig goes the way of an undrawn limb that is as long
+constexpr float kSlack = 0.2F;    // as which of the limbs it begins on may be farther than the nearest
 
 glm::vec3 across(const glm::vec3& along) {
     const glm::vec3 other = std::abs(along.y) < 0.9F ? glm::vec3{0, 1, 0} : glm::vec3{1, 0, 0};
@@ -38,11 +42,6 @@ float age_at(const TreeSkeleton& skeleton, float path_m) {
 float sway_at(const TreeSkeleton& skeleton, const Site& site) {
     return std::clamp(skeleton.limbs[site.limb].nodes[site.node].sway, 0.0F, 1.0F);
 }
-
-struct Crown {
-    float radius_m;
-    glm::vec3 bark;
-};
 
 constexpr std::size_t kPiecesALimb = 3;  // so many follow its curve closely enough
 constexpr float kThinnest = 0.011F;      // half a bough's width, to the limb's length: thinner ones are dots from afar
@@ -99,10 +98,11 @@ void add_boughs(scene::Leaves& leaves, const TreeSkeleton& skeleton, const glm::
 }
 
 void add_twigs(scene::Leaves& leaves, const TreeSkeleton& skeleton, const std::vector<const Site*>& bare,
-               const Crown& crown, float per_crown, const LeafShape& shape, std::size_t most, base::Seed seed) {
-    const auto& [crown_radius_m, bark] = crown;
+               const BareCrown& crown, float per_crown, const LeafShape& shape, std::size_t most, base::Seed seed) {
+    const bool has_wood = crown.wood != nullptr && !crown.wood->indices.empty();
+    const std::optional<mesh::Nearness> wood = has_wood ? std::optional<mesh::Nearness>{*crown.wood} : std::nullopt;
     const float share = static_cast<float>(bare.size()) / static_cast<float>(skeleton.sites.size());
-    const float wanted = per_crown * share * std::max(crown_radius_m, 0.4F);
+    const float wanted = per_crown * share * std::max(crown.radius_m, 0.4F);
     const std::size_t count = std::min(static_cast<std::size_t>(wanted), most);
     const glm::vec3 middle_m = 0.5F * (skeleton.low_m + skeleton.high_m);
     const glm::vec3 half_m = glm::max(0.5F * (skeleton.high_m - skeleton.low_m), glm::vec3{0.2F});
@@ -112,18 +112,21 @@ void add_twigs(scene::Leaves& leaves, const TreeSkeleton& skeleton, const std::v
         const Site& site = *bare[random.below(static_cast<std::uint32_t>(bare.size()))];
         const glm::vec3 outward = (site.at_m - middle_m) / half_m;
         const glm::vec3 out = outward / std::max(glm::length(outward), 0.1F);
+        const float usual_m = std::max(kLengths * crown.radius_m, kShortest_m);
         BladeShape twig;
-        twig.site_m = site.at_m;
-        twig.along = glm::normalize(site.along + 0.5F * site.out + 0.35F * out + 0.45F * direction(random) +
+        twig.site_m = wood ? wood->nearest(site.at_m, 0, kSlack).at_m : site.at_m;
+        // Along the limb that is not drawn, if there is one.
+        const glm::vec3 undrawn = kFollows * (site.at_m - twig.site_m) / usual_m;
+        twig.along = glm::normalize(undrawn + site.along + 0.5F * site.out + 0.35F * out + 0.45F * direction(random) +
                                     glm::vec3{0, 0.2F, 0});
         twig.face = across(twig.along);
-        twig.length_m = std::max(kLengths * crown_radius_m, kShortest_m) * random.between(0.6F, 1.3F);
+        twig.length_m = usual_m * random.between(0.6F, 1.3F);
         twig.half_width_m = kThin * twig.length_m;
         twig.fold_m = 0;
         twig.bow_m = 0.35F * twig.length_m * random.between(-1, 1);
         scene::Leaves::Vertex vertex;
         vertex.normal = glm::normalize(out + 0.5F * twig.face + glm::vec3{0, 0.25F, 0});
-        vertex.colour = scene::shifted_colour(bark, random.between(0.95F, 1.15F));
+        vertex.colour = scene::shifted_colour(crown.bark, random.between(0.95F, 1.15F));
         vertex.shade = 0.85F;
         vertex.age = age_at(skeleton, site.path_m);
         vertex.sway = sway_at(skeleton, site);
@@ -133,25 +136,23 @@ void add_twigs(scene::Leaves& leaves, const TreeSkeleton& skeleton, const std::v
 
 }  // namespace
 
-scene::Leaves bare_twigs(const TreeSkeleton& skeleton, float crown_radius_m, const glm::vec3& bark,
-                         const LeafShape& shape, std::size_t most, base::Seed seed) {
+scene::Leaves bare_twigs(const TreeSkeleton& skeleton, const BareCrown& crown, const LeafShape& shape, std::size_t most,
+                         base::Seed seed) {
     scene::Leaves twigs;
     std::vector<const Site*> bare;
     for (const Site& site : skeleton.sites)
         if (site.organ == Organ::None) bare.push_back(&site);
-    if (!bare.empty()) add_twigs(twigs, skeleton, bare, {crown_radius_m, bark}, kPerCrown, shape, most, seed);
+    if (!bare.empty()) add_twigs(twigs, skeleton, bare, crown, kPerCrown, shape, most, seed);
     return twigs;
 }
 
-scene::Leaves leafless_crown(const TreeSkeleton& skeleton, float crown_radius_m, const glm::vec3& bark,
-                             std::size_t most, base::Seed seed) {
+scene::Leaves leafless_crown(const TreeSkeleton& skeleton, const BareCrown& crown, std::size_t most, base::Seed seed) {
     scene::Leaves leaves;
-    add_boughs(leaves, skeleton, bark, most / 2);
+    add_boughs(leaves, skeleton, crown.bark, most / 2);
     std::vector<const Site*> all;
     for (const Site& site : skeleton.sites) all.push_back(&site);
     const std::size_t left = most - leaves.blades;
-    if (!all.empty())
-        add_twigs(leaves, skeleton, all, {crown_radius_m, bark}, kPerLeafless, sliver_shape(), left, seed);
+    if (!all.empty()) add_twigs(leaves, skeleton, all, crown, kPerLeafless, sliver_shape(), left, seed);
     return leaves;
 }
 
@@ -214,14 +215,13 @@ std::array<glm::vec3, 3> corners(const Stroke& stroke, float area_m2) {
 
 }  // namespace
 
-std::vector<scene::CrownMass> leafless_masses(const TreeSkeleton& skeleton, float crown_radius_m, const glm::vec3& bark,
-                                              base::Seed seed) {
+std::vector<scene::CrownMass> leafless_masses(const TreeSkeleton& skeleton, const BareCrown& crown, base::Seed seed) {
     std::vector<scene::CrownMass> masses;
     const std::vector<Site> sites = skeleton.sites.empty() ? along_limbs(skeleton) : skeleton.sites;
     if (sites.empty()) return masses;
     float low_m = skeleton.high_m.y;
     for (const Site& site : sites) low_m = std::min(low_m, site.at_m.y);
-    const float crown_m2 = kStrokesCover * 1.6F * crown_radius_m * std::max(skeleton.high_m.y - low_m, 0.5F);
+    const float crown_m2 = kStrokesCover * 1.6F * crown.radius_m * std::max(skeleton.high_m.y - low_m, 0.5F);
     for (std::size_t level = 0; level < kStrokes.size(); ++level) {
         scene::CrownMass& mass = masses.emplace_back();
         const float area_m2 = crown_m2 / static_cast<float>(kStrokes[level]);
@@ -234,7 +234,7 @@ std::vector<scene::CrownMass> leafless_masses(const TreeSkeleton& skeleton, floa
                 mass.mesh.indices.push_back(static_cast<std::uint32_t>(mass.mesh.positions_m.size()));
                 mass.mesh.positions_m.push_back(now[k]);
                 mass.mesh.normals.push_back(stroke.normal);
-                mass.colours.push_back(bark);
+                mass.colours.push_back(crown.bark);
                 mass.shades.push_back(0.85F);
                 mass.ages.push_back(stroke.age);
                 mass.sways.push_back(stroke.sway);

@@ -9,8 +9,10 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <map>
+#include <optional>
 #include <span>
 
+#include "mesh/nearness.hpp"
 #include "scene/colour.hpp"
 #include "synthesis/trees/phyllotaxis.hpp"
 
@@ -141,6 +143,7 @@ struct Place {
     glm::vec3 at_m;
     const Site* site;
     float sway;
+    std::optional<glm::vec3> wood_m = {};  // where its own limb is not drawn: on the nearest that is
 };
 
 // Blades spread over the sites by their weights, then shuffled, so that a prefix covers the whole crown.
@@ -171,6 +174,22 @@ std::vector<Place> shuffled_places(const TreeSkeleton& skeleton, const FoliageOp
     for (std::size_t i = places.size(); i > 1; --i)
         std::swap(places[i - 1], places[random.below(static_cast<std::uint32_t>(i))]);
     return places;
+}
+
+// Blades of limbs too thin to be drawn would float: they draw in to those that are.
+void bear(std::vector<Place>& places, const mesh::Mesh& wood, float reach_m) {
+    if (wood.indices.empty()) return;
+    constexpr float kSlack = 0.2F;
+    constexpr float kDrawn_m = 0.08F;  // from its surface
+    const mesh::Nearness nearness(wood);
+    std::uint32_t last = 0;
+    for (Place& place : places) {
+        const mesh::Nearness::Nearest of_site = nearness.nearest(place.site->at_m, last, kSlack);
+        const mesh::Nearness::Nearest on = nearness.nearest(place.at_m, of_site.triangle, kSlack);
+        last = on.triangle;
+        if (of_site.distance_m > kDrawn_m) place.wood_m = on.at_m;
+        if (on.distance_m > reach_m) place.at_m = glm::mix(on.at_m, place.at_m, reach_m / on.distance_m);
+    }
 }
 
 glm::vec3 across(const glm::vec3& wish, const glm::vec3& along) {
@@ -230,10 +249,11 @@ class Palette {
     std::array<glm::vec3, kSteps> turning_;
 };
 
-// From a spray back to the limb that it grows on, some of it along that.
+// From a spray back to the limb that it grows on, some of it along that; where that is not drawn, to one that is.
 glm::vec3 twig_to(const Place& place, const TreeSkeleton& skeleton, float spray_m) {
     constexpr float kLeast = 0.6F;  // of the spray's length
     constexpr float kMost = 1.5F;
+    if (place.wood_m) return *place.wood_m - place.at_m;
     const Limb& limb = skeleton.limbs[static_cast<std::size_t>(place.site->limb)];
     glm::vec3 back_m{0};
     for (int node = place.site->node; node >= 0 && glm::length(back_m) < kLeast * spray_m; --node)
@@ -311,6 +331,23 @@ void add_cone(scene::Leaves& leaves, const Place& place, const FoliageOptions& o
     }
 }
 
+// The twig begins at its limb, whatever size its leaves are drawn in; a flower's is as grey as bark.
+void root_twig(scene::Leaves& leaves, std::size_t first, const LeafShape& shape, const BladeShape& b) {
+    constexpr float kHalf = 0.03F;  // of a flower's twig, to the flower
+    constexpr float kBark = 0.2F;
+    float aside_m = kHalf * b.half_width_m;
+    for (const std::uint32_t foot : shape.twig_foot) {
+        scene::Leaves::Vertex& at = leaves.vertices[first + foot];
+        at.site_m += (b.is_disc ? aside_m * b.along : at.corner_m) + b.twig_m;
+        at.corner_m = glm::vec3{0};
+        aside_m = -aside_m;
+    }
+    if (!b.is_disc) return;
+    const std::size_t foot = first + shape.twig_foot.front();
+    for (std::size_t v = foot; v < foot + 3; ++v)
+        leaves.vertices[v].colour = glm::vec3{kBark * scene::luminance(leaves.vertices[v].colour)};
+}
+
 }  // namespace
 
 void add_blade(scene::Leaves& leaves, const LeafShape& shape, const BladeShape& b,
@@ -338,13 +375,7 @@ void add_blade(scene::Leaves& leaves, const LeafShape& shape, const BladeShape& 
         }
         leaves.vertices.push_back(vertex);
     }
-    // The twig begins at its limb, whatever size its leaves are drawn in.
-    for (const std::uint32_t foot : shape.twig_foot) {
-        if (b.is_disc) break;
-        scene::Leaves::Vertex& at = leaves.vertices[first + foot];
-        at.site_m += at.corner_m + b.twig_m;
-        at.corner_m = glm::vec3{0};
-    }
+    if (!shape.twig_foot.empty()) root_twig(leaves, first, shape, b);
     for (const std::uint32_t t : shape.triangles) leaves.indices.push_back(first + t);
     for (const std::uint32_t t : shape.plain) leaves.plain_indices.push_back(first + t);
     ++leaves.blades;
@@ -369,7 +400,8 @@ scene::Leaves make_foliage(const TreeSkeleton& skeleton, const FoliageOptions& o
     scene::Leaves leaves;
     if (skeleton.sites.empty() || options.blades == 0) return leaves;
     const Crown crown = crown_of(skeleton);
-    const std::vector<Place> places = shuffled_places(skeleton, options, seed);
+    std::vector<Place> places = shuffled_places(skeleton, options, seed);
+    if (options.wood != nullptr) bear(places, *options.wood, options.reach_m);
     std::vector<glm::vec3> at;
     at.reserve(places.size());
     for (const Place& place : places)

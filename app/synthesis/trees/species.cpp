@@ -101,11 +101,19 @@ scene::Leaves climber_on(const Form& f, const scene::Species& species, const Fol
     return climber_leaves(species.wood.front(), species.trunk_radius_m, high_m, shape_of(foliage), most, seed);
 }
 
+const mesh::Mesh* wood_of(const scene::Species& species) {
+    return species.wood.empty() ? nullptr : &species.wood.front().mesh;
+}
+
+BareCrown bare_crown(const Form& f, const scene::Species& species) {
+    return {species.crown_radius_m, f.bark, wood_of(species)};
+}
+
 // Where leaves have fallen, but for what has needles, whose twigs are never bare.
 scene::Leaves twigs_on(const TreeSkeleton& skeleton, const Form& f, const scene::Species& species, std::size_t most,
                        base::Seed seed) {
     if (f.leaf == LeafKind::Needles || f.leaf == LeafKind::Spines || kind(f.habit).is_rosette) return {};
-    return bare_twigs(skeleton, species.crown_radius_m, f.bark, spray_shape(f.leaf), most, seed);
+    return bare_twigs(skeleton, bare_crown(f, species), spray_shape(f.leaf), most, seed);
 }
 
 void give_crown(const TreeSkeleton& skeleton, const Form& f, FoliageOptions& foliage, scene::Species& species,
@@ -114,6 +122,8 @@ void give_crown(const TreeSkeleton& skeleton, const Form& f, FoliageOptions& fol
     const scene::Leaves climber = climber_on(f, species, foliage, seed.child("climber"));
     const scene::Leaves twigs = twigs_on(skeleton, f, species, most_blades(f) - climber.blades, seed.child("twigs"));
     foliage.blades = std::min(foliage.blades, most_blades(f) - climber.blades - twigs.blades);
+    foliage.wood = k.is_rosette ? nullptr : wood_of(species);
+    foliage.reach_m = farthest_leaf_m(species.height_m);
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
     const bool has_spines = k.own_leaf == LeafKind::Spines;  // its limbs are what is seen of it
     if (!k.is_rosette && !has_spines) species.masses = masses_of(species.leaves);
@@ -133,8 +143,8 @@ constexpr float kDead = 0.5F;  // and not because of the season
 
 void stand_leafless(const TreeSkeleton& skeleton, const Form& f, scene::Species& species, base::Seed seed) {
     constexpr std::size_t kMost = 1600;
-    species.leaves = leafless_crown(skeleton, species.crown_radius_m, f.bark, kMost, seed.child("twigs"));
-    species.masses = leafless_masses(skeleton, species.crown_radius_m, f.bark, seed.child("strokes"));
+    species.leaves = leafless_crown(skeleton, bare_crown(f, species), kMost, seed.child("twigs"));
+    species.masses = leafless_masses(skeleton, bare_crown(f, species), seed.child("strokes"));
     add_spindle(species.wood, species.height_m, species.trunk_radius_m);
     set_coarser(species.wood, species.trunk_radius_m);
 }
@@ -180,6 +190,8 @@ scene::Species species_of(TreeSkeleton skeleton, const Form& f, base::Seed seed)
 }
 
 }  // namespace
+
+float farthest_leaf_m(float height_m) { return 0.2F + 0.02F * height_m; }
 
 base::Seed seed_of_species(base::Seed flora, std::size_t index) { return flora.child("species").child(index); }
 

@@ -18,6 +18,8 @@ struct StandSpecies {
     scene::Species middle, edge;
 };
 StandSpecies make_stand_species(const Form& form, base::Seed seed);
+// How far from its finest wood any leaf of such a tree may stand, m.
+float farthest_leaf_m(float height_m);
 TreeSkeleton skeleton_of_species(const Form& form, base::Seed seed);  // that it is made of
 
 // What the index-th tree of a flora of this seed is made from.

@@ -359,7 +359,7 @@ scene::Species shrub(const ShrubOptions& o, base::Seed seed) {
     add_fringe(species.masses);
     species.height_m = o.height_m;
     species.crown_radius_m = 0.55F * o.height_m * (0.4F + 0.6F * o.width);
-    mix_in(species.leaves, bare_twigs(skeleton, species.crown_radius_m, o.bark, shape_of(foliage), foliage.blades / 2,
+    mix_in(species.leaves, bare_twigs(skeleton, {species.crown_radius_m, o.bark}, shape_of(foliage), foliage.blades / 2,
                                       seed.child("twigs")));
     species.leaf = leaf_picture(foliage.kind, seed.child("leaf"));
     species.foliage = foliage_picture(foliage.kind, seed.child("leaf"));

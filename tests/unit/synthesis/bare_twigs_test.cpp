@@ -25,7 +25,7 @@ TreeSkeleton oak_in(float season) {
 }
 
 scene::Leaves twigs_in(float season, std::size_t most = 400) {
-    return bare_twigs(oak_in(season), 4, kBark, spray_shape(LeafKind::Lobed), most, base::Seed{9});
+    return bare_twigs(oak_in(season), {4, kBark}, spray_shape(LeafKind::Lobed), most, base::Seed{9});
 }
 
 TEST(BareTwigs, StandWhereLeavesHaveFallenAndNowhereElse) {
@@ -104,7 +104,7 @@ TEST(LeaflessCrown, IsAllBarkAndHasNoLeafLeftToFloatAboutIt) {
 // With the strongest first, so that the few that are drawn far away are its limbs.
 TEST(LeaflessCrown, BeginsWithItsLimbsWhereTheyAre) {
     const TreeSkeleton winter = oak_in(1);
-    const scene::Leaves crown = leafless_crown(winter, 4, kBark, 800, base::Seed{3});
+    const scene::Leaves crown = leafless_crown(winter, {4, kBark}, 800, base::Seed{3});
     for (std::size_t blade = 0; blade < 12; ++blade) {
         const scene::Leaves::Vertex& foot = crown.vertices[3 * blade];
         EXPECT_TRUE(std::ranges::any_of(winter.limbs, [&](const Limb& limb) {
@@ -123,7 +123,7 @@ TEST(LeaflessCrown, BeginsWithItsLimbsWhereTheyAre) {
 // ones.
 TEST(LeaflessMasses, AreStrokesThatTheSkyShowsBetween) {
     const TreeSkeleton winter = oak_in(1);
-    const auto masses = leafless_masses(winter, 4, kBark, base::Seed{3});
+    const auto masses = leafless_masses(winter, {4, kBark}, base::Seed{3});
     ASSERT_GE(masses.size(), 3U);
     const float crown_m2 = 8 * (winter.high_m.y - winter.low_m.y);
     for (std::size_t level = 0; level < masses.size(); ++level) {
@@ -140,10 +140,10 @@ TEST(LeaflessMasses, AreStrokesThatTheSkyShowsBetween) {
     }
     TreeSkeleton dead = winter;  // no bud is left on it
     dead.sites.clear();
-    EXPECT_GE(leafless_masses(dead, 4, kBark, base::Seed{3}).size(), 3U);
+    EXPECT_GE(leafless_masses(dead, {4, kBark}, base::Seed{3}).size(), 3U);
     TreeSkeleton pole = dead;
     pole.limbs.resize(1);
-    EXPECT_TRUE(leafless_masses(pole, 4, kBark, base::Seed{3}).empty());
+    EXPECT_TRUE(leafless_masses(pole, {4, kBark}, base::Seed{3}).empty());
 }
 
 }  // namespace

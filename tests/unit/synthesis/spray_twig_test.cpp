@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "mesh/nearness.hpp"
 #include "scene/tree_parameters.hpp"
 #include "synthesis/trees/foliage.hpp"
 #include "synthesis/trees/form.hpp"
@@ -92,16 +93,45 @@ TEST(Foliage, IsLitAsTheClumpsThatItFallsInto) {
     EXPECT_GT(inward / count, 0.08F) << "the sides of clumps that face one another";
 }
 
-TEST(SprayTwigs, AreNoneOfFlowersAndOfSingleLeaves) {
+TEST(SprayTwigs, AreNoneOfSingleLeaves) {
     EXPECT_TRUE(leaf_shape(LeafKind::Ovate).twig_foot.empty());
     EXPECT_TRUE(spray_shape(LeafKind::Needles).twig_foot.empty());
+}
+
+TEST(SprayTwigs, BearAFlowerOnAGreyStemFromItsLimb) {
     const LeafShape& shape = spray_shape(LeafKind::Ovate);
     scene::Leaves leaves;
     BladeShape disc;
     disc.is_disc = true;
     disc.twig_m = {1, 2, 3};
-    add_blade(leaves, shape, disc, {});
+    scene::Leaves::Vertex common;
+    common.colour = {0.8F, 0.1F, 0.5F};
+    add_blade(leaves, shape, disc, common);
     for (const auto& vertex : leaves.vertices) EXPECT_LT(glm::length(vertex.corner_m), 1.0F);
+    const auto& left = leaves.vertices[shape.twig_foot[0]];
+    const auto& right = leaves.vertices[shape.twig_foot[1]];
+    EXPECT_LT(glm::distance(0.5F * (left.site_m + right.site_m), disc.twig_m), 1.0e-4F);
+    EXPECT_GT(glm::distance(left.site_m, right.site_m), 1.0e-4F) << "a stem without a width is not drawn";
+    EXPECT_EQ(left.colour.r, left.colour.g);
+    EXPECT_LT(left.colour.g, 0.1F);
+    EXPECT_GT(leaves.vertices.front().colour.r, 0.7F) << "the flower keeps its colour";
+}
+
+// The thinnest limbs are not drawn: what stood on them would float about the crown.
+TEST(Foliage, StandsNoFartherFromDrawnWoodThanItMay) {
+    for (const char* kind : {"elm", "oak", "birch", "fir"}) {
+        scene::TreeParameters p;
+        p.tree_habit = static_cast<float>(habit_named(kind));
+        p.tree_blossom = 0.5F;
+        const Form form = form_of(p, Rank::First);
+        const scene::Species species = make_species(form, base::Seed{7});
+        const mesh::Nearness wood(species.wood.front().mesh);
+        float farthest_m = 0;
+        for (std::size_t v = 0; v < species.leaves.vertices.size(); v += 7)
+            farthest_m = std::max(farthest_m, wood.distance_m(species.leaves.vertices[v].site_m));
+        // A little more, for the limb is looked for with some slack.
+        EXPECT_LE(farthest_m, 1.25F * farthest_leaf_m(species.height_m)) << kind;
+    }
 }
 
 }  // namespace
