@@ -11,6 +11,7 @@ layout(location = 0) out vec4 pixel;
 
 void main() {
     vec3 bark = texture(bark_picture, on_bark).rgb * 2.0 - 1.0039;
-    float relief = max(1.0 + dot(bark.rg, slant) + bark.b, 0.25);
+    // What rises shines little; furrows are what is seen of bark.
+    float relief = clamp(1.0 + dot(bark.rg, slant) + bark.b, 0.25, 1.2);
     pixel = vec4(shown * relief + veil, 1.0);
 }

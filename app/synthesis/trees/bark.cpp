@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/vec2.hpp>
+#include <numeric>
 #include <vector>
 
 #include "synthesis/noise/gradient.hpp"
@@ -59,6 +60,12 @@ float ribs(float u, float v) {
     return 0.75F * std::sqrt(rib) + (is_tuft ? 0.25F : 0.0F);
 }
 
+// Of the reaction's second substance: where there is much of it the bark is level.
+float plate(float concentration) {
+    const float t = std::clamp((concentration - 0.06F) / 0.16F, 0.0F, 1.0F);
+    return t * t * (3 - 2 * t);
+}
+
 }  // namespace
 
 mesh::Field bark_relief(Bark kind, base::Seed seed, int side) {
@@ -86,7 +93,8 @@ mesh::Field bark_relief(Bark kind, base::Seed seed, int side) {
             float h = 0;
             switch (kind) {
                 case Bark::Furrowed:
-                    h = 2.4F * ridge_at(u, v) + 0.12F * grain;
+                    // Twice across for once along: plates longer than wide, level on top, with narrow clefts between.
+                    h = 0.8F * plate(ridge_at(2 * u, v)) + 0.2F * grain;
                     break;
                 case Bark::Plates: {
                     const float warp = 0.03F * tile_noise(bend, u, v, 4, 2);
@@ -115,7 +123,11 @@ mesh::Field bark_relief(Bark kind, base::Seed seed, int side) {
 }
 
 mesh::Image bark_picture(const mesh::Field& relief, float depth) {
+    constexpr float kSlope = 1.2F;
     const int n = relief.columns;
+    // The bark is as light as its colour.
+    const float mean =
+        std::accumulate(relief.samples.begin(), relief.samples.end(), 0.0F) / static_cast<float>(relief.samples.size());
     mesh::Image picture(n, n, 4);
     const auto byte = [](float unit) {
         return static_cast<std::uint8_t>(std::clamp(128.0F + 127.0F * unit, 0.0F, 255.0F));
@@ -125,9 +137,9 @@ mesh::Image bark_picture(const mesh::Field& relief, float depth) {
             const float across = relief.at((x + n - 1) % n, y) - relief.at((x + 1) % n, y);
             const float along = relief.at(x, (y + n - 1) % n) - relief.at(x, (y + 1) % n);
             std::uint8_t* p = picture.pixel(x, y);
-            p[0] = byte(2.2F * depth * across);
-            p[1] = byte(2.2F * depth * along);
-            p[2] = byte(depth * 0.85F * (relief.at(x, y) - 0.58F));
+            p[0] = byte(kSlope * depth * across);
+            p[1] = byte(kSlope * depth * along);
+            p[2] = byte(depth * 0.85F * (relief.at(x, y) - mean));
             p[3] = 255;
         }
     }

@@ -62,7 +62,7 @@ struct Kind {
     float sheds = 1;                     // of its leaves, in winter: 0 evergreen to 1
     Tint leaf_tint{};
     Tint bark_tint{};
-    float lightest_bark = 0.38F;     // its luminance, linear, whatever the genes
+    float lightest_bark = 0.25F;     // its luminance, linear, whatever the genes
     std::optional<Bark> own_bark{};  // that the gene cannot change
     bool is_tender = false;          // frost keeps it away
     float moisture = 0.45F, moisture_width = 0.8F;
