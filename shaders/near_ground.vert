@@ -19,7 +19,7 @@ void main() {
     over_grain = at_m.xz * view.scales.y;
     over_beds = beds_at(at_m);
     float left = 1.0 - distance(at_m, view.eye_seconds.xyz) * farthest;
-    // Beds are a picture over and over: far off its repeating would be seen.
-    vec3 kind = kinds.xyy * vec3(1.0, 0.5, kBedded * clamp(0.3 + left, 0.0, 1.0));
-    grains = kind * (view.scales.z * clear * clamp(3.0 * left, 0.0, 1.0));
+    // Where beds end larger ones begin (ground.vert).
+    vec3 kind = kinds.xyy * vec3(1.0, 0.5, kBedded) * clamp(left * vec3(3.0, 3.0, kBedsEnd), 0.0, 1.0);
+    grains = kind * (view.scales.z * clear);
 }

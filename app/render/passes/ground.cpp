@@ -106,6 +106,7 @@ gl::Work GroundPass::draw(const LandOnGpu& land, const GroundPictureOnGpu& pictu
     far_.use();
     gl::Wires::set_level(range.level);
     set_grid(land.land, range);
+    glUniform1f(1, 1 / std::max(grain_m, 1.0F));
     work += draw_indices(vertices_, indices, range.first + range.near_count, range.count - range.near_count);
     return work;
 }
