@@ -206,7 +206,7 @@ void add_cave(Stones& stones, const StoneGround& ground, const CavePlace& place,
     left.push_back(ahead(-1.7F, kSole));
     right.push_back(left.back());
     mesh.sole(left, right);
-    round_off(stones.stone, first, 0.5F);
+    round_off(stones.stone, first, 0.8F);
     // What has fallen from the brow lies at both sides of the way in.
     base::RandomStream random{seed.child("fallen")};
     for (int i = 0; i < 8; ++i) {

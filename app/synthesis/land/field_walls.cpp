@@ -18,6 +18,9 @@ namespace {
 
 constexpr float kPiece_m = 4.6F;  // of a wall, between joints
 constexpr float kSteepest = 0.75F;
+constexpr std::size_t kStones = 5;   // along a piece of wall, that stand out of it,
+constexpr std::size_t kCourses = 2;  // in so many courses
+constexpr float kRoughTo_m = 60;     // from where the camera's way lies: farther off a side is one plane
 
 struct Estate {
     glm::vec2 middle_m{0};
@@ -149,7 +152,7 @@ class Waller {
             const Joint b = joint(from, to, pieces, i + 1, name);
             const bool is_built = i != gate && may_stand(a) && may_stand(b) && may_stand(0.5F * (a.at_m + b.at_m)) &&
                                   chance(name, 64 + i) > 0.45F * p_.wall_decay * p_.wall_decay;
-            if (is_built) piece(a, b, !was_built, chance(name, 128 + i));
+            if (is_built) piece(a, b, !was_built, chance(name, 128 + i), 1'000'000 + 2 * (1000 * name + i));
             if (!is_built && was_built) end(a);
             was_built = is_built;
             a = b;
@@ -159,7 +162,7 @@ class Waller {
 
   private:
     static constexpr float kFoot = 0.36F;  // of its height, how far it reaches to each side below,
-    static constexpr float kTop = 0.2F;    // and above
+    static constexpr float kTop = 0.11F;   // and above
     struct Joint {
         glm::vec2 at_m{0};
         glm::vec2 aside{0};
@@ -176,7 +179,7 @@ class Waller {
         j.at_m = glm::mix(from, to, static_cast<float>(i) / static_cast<float>(pieces)) + bow * j.aside;
         j.ground_m = scene::ground_height_m(land_, j.at_m);
         const float fallen = p_.wall_decay * std::max(0.0F, 1.6F * chance(name, 512 + i) - 0.6F);
-        j.up_m = p_.wall_height_m * (0.94F + 0.12F * chance(name, 768 + i)) * (1 - 0.75F * fallen);
+        j.up_m = p_.wall_height_m * (0.86F + 0.24F * chance(name, 768 + i)) * (1 - 0.75F * fallen);
         return j;
     }
     // Each of its corners, and a little beyond: a stream is as narrow as a wall.
@@ -203,20 +206,61 @@ class Waller {
         };
         return {at(-foot, -0.5F), at(-top, j.up_m), at(top, j.up_m), at(foot, -0.5F)};
     }
-    void quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d, float tint) {
+    void facet(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, float tint) {
         const auto colour = [&](const glm::vec3& at) {
             const float over_m = at.y - scene::ground_height_m(land_, {at.x, at.z});
             return tint * scene::mix_colours(moss_, stone_, std::clamp(0.2F + over_m / p_.wall_height_m, 0.0F, 1.0F));
         };
         add_facet(stones_.stone, {a, b, c}, {colour(a), colour(b), colour(c)});
-        add_facet(stones_.stone, {a, c, d}, {colour(a), colour(c), colour(d)});
     }
-    void piece(const Joint& a, const Joint& b, bool has_end, float tone) {
+    void quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d, float tint) {
+        facet(a, b, c, tint);
+        facet(a, c, d, tint);
+    }
+    // A side of rough stones: a to b upward, a to d along it. Its edges are straight, as what joins it there is.
+    void rough(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d, float tint,
+               std::int64_t name) {
+        base::RandomStream random{base::Seed{base::hash_of(seed_, name, 0)}};
+        const auto tone = [&] { return tint * random.between(0.62F, 1.25F); };
+        const glm::vec3 out = glm::normalize(glm::cross(d - a, b - a));
+        std::array<std::array<glm::vec3, kStones>, kCourses> at;
+        for (std::size_t i = 0; i < kCourses; ++i)
+            for (std::size_t k = 0; k < kStones; ++k) {
+                const float along = (static_cast<float>(k) + random.between(0.7F, 1.3F)) / (kStones + 1);
+                const float up = (static_cast<float>(i) + random.between(0.75F, 1.25F)) / (kCourses + 1);
+                at[i][k] = glm::mix(glm::mix(a, b, up), glm::mix(d, c, up), along) + random.between(-0.08F, 0.3F) * out;
+            }
+        constexpr std::size_t kUpper = kCourses - 1;
+        constexpr std::size_t kLast = kStones - 1;
+        for (std::size_t k = 0; k < kLast; ++k) {
+            for (std::size_t i = 0; i < kUpper; ++i)
+                quad(at[i][k], at[i + 1][k], at[i + 1][k + 1], at[i][k + 1], tone());
+            facet(a, at[0][k], at[0][k + 1], tone());
+            facet(b, at[kUpper][k + 1], at[kUpper][k], tone());
+        }
+        facet(a, at[0][kLast], d, tone());
+        facet(b, c, at[kUpper][kLast], tone());
+        for (std::size_t i = 0; i < kUpper; ++i) {
+            facet(a, at[i + 1][0], at[i][0], tone());
+            facet(d, at[i][kLast], at[i + 1][kLast], tone());
+        }
+        facet(a, b, at[kUpper][0], tone());
+        facet(d, at[kUpper][kLast], c, tone());
+    }
+    void piece(const Joint& a, const Joint& b, bool has_end, float tone, std::int64_t name) {
         const auto r = ring(a);
         const auto s = ring(b);
         const float tint = 0.86F + 0.26F * tone;
-        for (std::size_t i = 0; i < r.size(); ++i)
-            quad(r[i], r[(i + 1) % 4], s[(i + 1) % 4], s[i], i == 1 ? 1.12F * tint : tint);
+        const bool is_near = glm::distance(a.at_m, kViewer_m) < kRoughTo_m;
+        for (std::size_t i = 0; i < r.size(); ++i) {
+            const std::size_t next = (i + 1) % 4;
+            if (is_near && i == 0)
+                rough(r[i], r[next], s[next], s[i], tint, name);
+            else if (is_near && i == 2)  // goes down
+                rough(s[next], s[i], r[i], r[next], tint, name + 1);
+            else
+                quad(r[i], r[next], s[next], s[i], tint);
+        }
         if (has_end) quad(r[3], r[2], r[1], r[0], tint);
     }
     void end(const Joint& a) {

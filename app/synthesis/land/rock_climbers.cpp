@@ -13,25 +13,33 @@ namespace {
 using voxels::Surroundings;
 using voxels::Tendril;
 
-constexpr float kTuft_m = 0.42F;
+constexpr float kLeaf_m = 0.36F;
+constexpr int kLeaves = 3;            // of a tendril
 constexpr float kReachable_m = 1.2F;  // over the ground, where a shoot begins
 constexpr std::size_t kMostRoots = 6;
 
+// A leaf folded along its midrib, that stands out by its foot.
+void add_leaf(scene::Stone& stone, const glm::vec3& foot_m, const glm::vec3& along_m, const glm::vec3& out,
+              const glm::vec3& colour) {
+    const float size_m = glm::length(along_m);
+    const glm::vec3 aside_m = 0.38F * glm::cross(out, along_m);
+    const glm::vec3 tip_m = foot_m + along_m - 0.12F * size_m * out;
+    const glm::vec3 wide_m = foot_m + 0.45F * along_m + 0.2F * size_m * out;
+    add_facet(stone, {foot_m, tip_m, wide_m + aside_m}, {0.7F * colour, 1.1F * colour, colour});
+    add_facet(stone, {foot_m, wide_m - aside_m, tip_m}, {0.7F * colour, colour, 1.1F * colour});
+}
+
+// Leaves about a tendril, most of which hang.
 void add_tuft(scene::Stone& stone, const Tendril& tendril, float size_m, const glm::vec3& colour,
               base::RandomStream& random) {
-    const glm::vec3 chance{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
-    const glm::vec3 along = glm::normalize(glm::cross(tendril.out, chance) + 1.0e-3F * tendril.way);
-    const glm::vec3 across = glm::cross(tendril.out, along);
-    const glm::vec3 middle = tendril.at_m + random.between(0.04F, 0.16F) * tendril.out;
-    const auto corner = [&](float a, float b, float out) {
-        return middle + size_m * (a * along + b * across + out * tendril.out);
-    };
-    // A leaf folded along its midrib.
-    const glm::vec3 foot = corner(-1, 0, 0.1F), tip = corner(1.1F, 0, -0.1F);
-    const glm::vec3 left = corner(0, 0.7F, 0.3F), right = corner(-0.1F, -0.7F, 0.3F);
-    const std::array<glm::vec3, 3> colours{0.7F * colour, 1.1F * colour, colour};
-    add_facet(stone, {foot, tip, left}, colours);
-    add_facet(stone, {foot, right, tip}, {0.7F * colour, colour, 1.1F * colour});
+    for (int i = 0; i < kLeaves; ++i) {
+        const glm::vec3 chance{random.between(-1, 1), random.between(-1.6F, 0.6F), random.between(-1, 1)};
+        const glm::vec3 on_rock = chance - glm::dot(chance, tendril.out) * tendril.out;
+        const glm::vec3 along = glm::normalize(on_rock + 1.0e-3F * tendril.way);
+        const glm::vec3 foot_m = tendril.at_m + random.between(0.03F, 0.14F) * tendril.out + 0.25F * size_m * along;
+        add_leaf(stone, foot_m, size_m * random.between(0.75F, 1.15F) * along, tendril.out,
+                 colour * random.between(0.8F, 1.2F));
+    }
 }
 
 struct Rock {
@@ -78,7 +86,7 @@ void add_rock_climbers(Stones& stones, const StoneGround& ground, const scene::L
         climber.upward = 0.45F;
         const glm::vec3 colour = voxels::climber_colour(p.climber_redness, seed.child(i).child("colour"));
         for (const Tendril& tendril : climb(rock.around, rock.roots_m, climber, seed.child(i).child("shoots")))
-            add_tuft(stones.stone, tendril, kTuft_m * random.between(0.7F, 1.3F), colour * random.between(0.8F, 1.25F),
+            add_tuft(stones.stone, tendril, kLeaf_m * random.between(0.7F, 1.3F), colour * random.between(0.8F, 1.25F),
                      random);
     }
 }

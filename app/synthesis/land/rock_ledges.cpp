@@ -125,15 +125,17 @@ void add_terraces(Stones& stones, const StoneGround& ground, const LedgePlace& p
             at[c] = {level.x, place.foot_m + own.y + low * (ground_m - place.foot_m - 0.5F), level.y};
             is_under = is_under && at[c].y < ground_m - 0.3F;
         }
-        // Ledges are overgrown.
-        const glm::vec3 across = glm::cross(at[1] - at[0], at[2] - at[0]);
-        const float green = 0.8F * glm::smoothstep(0.8F, 0.96F, across.y / std::max(glm::length(across), 1.0e-6F));
-        const glm::vec3 turf = scene::mix_colours(ground.palette.lush, ground.palette.dry, 0.4F);
-        for (std::size_t c = 0; c < 3; ++c)
-            colours[c] = scene::mix_colours(1.25F * strata.at(at[c].y, 0.15F), turf, green);
+        for (std::size_t c = 0; c < 3; ++c) colours[c] = 1.25F * strata.at(at[c].y, 0.15F);
         if (!is_under) add_facet(stones.stone, at, colours);
     }
-    round_off(stones.stone, first, 0.1F);
+    // Its cells are square: weathered, they are not seen.
+    round_off(stones.stone, first, 0.8F);
+    // Ledges are overgrown.
+    const glm::vec3 turf = scene::mix_colours(ground.palette.lush, ground.palette.dry, 0.4F);
+    for (std::size_t i = first; i < stones.stone.colours.size(); ++i) {
+        const float green = 0.8F * glm::smoothstep(0.74F, 0.97F, stones.stone.mesh.normals[i].y);
+        stones.stone.colours[i] = scene::mix_colours(stones.stone.colours[i], turf, green);
+    }
 }
 
 }  // namespace
