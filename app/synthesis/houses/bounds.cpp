@@ -173,8 +173,9 @@ class Bounds {
                     std::array{on(p, p_rib, k, s), on(q, q_rib, k, s), on(q, q_rib, k + 1, s), on(p, p_rib, k + 1, s)},
                     look, shades);
             }
-        add_face(to, std::array{on(a, at_a, 2, 1), on(b, at_b, 2, 1), on(b, at_b, 2, -1), on(a, at_a, 2, -1)},
-                 {1.1F * look.colour, look.cladding, 0});
+        const bool is_snowy = scene::ground_height_m(land_, a) > land_.snow_line_m;
+        const Look top = is_snowy ? Look{kSnow, scene::Cladding::Plain, 0} : Look{1.1F * look.colour, look.cladding, 0};
+        add_face(to, std::array{on(a, at_a, 2, 1), on(b, at_b, 2, 1), on(b, at_b, 2, -1), on(a, at_a, 2, -1)}, top);
         for (const float s : {1.0F, -1.0F}) {
             if (s > 0 && is_joined) continue;
             const glm::vec2 end = s > 0 ? a : b;

@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "synthesis/houses/masses.hpp"
 #include "synthesis/houses/settle.hpp"
 
 namespace quadrat::synthesis::houses {
@@ -13,8 +14,6 @@ constexpr float kOverWater_m = 0.3F;
 constexpr float kPadRoom_m = 0.9F;  // level ground around the walls
 constexpr float kPadEase_m = 5.0F;  // over which it meets the land
 constexpr float kLaneEase_m = 3.0F;
-
-constexpr glm::vec3 kSnow{0.80F, 0.83F, 0.88F};  // linear
 
 glm::vec3 roof_colour(const scene::Building& building) {
     const scene::Masses& masses = building.levels.back();

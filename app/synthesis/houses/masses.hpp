@@ -10,6 +10,8 @@
 // How faces come into masses. Not for use from outside.
 namespace quadrat::synthesis::houses {
 
+inline constexpr glm::vec3 kSnow{0.80F, 0.83F, 0.88F};  // its colour, linear
+
 struct Look {
     glm::vec3 colour{0.5F};  // linear
     scene::Cladding cladding = scene::Cladding::Plain;
