@@ -62,12 +62,17 @@ constexpr float kLimb_px = 1.3F;    // as thick are limbs that begin to be misse
 constexpr float kShape_px = 11;     // a shorter blade shows no more than that it is one
 constexpr float kFewestNear = 360;  // blades, of a crown near by,
 constexpr float kFewestNearShare = 0.7F;  // or this share of all
-constexpr float kWoodNear = 0.3F;         // and has limbs that bear them, as with this fineness
-constexpr float kNearFrom_px = 280;       // as high, and more so than it is where it is large on the screen
+constexpr float kWoodNear = 0.2F;         // and has limbs that bear them, as with this fineness
+constexpr float kWoodBeside = 0.4F;       // of that, where it is not what is looked at
+constexpr float kNearFrom_px = 200;       // as high, and more so than it is where it is large on the screen
 constexpr float kNearTo_px = 500;
+constexpr float kTall_m = 6;         // of lower plants, so much less:
+constexpr float kLeastTall = 0.25F;  // of those sizes
 
-float nearness(float height_px, float looked_at) {
-    return std::max(between(kNearFrom_px, kNearTo_px, height_px), looked_at);
+// A bush is near where it is not as high on the screen as a tree.
+float nearness(const PlantKind& kind, float height_px, float looked_at) {
+    const float tall = kind.mass_triangles.empty() ? 1 : std::clamp(kind.height_m / kTall_m, kLeastTall, 1.0F);
+    return std::max(between(kNearFrom_px * tall, kNearTo_px * tall, height_px), looked_at);
 }
 
 // Of a part's levels, finest first.
@@ -189,8 +194,8 @@ float between(float from, float to, float value) { return std::clamp((value - fr
 Closeness closeness(const PlantKind& kind, float height_px, float fineness, float looked_at) {
     Closeness how;
     how.has_leaves = kind.blades > 0;
-    const float near = nearness(height_px, looked_at);
-    set_wood(how, kind, height_px, fineness, near);
+    const float near = nearness(kind, height_px, looked_at);
+    set_wood(how, kind, height_px, fineness, std::max(kWoodBeside * near, looked_at));
     if (!how.has_leaves) return how;
     const float m_a_px = kind.height_m / std::max(height_px, 1e-3F);
     const float least = kind.are_slivers ? kSliversFineness : kind.mass_triangles.empty() ? kBladesFineness : 0;
@@ -240,8 +245,9 @@ Closeness closeness(const PlantKind& kind, float height_px, float fineness, floa
     how.share = share_of(wanted_blades);
     how.stand = std::clamp(wanted_blades / fewest, least_stand(height_px), 1.0F);
     how.stand = std::max(how.stand, how.merged * least_stand_of_masses(height_px));
-    how.is_plain = kind.triangles_per_plain_blade > 0 &&
-                   blade_px * std::sqrt(std::sqrt(std::max(std::max(fineness, least) / how.share, near))) < kShape_px;
+    how.is_plain =
+        kind.triangles_per_plain_blade > 0 &&
+        blade_px * std::sqrt(std::sqrt(std::max(std::max(fineness, least) / how.share, looked_at))) < kShape_px;
     return how;
 }
 

@@ -68,7 +68,7 @@ Spray spray_on(const scene::CrownMass& mass, std::size_t first, base::RandomStre
     spray.shade = weighted(mass.shades, mass.mesh, first, weights);
     spray.age = weighted(mass.ages, mass.mesh, first, weights);
     spray.sway = weighted(mass.sways, mass.mesh, first, weights);
-    spray.colour = weighted(mass.colours, mass.mesh, first, weights) * random.between(0.72F, 1.28F);
+    spray.colour = weighted(mass.colours, mass.mesh, first, weights) * random.between(0.86F, 1.14F);
     // Outward, down a little, and any way along the surface.
     const glm::vec3 chance{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
     const glm::vec3 flat = unit_or(chance - glm::dot(chance, spray.normal) * spray.normal, {1, 0, 0});
@@ -104,7 +104,7 @@ std::array<glm::vec3, 3> corners(const Spray& spray, float area_m2, float most_m
 }
 
 void add(scene::CrownMass& mass, const Spray& spray, const std::array<glm::vec3, 3>& at) {
-    constexpr std::array<float, 3> kLightness{0.82F, 0.88F, 1.22F};
+    constexpr std::array<float, 3> kLightness{0.9F, 0.94F, 1.14F};
     ++mass.sprays;
     for (std::size_t k = 0; k < 3; ++k) {
         mass.mesh.indices.push_back(static_cast<std::uint32_t>(mass.mesh.positions_m.size()));

@@ -141,7 +141,7 @@ TEST(Closeness, ATuftIsNoLeaflessCrown) {
     EXPECT_GT(closeness(crown, 60, 0.05F).share, 5 * closeness(reed, 60, 0.05F).share);
 }
 
-constexpr float kLookedAt_px = 280;  // crowns that are larger are leaves
+constexpr float kLookedAt_px = 200;  // crowns that are larger are leaves
 
 // One mass so near is a hedgehog on a pole.
 TEST(Closeness, ACrownThatIsLookedAtIsLeavesOnLimbsWhateverIsDrawnOfAllOthers) {
