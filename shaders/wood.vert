@@ -38,7 +38,8 @@ void main() {
     // out of it.
     float left = 1.0 - crown.x * clamp((high - crown.y) * 4.0, 0.0, 1.0) * clamp(3.6 - 3.0 * high, 0.0, 1.0);
     vec3 light = (sunlight * (facing * wind_sun_through.z) + ambient_on(normal) * foot) * left;
-    shown = encode_root(sqrt(bark.rgb * half_tint_enlarged.rgb * light)) * (1.0 - air.a);
+    vec3 colour = bark.rgb * half_tint_enlarged.rgb + snow_on(normal);
+    shown = encode_root(sqrt(colour * light)) * (1.0 - air.a);
     veil = air.rgb * air.a;
     on_bark = bark_tile;
     vec3 toward = view.to_sun.xyz * (0.35 + 0.65 * wind_sun_through.z) + vec3(0.0, 0.35, 0.0);

@@ -75,18 +75,18 @@ void add_costs(Results& results, const Chip& chip) {
 
 }  // namespace
 
-const ChipCosts kPi4Costs{{{"leaves.frag", 19, 208, 120},
-                           {"wood.frag", 29, 181, 71},
+const ChipCosts kPi4Costs{{{"leaves.frag", 19, 202, 113},
+                           {"wood.frag", 30, 192, 71},
                            {"cover.vert", 8, 97, 73},
-                           {"near_ground.frag", 42, 220, 81},
-                           {"water.frag", 58, 416, 45},
+                           {"near_ground.frag", 42, 222, 81},
+                           {"water.frag", 58, 415, 45},
                            {"held_sky.frag", 14, 158, 146},
                            {"falling.frag", 15, 185, 160}}};
-const ChipCosts kPi5Costs{{{"leaves.frag", 20, 183, 94},
-                           {"wood.frag", 29, 158, 64},
+const ChipCosts kPi5Costs{{{"leaves.frag", 20, 177, 103},
+                           {"wood.frag", 30, 169, 64},
                            {"cover.vert", 8, 84, 60},
-                           {"near_ground.frag", 39, 201, 73},
-                           {"water.frag", 53, 407, 40},
+                           {"near_ground.frag", 39, 199, 73},
+                           {"water.frag", 53, 409, 40},
                            {"held_sky.frag", 14, 133, 123},
                            {"falling.frag", 12, 147, 143}}};
 const ShaderCosts kPi4Dome{"sky.frag", 48, 158, 57};

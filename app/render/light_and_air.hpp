@@ -16,6 +16,7 @@ struct LightAndAir {
     float floor_m = 0;
     float side_m = 1;
     float grain_tile_m = 1;
+    float snow_line_m = 1.0e6F;  // plants above it have snow on them
     float houses_sun = 1;
     float withered = 0;  // of what is green of the ground, 0 to 1
     float lamps = 0;     // the share of windows that are lit

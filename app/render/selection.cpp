@@ -16,8 +16,8 @@ namespace {
 // would be gained, but a landscape is to look much alike however much of it can be held.
 constexpr float kHeldShare = 0.6F;
 constexpr float kLeastScale = 0.25F;  // of the sides of what is drawn smaller than it is shown
-// What moonlight leaves of a plant's colour: eyes see no hues by it, and green least.
-constexpr glm::vec3 kMoonlit{0.70F, 0.72F, 0.80F};
+// What moonlight leaves of a plant's light: crowns stand dark before the ground.
+constexpr glm::vec3 kMoonlit{0.58F};
 
 glm::mat4 turned(const glm::mat4& clip_from_world, const Hanging& hanging) {
     glm::mat4 turn{1};

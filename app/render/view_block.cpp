@@ -17,7 +17,8 @@ namespace {
 
 using passes::encode;
 
-constexpr float kSnowsBelow_m = 120;  // of the ground that is seen, under the line above which snow lies
+constexpr float kSnowsBelow_m = 120;   // of the ground that is seen, under the line above which snow lies
+constexpr float kSnowier_1_m = 0.12F;  // how much more snow lies on a plant a metre above the snow line
 constexpr float kLog2E = 1.442695F;
 
 // A dimmed view keeps a third of its light: still readable, plainly not chosen.
@@ -58,9 +59,8 @@ void set_clouds(choose::ViewBlock& b, const View& view, float left, float second
 
 void set_water(choose::ViewBlock& b, const LightAndAir& air, float left) {
     const glm::vec3 shallow = encode(air.shallow_water * left);
-    const float colour_seen = scene::colour_seen(air.sky.darkness);
-    b.shallow_water = {shallow, colour_seen};
-    b.deepening = {encode(air.deep_water * left) - shallow, 1 - colour_seen};
+    b.shallow_water = {shallow, 0};
+    b.deepening = {encode(air.deep_water * left) - shallow, 0};
     b.mirrored = {shown(air.high_sky, left), 0.35F * encode(scene::luminance(air.foam) * left)};
 }
 
@@ -99,6 +99,7 @@ LightAndAir light_and_air_of(const scene::Scene& scene) {
     a.floor_m = scene.floor_m;
     a.side_m = land.side_m();
     a.grain_tile_m = land.detail_tile_m;
+    a.snow_line_m = land.snow_line_m;
     a.houses_sun = scene.houses_sun;
     a.withered = scene.flora->cover.withered;
     a.lamps = scene::lit_windows(land.settlement, *scene.sky);
@@ -127,6 +128,8 @@ choose::ViewBlock block_of(const View& view, const glm::mat4& clip_from_world, f
     // However long a picture is exposed, its sun or moon is not: a moon would be a white disc.
     b.disc = {encode(sky.disc.colour * std::min(left, kept(view.dim))), sky.disc.radius_rad};
     b.glare = {sky.glare * kept_shown, 0.14F * sky.bow * kept_shown};
+    const float colour_seen = scene::colour_seen(sky.darkness);
+    b.eye_snow = {colour_seen, 1 - colour_seen, air.snow_line_m, kSnowier_1_m};
     set_water(b, air, left);
     set_clouds(b, view, left, seconds);
     b.cloud_place[0].y = air.withered;

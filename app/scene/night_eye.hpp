@@ -8,7 +8,7 @@ namespace quadrat::scene {
 
 // How much of a colour an eye sees by night, 1 by day: in little light its rods see, which tell light from dark alone.
 // At nightfall it is still nearly all. darkness: Sky's, 0 to 1.
-inline float colour_seen(float darkness) { return 1 - 0.5F * darkness * darkness; }
+inline float colour_seen(float darkness) { return 1 - 0.68F * darkness * darkness; }
 
 // A surface's colour (linear) as it is seen then: greyer, and what is red is darker, for rods are blind to it (CIE 1951
 // scotopic luminosity, over the three primaries). shaders/common/night_eye.glsl is the same.

@@ -18,6 +18,11 @@ vec3 turned(vec3 v) {
 // How far a part that appears at this age has unfolded: limbs slide out of the ones that bear them.
 float unfolded(float age) { return clamp(turn_grown_share.z / max(age, 0.04), 0.0, 1.0); }
 
+// Snow lies on what looks up, of plants that stand where it falls: so much it adds to their colour, which is dark.
+float snow_on(vec3 normal) {
+    return clamp((root_scale.y - view.eye_snow.z) * view.eye_snow.w, 0.0, 1.0) * max(normal.y - 0.28, 0.0);
+}
+
 vec3 planted(vec3 in_plant_m, float sway) {
     vec3 at_m = root_scale.xyz + root_scale.w * turned(in_plant_m);
     at_m.xz += wind_sun_through.xy * (sway * sway);

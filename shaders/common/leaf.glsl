@@ -8,7 +8,9 @@ layout(location = 4) in vec4 leaf_normal;
 layout(location = 5) in vec4 root_colour_shade;  // rgb: square root of the colour; a: light through the own crown
 layout(location = 6) in vec2 blade;  // from the midrib to the rim, from the foot to the tip
 
-layout(location = 0) uniform float foliage;  // 1: its picture is of many leaves, 0: of one
+layout(location = 0) uniform vec4 blade_picture;  // of one leaf or of many; xy: how much of it a blade shows, y: for
+                                                  // each time that it is enlarged; zw: how far it shows, the same
+layout(location = 2) uniform vec2 moved;          // how far one blade's part lies from another's
 
 out vec3 shown;
 out vec3 on_blade;
@@ -27,13 +29,11 @@ vec3 fanned(vec3 from_site_m);
 void main() {
     // A blade that stands for many shows many; where one picture takes the other's place neither shows.
     float times = 0.5 / half_tint_enlarged.a;
-    vec3 own = vec3(blade, clamp(3.0 - 1.78 * times, 0.0, 1.0));
-    vec3 many = vec3(blade * (0.2 * times) + rank * vec2(37.0, 11.0), clamp(1.5 * times - 2.53, 0.0, 1.0));
-    on_blade = mix(own, many, foliage);
-    on_blade.z -= on_blade.z * air.a;  // the air hides it too
+    on_blade.xy = blade * (blade_picture.x + blade_picture.y * times) + rank * moved;
+    on_blade.z = clamp(blade_picture.z + blade_picture.w * times, 0.0, 1.0) * (1.0 - air.a);  // the air hides it too
     float grown = unfolded(age_sway.x);
     vec3 in_plant_m = site_m * grown + fanned(corner_m * blade_scale(grown, times));
-    float flutter = 0.012 * sin(view.eye_seconds.w * 4.3 + dot(site_m, vec3(17.0, 11.0, 13.0)));
+    float flutter = 0.012 * sin(view.eye_seconds.w * 4.3 + rank * 97.0);
     in_plant_m.y += flutter * age_sway.y;
     gl_Position = view.clip_from_world * vec4(planted(in_plant_m, age_sway.y), 1.0);
 

@@ -19,8 +19,10 @@ layout(std140, binding = 0) uniform ViewBlock {
     vec4 haze_sunward;   // rgb: shown, toward the glow; w: log2(e) / haze height, 1/m
     vec4 mist;           // x: log2(e) * extinction, 1/m; y: its level, m; z: log2(e) / its depth, 1/m;
                          // w: how soon the sky rises out of the haze, in powers of two a sine of height
-    vec4 shallow_water;  // rgb: shown; w: how much of a colour an eye sees in so little light
-    vec4 deepening;      // rgb: shown, deep water less shallow; w: what of a colour is seen as grey
+    vec4 eye_snow;       // x: how much of a colour an eye sees in so little light; y: what is seen of it as grey; z: from
+                         // where snow lies on plants, m; w: how much more of it a metre above, 1/m
+    vec4 shallow_water;  // rgb: shown
+    vec4 deepening;      // rgb: shown, deep water less shallow
     vec4 mirrored;       // rgb: shown, the high sky in the water; w: brightness of foam, shown
     vec4 disc;           // rgb: shown, of the sun's or the moon's; w: radius of its picture
     vec4 glare;          // rgb: shown, about the disc; w: strength of the rainbow, shown

@@ -26,7 +26,7 @@ void show_water(vec3 at_m, float foams) {
     vec3 own = view.shallow_water.rgb + view.deepening.rgb;
     before = haze.rgb * haze.a + own * ((1.0 - reflected) * clear);
     // By night the picture is open for the land: pale hills in the water would be a white sheet.
-    float held = 0.25 + 0.87 * view.shallow_water.w;
+    float held = 0.48 + 0.64 * view.eye_snow.x;
     mirrored = vec3(in_mirror(at_m, away), held * reflected * clear * view.to_sun.w);
     mirrored.y -= mirror.ripple.x;
     // Gusts roughen some of the water and leave some of it smooth.

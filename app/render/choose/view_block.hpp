@@ -19,6 +19,7 @@ struct ViewBlock {
     glm::vec4 haze_colour{0};
     glm::vec4 haze_sunward{0};
     glm::vec4 mist{0, 0, 1, 26};
+    glm::vec4 eye_snow{1, 0, 0, 0};
     glm::vec4 shallow_water{0};
     glm::vec4 deepening{0};
     glm::vec4 mirrored{0};

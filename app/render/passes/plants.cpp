@@ -21,8 +21,18 @@ namespace quadrat::render::passes {
 namespace {
 
 constexpr std::size_t kOfMany_percent = 36;  // of its blades: so enlarged, each shows many (shaders/leaves.vert)
-constexpr float kCopyAside = 0.55F;          // of a spray's length, so far may its copy's tip lie from it on each axis
-constexpr float kFoliageTiles = 4.2F;        // to a plant's height: a leaf of the picture stands for several
+
+// What a blade shows of its picture (shaders/common/leaf.glsl). Both depend on how many times it is enlarged: what
+// comes first, and what comes for each time.
+struct BladePicture {
+    glm::vec2 part, shows;
+    glm::vec2 moved;
+};
+constexpr BladePicture kOfOne{{1, 0}, {3, -1.78F}, {0, 0}};
+constexpr BladePicture kOfMany{{0, 0.2F}, {-2.53F, 1.5F}, {37, 11}};
+
+constexpr float kCopyAside = 0.55F;    // of a spray's length, so far may its copy's tip lie from it on each axis
+constexpr float kFoliageTiles = 4.2F;  // to a plant's height: a leaf of the picture stands for several
 
 struct WoodPlace {
     glm::vec3 position_m;
@@ -305,7 +315,7 @@ gl::Work PlantsPass::draw_mass(const SpeciesOnGpu& species, const choose::Batch&
 gl::Work PlantsPass::draw_wood(const SpeciesOnGpu& species, const choose::Batch& batch, GLuint instances,
                                const choose::ViewBlock& view) const {
     const WoodOnGpu& wood = species.wood[batch.level];
-    const glm::vec3 bark = 2.0F * scene::seen_by_night(species.bark_colour, view.shallow_water.w);
+    const glm::vec3 bark = 2.0F * scene::seen_by_night(species.bark_colour, view.eye_snow.x);
     glUniform4f(0, bark.r, bark.g, bark.b, 1 / species.height_m);
     glUniform2f(1, species.crown.x, species.crown.y);
     wood_vertices_.feed(0, wood.places.name());
@@ -321,7 +331,9 @@ gl::Work PlantsPass::draw_leaves(const SpeciesOnGpu& species, const choose::Batc
     const bool stands_for_many = batch.blades * 100 < kOfMany_percent * species.blades;
     if (!batch.is_plain) {
         (stands_for_many ? species.foliage : species.leaf).bind(0);
-        glUniform1f(0, stands_for_many ? 1.0F : 0.0F);
+        const BladePicture& shown = stands_for_many ? kOfMany : kOfOne;
+        glUniform4f(0, shown.part.x, shown.part.y, shown.shows.x, shown.shows.y);
+        glUniform2f(2, shown.moved.x, shown.moved.y);
     }
     if (batch.copy > 0) {
         const auto copy = static_cast<float>(batch.copy);

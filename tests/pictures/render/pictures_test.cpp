@@ -29,6 +29,17 @@ class Pictures : public Stage {
         view.viewport = place;
         return view;
     }
+    // Only these parts of it.
+    mesh::Image parts(const std::shared_ptr<const scene::Scene>& scene, const render::Measured& measured) {
+        render::Frame f = frame();
+        render::View view;
+        view.scene = uploaded(scene);
+        view.camera = scene->track.cameras.front();
+        view.viewport = {0, 0, 640, 360};
+        f.views = {view};
+        f.measured = measured;
+        return drawn(f);
+    }
     render::Sign picture_sign(const mesh::Image& image, int x, int y) {
         render::Sign sign;
         sign.texture = renderer_->texture(image);
@@ -78,14 +89,7 @@ TEST_F(Pictures, OfADarkNightHaveLessColourInAllThatIsLit) {
     sky->darkness = 1;  // in the same light
     dark.sky = sky;
     const auto colourful = [&](const std::shared_ptr<const scene::Scene>& scene, bool leaves, bool wood, bool ground) {
-        render::Frame f = frame();
-        render::View view;
-        view.scene = uploaded(scene);
-        view.camera = scene->track.cameras.front();
-        view.viewport = {0, 0, 640, 360};
-        f.views = {view};
-        f.measured = {leaves, wood, ground, false, false};
-        return colourfulness(drawn(f));
+        return colourfulness(parts(scene, {leaves, wood, ground, false, false}));
     };
     const auto by_night = std::make_shared<const scene::Scene>(dark);
     for (int part = 0; part < 3; ++part) {
@@ -93,6 +97,30 @@ TEST_F(Pictures, OfADarkNightHaveLessColourInAllThatIsLit) {
         ASSERT_GT(day, 5) << part;
         EXPECT_LT(colourful(by_night, part == 0, part == 1, part == 2), 0.85 * day) << part;
     }
+}
+
+// What is as light as snow and as grey.
+int white_pixels(const mesh::Image& picture) {
+    int count = 0;
+    for (std::size_t i = 0; i + 3 < picture.bytes.size(); i += 4) {
+        const auto [low, high] = std::minmax({picture.bytes[i], picture.bytes[i + 1], picture.bytes[i + 2]});
+        if (low > 150 && high - low < 50) ++count;
+    }
+    return count;
+}
+
+TEST_F(Pictures, AboveTheSnowLinePlantsHaveSnowOnThem) {
+    const auto with_snow_from = [&](float line_m) {
+        scene::Scene scene = *handmade_scene(Hour::Noon, Ground::Meadow);
+        auto land = std::make_shared<scene::Land>(*scene.land);
+        land->snow_line_m = line_m;
+        scene.land = land;
+        return std::make_shared<const scene::Scene>(scene);
+    };
+    const auto snowy = with_snow_from(-100);
+    const auto bare = with_snow_from(1.0e6F);
+    const render::Measured leaves{true, false, false, false, false};
+    EXPECT_GT(white_pixels(parts(snowy, leaves)), white_pixels(parts(bare, leaves)) + 100);
 }
 
 TEST_F(Pictures, AStormLooksAsItDid) {
