@@ -73,17 +73,18 @@ std::vector<Row> chain(const Options& how) {
     for (std::size_t i = 1; i < progressive.levels.size(); ++i)
         vertices.push_back(progressive.levels[i].mesh.positions_m.size());
     const auto ours = [&] { return own_ms([&] { mesh::make_progressive(sphere, {.fewest = kFewest}); }); };
-    const auto meshoptimizer = [&] { return own_ms([&] { by_meshoptimizer(sphere, vertices); }); };
-    const auto cgal = [&] { return own_ms([&] { simplified_by_cgal(sphere, vertices.back()); }); };
-
-    Row beside{"chain", "ms", "meshoptimizer, each level from the one before", 0.95};
-    beside.why = kWhyNot;
-    beside.turns = in_turns(how.turns, ours, beside.why.empty() ? std::function<double()>(meshoptimizer) : nullptr);
-    if (beside.why.empty()) beside.note = errors_beside(progressive, by_meshoptimizer(sphere, vertices), sphere);
-    Row beside_cgal{"chain_cgal", "ms", "CGAL's collapses by Garland and Heckbert, the coarsest level alone", {}};
-    beside_cgal.why = why_no_cgal();
-    beside_cgal.turns = in_turns(how.turns, ours, beside_cgal.why.empty() ? std::function<double()>(cgal) : nullptr);
-    return {beside, beside_cgal};
+    const auto beside = [&](Row row, const std::function<double()>& theirs) {
+        if (is_asked(how, row.name)) row.turns = in_turns(how.turns, ours, row.why.empty() ? theirs : nullptr);
+        return row;
+    };
+    Row of_meshoptimizer{"chain", "ms", "meshoptimizer, each level from the one before", 0.95};
+    of_meshoptimizer.why = kWhyNot;
+    if (is_asked(how, "chain") && of_meshoptimizer.why.empty())
+        of_meshoptimizer.note = errors_beside(progressive, by_meshoptimizer(sphere, vertices), sphere);
+    Row of_cgal{"chain_cgal", "ms", "CGAL's collapses by Garland and Heckbert, the coarsest level alone", {}};
+    of_cgal.why = why_no_cgal();
+    return {beside(of_meshoptimizer, [&] { return own_ms([&] { by_meshoptimizer(sphere, vertices); }); }),
+            beside(of_cgal, [&] { return own_ms([&] { simplified_by_cgal(sphere, vertices.back()); }); })};
 }
 
 }  // namespace quadrat::peers

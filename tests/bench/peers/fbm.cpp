@@ -61,13 +61,14 @@ std::vector<Row> fbm(const Options& how) {
     const auto scalar = [&] {
         return timed([&] { return by_samples(size, [&](float x, float y) { return plain.at(x, y, kOctaves); }); });
     };
-    const std::string what = fmt::format("{0} octaves, {1} x {1} samples", kOctaves, size);
-    Row beside{"fbm", "ms", "libnoise, " + what, 1.0 / 12};
-    beside.why = kWhyNot;
-    beside.turns = in_turns(how.turns, ours, beside.why.empty() ? std::function<double()>(libnoise) : nullptr);
-    Row beside_plain{"fbm_plain", "ms", "plain scalar code, " + what, {}};
-    beside_plain.turns = in_turns(how.turns, ours, scalar);
-    return {beside, beside_plain};
+    const auto beside = [&](Row row, const std::function<double()>& theirs) {
+        row.against += fmt::format(", {0} octaves, {1} x {1} samples", kOctaves, size);
+        if (is_asked(how, row.name)) row.turns = in_turns(how.turns, ours, row.why.empty() ? theirs : nullptr);
+        return row;
+    };
+    Row of_libnoise{"fbm", "ms", "libnoise", 1.0 / 12};
+    of_libnoise.why = kWhyNot;
+    return {beside(of_libnoise, libnoise), beside({"fbm_plain", "ms", "plain scalar code", {}}, scalar)};
 }
 
 }  // namespace quadrat::peers

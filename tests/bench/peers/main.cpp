@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // bin/bench_peers: the table of ratios.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 
 #include "base/log.hpp"
 #include "bench/peers/peers.hpp"
@@ -35,30 +38,29 @@ std::vector<std::string> all_names() {
     return names;
 }
 
-std::vector<Row> measured(const Options& how, const std::vector<std::string>& asked) {
-    const auto is_asked = [&](const std::string& name) { return std::ranges::find(asked, name) != asked.end(); };
+std::vector<Row> measured(const Options& how) {
+    const auto asked = [&](const std::string& name) { return is_asked(how, name); };
     std::vector<Row> rows;
     for (const Group& group : groups()) {
-        if (std::ranges::none_of(group.names, is_asked)) continue;
-        std::cerr << "measuring " << group.names.front()
-                  << (group.names.size() > 1 ? " and what goes with it …\n" : " …\n");
+        std::vector<std::string> names;
+        std::ranges::copy_if(group.names, std::back_inserter(names), asked);
+        if (names.empty()) continue;
+        std::cerr << fmt::format("measuring {} …\n", fmt::join(names, ", "));
         for (Row& row : group.measure(how))
-            if (is_asked(row.name)) rows.push_back(std::move(row));
+            if (asked(row.name)) rows.push_back(std::move(row));
     }
     return rows;
 }
 
 int run(int argc, char** argv) {
     CLI::App app(
-        "Measures ours beside what others need for the same, in turns: meshoptimizer, CGAL, libnoise, plain code, and "
-        "Chromium with three.js. A ratio is ours to the yardstick's, the median of the turns'; its spread is from "
-        "their "
-        "first to their third quartile.");
+        "Measures ours beside what others need for the same, in turns: meshoptimizer, CGAL, libnoise, plain code, "
+        "and Chromium with three.js. A ratio is ours to the yardstick's, the median of the turns'; its spread is "
+        "from their first to their third quartile.");
     Options how;
-    std::vector<std::string> asked = all_names();
     bool is_json = false;
     bool shows_four = false;
-    app.add_option("--only", asked, "Rows to measure")->check(CLI::IsMember(all_names()))->capture_default_str();
+    app.add_option("--only", how.rows, "Rows to measure, instead of all")->check(CLI::IsMember(all_names()));
     app.add_option("--turns", how.turns, "How often each is measured")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
@@ -79,13 +81,18 @@ int run(int argc, char** argv) {
         std::cout << four_views(how) << std::endl;
         return 0;
     }
-    const std::vector<Row> rows = measured(how, asked);
+    const std::vector<Row> rows = measured(how);
     const std::string machine = machine::machine_description();
     std::cout << (is_json ? json_of(machine, rows) + "\n" : table_of(machine, rows)) << std::flush;
     return std::cout ? 0 : 1;
 }
 
 }  // namespace
+
+bool is_asked(const Options& how, std::string_view row) {
+    return how.rows.empty() || std::ranges::find(how.rows, row) != how.rows.end();
+}
+
 }  // namespace quadrat::peers
 
 int main(int argc, char** argv) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is measured, a function for those rows that come of the same work. Each takes seconds to minutes.
+// What is measured, a function for those rows that come of the same work; it may return more than was asked for. Each
+// takes seconds to minutes.
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/peers/rows.hpp"
@@ -9,11 +11,14 @@
 namespace quadrat::peers {
 
 struct Options {
+    std::vector<std::string> rows;  // that are asked for; empty: all
     int turns = 5;
     bool is_quick = false;          // less of everything: to see that it works
     std::string size = "1280x720";  // pixels of the frames
     std::string folder;             // where the landscapes for Chromium are kept; "": nowhere
 };
+
+bool is_asked(const Options& how, std::string_view row);
 
 std::vector<Row> chain(const Options& how);     // chain, chain_cgal
 std::vector<Row> fbm(const Options& how);       // fbm, fbm_plain
