@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Four exported landscapes, each in its quarter, as a page of three.js draws them that takes some care. What is planted
 // more than once is instanced, by squares of the ground: those outside the view are left out, and farther ones are drawn
-// by the coarser levels that were exported beside the finest ("NAME_mid", "NAME_far"). The ground is tiles of two levels.
+// by the coarser levels that were exported beside the finest ("NAME_mid", "NAME_far"), where any were. The ground is tiles
+// of two levels.
 // Lambert's law, fog, one sun; no shadows, textures or multisampling.
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
@@ -80,8 +81,9 @@ function plants_of(nodes) {
     if (!materials.has(material.name)) materials.set(material.name, lambert(material));
     const level = (from_m, of) => ({ from_m, mesh: of && instanced(of, materials.get(material.name), group) });
     const mid = afar.get(`${material.name}_mid`);
-    const levels = [level(0, geometry), level(far_m, afar.get(`${material.name}_far`) ?? mid)];
-    if (mid) levels.splice(1, 0, level(mid_m, mid));
+    const levels = [level(0, geometry)];
+    if (mid) levels.push(level(mid_m, mid));
+    if (afar.size > 0) levels.push(level(far_m, afar.get(`${material.name}_far`) ?? mid));
     return new Levels(levels[0].mesh.boundingSphere, levels);
   });
 }

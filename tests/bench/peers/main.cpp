@@ -66,6 +66,8 @@ int run(int argc, char** argv) {
         ->capture_default_str();
     app.add_option("--size", how.size, "Pixels of the frames")->capture_default_str();
     app.add_option("--folder", how.folder, "Where the landscapes for Chromium are kept, to look at");
+    app.add_flag("--as-exported", how.is_as_exported,
+                 "Give Chromium what quadrat export writes, without the coarser levels that a page draws from afar");
     app.add_flag("--quick", how.is_quick, "Less of everything: to see that it works");
     app.add_flag("--json", is_json, "One JSON object instead of a table");
     app.add_flag("--four-views", shows_four,

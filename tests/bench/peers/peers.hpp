@@ -15,6 +15,7 @@ struct Options {
     int turns = 5;
     bool is_quick = false;          // less of everything: to see that it works
     std::string size = "1280x720";  // pixels of the frames
+    bool is_as_exported = false;    // Chromium has what `quadrat export` writes, which has no levels of detail
     std::string folder;             // where the landscapes for Chromium are kept; "": nowhere
 };
 

@@ -16,6 +16,7 @@
 #include "benches/benches.hpp"
 #include "display/display.hpp"
 #include "nursery/growing.hpp"
+#include "pictures/scene_export.hpp"
 #include "support/process.hpp"
 
 namespace quadrat::peers {
@@ -38,7 +39,10 @@ nursery::Scenes four_scenes() {
 void write_four(const std::filesystem::path& folder, const Options& how) {
     const nursery::Scenes scenes = four_scenes();
     for (std::size_t i = 0; i < scenes.size(); ++i)
-        base::write_file(folder / fmt::format("{}.glb", i), mesh::to_glb(page_scene(*scenes[i])));
+        base::write_file(
+            folder / fmt::format("{}.glb", i),
+            mesh::to_glb(how.is_as_exported ? pictures::scene_model(*scenes[i], pictures::Instances::Shared)
+                                            : page_scene(*scenes[i])));
     const display::Size size = display::size_from(how.size, "--size");
     json views;
     views["size"] = {{"width", size.width}, {"height", size.height}};
@@ -113,7 +117,8 @@ std::vector<Row> whole(const Options& how, const std::string& program) {
         ours.push_back(our_turn(how, program, folder));
         if (why.empty()) theirs.push_back(their_turn(scenes, folder, why));
     }
-    std::string against = "Chromium with three.js";
+    std::string against =
+        how.is_as_exported ? "Chromium with three.js, all in the finest level" : "Chromium with three.js";
     if (why.empty())
         against +=
             fmt::format(" on {}, {:.1f} million triangles a frame", theirs.back().at("renderer").get<std::string>(),
