@@ -3,14 +3,13 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 
 #include "benches/benches.hpp"
 #include "benches/four_views.hpp"
+#include "benches/passes.hpp"
 #include "benches/settled.hpp"
 #include "benches/shaded.hpp"
-#include "benches/yardstick.hpp"
 #include "machine/heap.hpp"
 #include "render/choose/frustum.hpp"
 #include "stage/signs.hpp"
@@ -36,76 +35,23 @@ double instructions_per_pixel(stage::Easel& easel, const render::Frame& picture)
     return all / size_px;
 }
 
-// One view over the whole picture, of nothing but one part; the camera sees nothing else.
-render::Frame pass_of(render::Frame picture, const render::Measured& what, float look_up) {
-    picture.signs.clear();
-    picture.views.resize(1);
-    render::View& view = picture.views.front();
-    view.viewport = {0, 0, picture.size.x, picture.size.y};
-    const glm::vec3 ahead = view.camera.target_m - view.camera.eye_m;
-    view.camera.target_m =
-        view.camera.eye_m + glm::normalize(glm::vec3{ahead.x, 0, ahead.z}) + glm::vec3{0, look_up, 0};
-    picture.measured = what;
-    return picture;
-}
-
-struct Compared {
-    double ours_ms = 1e30;
-    double plain_ms = 1e30;
-    double ratio = 0;           // the median of the turns'
-    std::size_t triangles = 0;  // ours
-};
-
-// In turns, so that both have the same machine; the least of each, and how they compare in the median turn.
-template <typename Plain>
-Compared compared(stage::Easel& easel, render::Frame pass, const Plain& plain) {
-    constexpr int kFrames = 8;  // in which all that is drawn only every few frames is drawn as often as it ever is
-    const auto frame_ms = [&](const auto& draw) {
-        const auto frames = [&] {
-            for (int n = 0; n < kFrames; ++n) {
-                draw(easel.display().begin_frame());
-                easel.renderer().finish();
-                easel.display().present();
-            }
-        };
-        return milliseconds_of(frames) / kFrames;
-    };
-    Compared least;
-    std::vector<double> ratios;
-    constexpr int kTurns = 12;
-    for (int turn = 0; turn < kTurns; ++turn) {
-        const double ours_ms = frame_ms([&](const display::Canvas& canvas) {
-            pass.framebuffer = canvas.framebuffer;
-            least.triangles = easel.renderer().draw(pass).triangles;
-        });
-        const double plain_ms = frame_ms([&](const display::Canvas& canvas) { plain.draw(canvas); });
-        least.ours_ms = std::min(least.ours_ms, ours_ms);
-        least.plain_ms = std::min(least.plain_ms, plain_ms);
-        ratios.push_back(ours_ms / plain_ms);
-    }
-    least.ratio = machine::percentile(ratios, 0.5);
-    return least;
-}
-
 void passes(Results& results, stage::Easel& easel, const render::Frame& picture) {
-    render::Frame above = picture;
-    above.views.front().camera.eye_m.y += 40;
-    const render::Frame ground = pass_of(above, {false, false, true, false, false}, -0.7F);
-    const Compared land = compared(easel, ground, PlainGround{16});
+    constexpr int kTurns = 12;
+    const PassTurns land = land_pass(easel, picture, 16, kTurns);
     const int as_many = static_cast<int>(std::lround(std::sqrt(static_cast<double>(land.triangles) / 2)));
-    const Compared mesh = compared(easel, ground, PlainGround{std::max(as_many, 1)});
-    const Compared sky = compared(easel, pass_of(picture, {false, false, false, false, true}, 0.6F), PlainSky{});
+    const PassTurns mesh = land_pass(easel, picture, std::max(as_many, 1), kTurns);
+    const PassTurns sky = sky_pass(easel, picture, kTurns);
     const auto add = [&](const char* name, double value, const char* unit) {
         results.push_back({name, value, unit, cores()});
     };
-    add("frame.land_pass_ms", land.ours_ms, "ms");
-    add("frame.plain_ground_ms", land.plain_ms, "ms");
-    add("frame.land_pass_ratio", land.ratio, "of it");
-    add("frame.plain_mesh_ms", mesh.plain_ms, "ms");
-    add("frame.land_mesh_ratio", mesh.ratio, "of it");
-    add("frame.sky_pass_ms", sky.ours_ms, "ms");
-    add("frame.plain_sky_ms", sky.plain_ms, "ms");
-    add("frame.sky_pass_ratio", sky.ratio, "of it");
+    add("frame.land_pass_ms", std::ranges::min(land.ours_ms), "ms");
+    add("frame.plain_ground_ms", std::ranges::min(land.plain_ms), "ms");
+    add("frame.land_pass_ratio", ratio_of(land), "of it");
+    add("frame.plain_mesh_ms", std::ranges::min(mesh.plain_ms), "ms");
+    add("frame.land_mesh_ratio", ratio_of(mesh), "of it");
+    add("frame.sky_pass_ms", std::ranges::min(sky.ours_ms), "ms");
+    add("frame.plain_sky_ms", std::ranges::min(sky.plain_ms), "ms");
+    add("frame.sky_pass_ratio", ratio_of(sky), "of it");
 }
 
 std::size_t trees_in_sight(const scene::Scene& scene, const scene::Camera& camera, float aspect) {

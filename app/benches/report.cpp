@@ -112,6 +112,7 @@ std::string html_of(const Report& report) {
     html += header_of(report);
     for (const Section& section : sections_of(report.results.figures))
         html += section_of(section, report.results.visit_svg);
+    if (report.peers) html += section_of(*report.peers);
     if (report.shaders) html += section_of(*report.shaders);
     return html + "</main>\n</body>\n</html>\n";
 }

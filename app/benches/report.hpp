@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "benches/benches.hpp"
+#include "benches/peer_table.hpp"
 #include "benches/settings.hpp"
 #include "benches/shader_table.hpp"
 
@@ -19,6 +20,7 @@ struct Report {
     std::vector<Setting> settings;
     Results results;
     std::optional<ShaderTable> shaders;
+    std::optional<PeerTable> peers = {};
 };
 
 // One page of HTML that needs nothing beside it, neither files nor scripts. The figures stand in tables by what their

@@ -27,6 +27,7 @@ struct Options {
     std::string plot;     // FILE.svg of a visit's frames; may be empty
     std::string report;   // FILE.html; may be empty
     std::string shaders;  // FILE.json that tests/gpu/run wrote, for the report; may be empty
+    std::string peers;    // FILE.json that bench_peers wrote, for the report; may be empty
     benches::Options how;
 };
 
@@ -60,14 +61,24 @@ bool is_asked(const Group& group, const std::vector<std::string>& groups) {
     return holds(group.name) || (holds("all") && group.name != std::string_view("visit"));
 }
 
-// What would otherwise be found after minutes of measuring.
-std::optional<benches::ShaderTable> checked(const Options& options) {
+// What is shown beside what is measured here.
+struct Beside {
+    std::optional<benches::ShaderTable> shaders;
+    std::optional<benches::PeerTable> peers;
+};
+
+// Asks for what would otherwise be found after minutes of measuring.
+Beside checked(const Options& options) {
     constexpr std::size_t kLimit_bytes = 4U << 20U;
+    const auto text_of = [](const std::string& file) { return base::read_text(file, {kLimit_bytes, kLimit_bytes}); };
     display::size_from(options.how.size, "--size");
     if (!options.plot.empty()) base::require_ending(options.plot, {".svg"}, "a plot");
     if (!options.report.empty()) base::require_ending(options.report, {".html", ".htm"}, "a report");
-    if (options.shaders.empty()) return std::nullopt;
-    return benches::shader_table_from(base::read_text(options.shaders, {kLimit_bytes, kLimit_bytes}), options.shaders);
+    Beside beside;
+    if (!options.shaders.empty())
+        beside.shaders = benches::shader_table_from(text_of(options.shaders), options.shaders);
+    if (!options.peers.empty()) beside.peers = benches::peer_table_from(text_of(options.peers), options.peers);
+    return beside;
 }
 
 std::string now_as_text() { return fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr))); }
@@ -81,9 +92,15 @@ void print(const benches::Results& results, bool is_json) {
 }
 
 int bench(const Options& options) {
-    const auto shaders = checked(options);
-    benches::Report report{
-        machine::machine_description(), std::string(machine::version()), now_as_text(), {}, {}, {}, shaders};
+    const Beside beside = checked(options);
+    benches::Report report{machine::machine_description(),
+                           std::string(machine::version()),
+                           now_as_text(),
+                           {},
+                           {},
+                           {},
+                           beside.shaders,
+                           beside.peers};
     benches::Results& results = report.results;
     for (const Group& group : kGroups) {
         if (!is_asked(group, options.groups)) continue;
@@ -148,6 +165,11 @@ void add_bench(const Command& program) {
     command
         .add_option("--shaders", options->shaders,
                     "For the report: FILE.json of what shaders need on a Raspberry Pi, from tests/gpu/run --json")
+        .needs(report)
+        .tells_default("none");
+    command
+        .add_option("--peers", options->peers,
+                    "For the report: FILE.json of ratios to what others need, from bench_peers --json")
         .needs(report)
         .tells_default("none");
     command.does([options] { return bench(*options); });

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "base/file.hpp"
@@ -10,6 +8,7 @@
 #include "pictures/clamped_scene.hpp"
 #include "pictures/image_file.hpp"
 #include "pictures/picture.hpp"
+#include "pictures/scene_export.hpp"
 #include "pictures/tree_export.hpp"
 
 namespace quadrat::commands {
@@ -21,47 +20,6 @@ struct Options {
     std::string what = "scene";
     std::string limbs = "drawn";
 };
-
-mesh::Model::Part wood_of(const scene::Species& species, const std::string& name, std::size_t level) {
-    return {name + "_wood", species.wood.at(std::min(level, species.wood.size() - 1)).mesh, species.bark_colour};
-}
-
-mesh::Model::Part land_part(const scene::Land& land) {
-    mesh::Model::Part part{"land", {}, land.far_colour};
-    const int n = land.height_m.columns;
-    const float middle = static_cast<float>(n - 1) / 2;
-    for (int row = 0; row < land.height_m.rows; ++row) {
-        for (int column = 0; column < n; ++column) {
-            const glm::vec2 at{(static_cast<float>(column) - middle) * land.cell_m,
-                               (static_cast<float>(row) - middle) * land.cell_m};
-            part.mesh.positions_m.emplace_back(at.x, land.height_m.at(column, row), at.y);
-            part.mesh.normals.push_back(scene::ground_normal(land, at));
-            if (row + 1 == land.height_m.rows || column + 1 == n) continue;
-            const auto a = static_cast<std::uint32_t>(land.height_m.index(column, row));
-            const auto below = a + static_cast<std::uint32_t>(n);
-            for (const std::uint32_t index : {a, below, a + 1, a + 1, below, below + 1})
-                part.mesh.indices.push_back(index);
-        }
-    }
-    return part;
-}
-
-// Instances are free in glTF; in OBJ every plant is written out, so there the coarsest wood must do.
-mesh::Model scene_model(const scene::Scene& scene, bool writes_instances_out) {
-    mesh::Model model;
-    model.parts.push_back(land_part(*scene.land));
-    model.placed.push_back({});
-    for (std::size_t i = 0; i < scene.flora->species.size(); ++i) {
-        const scene::Species& species = scene.flora->species[i];
-        const std::string name = fmt::format("species{}", i);
-        model.parts.push_back(wood_of(species, name, writes_instances_out ? 99 : 0));
-        model.parts.push_back(pictures::leaves_part(species, name));
-    }
-    for (const scene::Plant& plant : scene.plants)
-        for (std::size_t part = 0; part < 2; ++part)
-            model.placed.push_back({1 + 2 * plant.species + part, plant.root_m, plant.yaw_rad, plant.scale});
-    return model;
-}
 
 int write(const Options& options) {
     const std::string ending = base::ending_of(options.output);
@@ -85,8 +43,10 @@ int write(const Options& options) {
         return 0;
     }
     mesh::Model model;
-    if (options.what == "land") model.parts.push_back(land_part(*scene->land));
-    if (options.what == "scene") model = scene_model(*scene, ending == ".obj");
+    if (options.what == "land") model.parts.push_back(pictures::land_part(*scene->land));
+    if (options.what == "scene")
+        model = pictures::scene_model(*scene,
+                                      ending == ".obj" ? pictures::Instances::WrittenOut : pictures::Instances::Shared);
     base::write_file(options.output, in_format(model));
     return 0;
 }

@@ -33,10 +33,14 @@ TEST(Bench, LeavesAReportInOnePage) {
     folder.write("shaders.json", R"({"compiler": "Mesa 25.0.7", "shaders": [{"vertex": "sky.vert", "fragment":
         "sky.frag", "stage": "fragment", "chip": "4.2", "instructions": 47, "threads": 4, "spills": 0, "fills": 0,
         "budget": 49}]})");
-    ASSERT_TRUE(
-        succeeds(run(program({"bench", "generation", "--report", "x.html", "--shaders", "shaders.json"}), folder)));
+    folder.write("peers.json", R"({"machine": "another", "results": [{"name": "chain", "ours": 2, "yardstick": 4,
+        "ratio": 0.5, "spread": 0.01, "goal": 0.95, "against": "meshoptimizer"}]})");
+    ASSERT_TRUE(succeeds(run(
+        program({"bench", "generation", "--report", "x.html", "--shaders", "shaders.json", "--peers", "peers.json"}),
+        folder)));
     const std::string page = contents_of(folder / "x.html");
-    for (const char* text : {"<!DOCTYPE html>", "generation.cold_ms", "sky.frag", "Mesa 25.0.7", "</html>"})
+    for (const char* text :
+         {"<!DOCTYPE html>", "generation.cold_ms", "sky.frag", "Mesa 25.0.7", "id=\"peers\"", "</html>"})
         EXPECT_NE(page.find(text), std::string::npos) << text;
     EXPECT_EQ(count_of(page, "http"), 0U) << "it needs nothing from outside";
 }
@@ -50,6 +54,8 @@ TEST(Bench, RefusesBeforeItMeasuresWhatItCouldNotReportAfterwards) {
         {{"--report", "."}, ".: is a directory"},
         {{"--report", "x.html", "--shaders", "shaders.json"}, "shaders.json: shaders[0]: vertex is 3"},
         {{"--report", "x.html", "--shaders", "none.json"}, "none.json: cannot read"},
+        {{"--report", "x.html", "--peers", "shaders.json"}, "shaders.json: the key machine is missing"},
+        {{"--peers", "shaders.json"}, "--report"},
         {{"--shaders", "shaders.json"}, "--report"}};
     for (const auto& [options, said] : refused) {
         std::vector<std::string> arguments{"bench", "generation"};
