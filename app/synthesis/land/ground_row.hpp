@@ -114,9 +114,9 @@ struct GroundKernel {
         const F over_snow_m = h - F(k.snow_line_m) + F(k.snow_aspect_m) * shady + F(5.0F + k.snow_drift_m) * hollow;
         // It ends at an edge: above it lies or slides off, it does not thin.
         lay(m, k.snow,
-            smooth(-1.5F, 2.0F, over_snow_m + F(k.snow_broken) * (F(7.0F) * p + F(5.0F) * g) + F(1.5F) * g) *
-                (F(1.0F) - smooth(k.snow_slope + 0.03F, k.snow_slope + 0.09F,
-                                  s + F(0.18F) * g + F(0.05F) * p - F(0.12F) * hollow)));
+            smooth(-2.2F, 2.8F, over_snow_m + F(k.snow_broken) * (F(7.0F) * p + F(5.0F) * g) + F(1.0F) * g) *
+                (F(1.0F) - smooth(k.snow_slope + 0.02F, k.snow_slope + 0.10F,
+                                  s + F(0.14F) * g + F(0.03F) * p - F(0.12F) * hollow)));
         finish(row, k, i, m, shore, g, p);
     }
 
