@@ -35,7 +35,7 @@ class Diary {
     // Keeps a short text for the next run, in place of the one under the same name.
     void remember(const std::string& name, std::string text);
 
-    // Within that time; or the disk has had so much that it must not end the visit.
+    // Waits at most `patience`. True: it is on disk, or the disk has had so long that the visit goes on without it.
     bool is_kept(Keeper::Ticket ticket, std::chrono::nanoseconds patience);
     std::string trouble();  // why what visitors do is not being kept, or ""
     Keeper& keeper() { return *keeper_; }
