@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// The room `learning`: what a site keeps of its visits and learns from them. The archive's thread, the diary of a
+// visit, its lineage of breeders, the word map's training at night. Nothing here runs a visit (exhibit) or grows
+// anything.
 #pragma once
 #include <cstdint>
 #include <functional>
