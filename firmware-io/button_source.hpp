@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The room `firmware-io`: buttons and lamps. GPIO, HID, evdev, keyboard and scripts, each a ButtonSource; debounce and
+// merge. Nothing here knows what a press means, and it includes no room of ours: other programs may use it.
 #pragma once
 #include <array>
 #include <cstddef>

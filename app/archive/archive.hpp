@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The room `archive`: what is kept on disk, in one SQLite file, and who may write it. Nothing here decides what happens
-// next (exhibit) or waits on a thread of its own (kiosk/keeper).
+// next (exhibit) or waits on a thread of its own (learning/keeper).
 #pragma once
 #include <chrono>
 #include <cstdint>

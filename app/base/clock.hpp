@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The room `base`: what every other room may use. Seeds and random streams, clocks, owned handles, files, threads, the
+// log. Nothing here knows what the program is about, and it includes no other room.
 #pragma once
 #include <chrono>
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The room `breeding`: learns from picks and proposes the next four. Breeders, the word map, archetypes, simulated
+// visitors. Nothing here grows or shows a landscape, knows of screens and time, or keeps anything on disk.
 #pragma once
 #include <cstddef>
 #include <deque>

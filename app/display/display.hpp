@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The room `display`: something to present frames on. The screen itself (KMS), a window, or none (headless). It gives a
+// context to draw with and says when each frame was shown. Nothing here draws or decides when a frame is due (tempo).
 #pragma once
 #include <chrono>
 #include <cstdint>

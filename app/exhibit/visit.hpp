@@ -73,9 +73,9 @@ struct Released {
 struct Tick {};
 // Somebody is there, though nothing was said to the visit: it is patient anew.
 struct Stirred {};
-// What a Wish asked to be grown has got on, which a slow machine takes its time for.
+// What a Wish asked for has grown a little further: on a slow machine the visit waits longer.
 struct Grew {};
-// What a Wish asked to be grown can be shown. Another number than the one that is waited for: too late, of no effect.
+// What a Wish asked for can be shown. Ignored where it is not the generation that the visit waits for.
 struct GenerationReady {
     int generation;
 };
@@ -153,7 +153,8 @@ enum class Ending {
     Stuck,     // a generation never came
 };
 
-// Light the button and show that it was heard, within the next frame. Comes with every press, whatever it meant.
+// Show in the next frame, and with sound, that the button was pressed. Comes with every press, whatever it meant. It
+// changes no lamp: lamps show what can be pressed (kiosk::Switchboard).
 struct Acknowledge {
     Choice button;
     friend bool operator==(const Acknowledge&, const Acknowledge&) = default;

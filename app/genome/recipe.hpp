@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// The room `genome`: what can vary, and in which words it is spoken of. The parameter table, words and languages,
+// offers and picks, recipes and scene codes. Nothing here breeds (breeding) or knows what a parameter looks like
+// (scene).
 #pragma once
 #include <filesystem>
 #include <string>

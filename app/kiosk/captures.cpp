@@ -26,7 +26,8 @@ void Captures::keep(stage::Theatre& theatre, const display::Canvas& canvas, base
         screen == exhibit::Screen::Ask || screen == exhibit::Screen::Slide || screen == exhibit::Screen::Finale;
     if (is_seen) round_ = parts_.show.state().rounds + 1;
     // Whoever answers before its light is refined still finds it in the album.
-    const bool is_worth_it = (is_seen && parts_.show.programme().is_refined()) || screen == exhibit::Screen::Breed;
+    const bool is_worth_it =
+        (is_seen && parts_.show.programme().has_nothing_to_refine()) || screen == exhibit::Screen::Breed;
     // Acts come one after another; what is still on stage when a visit begins is of the visit before.
     if (parts_.album == nullptr || !is_worth_it || act.number <= photographed_ || act.recipes.empty()) return;
     photographed_ = act.number;
@@ -43,7 +44,7 @@ void Captures::keep(stage::Theatre& theatre, const display::Canvas& canvas, base
 void Captures::keep_earlier_landscape(stage::Theatre& theatre, const display::Canvas& canvas, base::Instant now) {
     const nursery::Act& act = parts_.show.on_stage();
     const bool is_finale = parts_.show.state().screen == exhibit::Screen::Finale && !act.recipes.empty();
-    if (parts_.mode == staff::Mode::Safe || !is_finale || !parts_.show.programme().is_refined() ||
+    if (parts_.mode == staff::Mode::Safe || !is_finale || !parts_.show.programme().has_nothing_to_refine() ||
         !parts_.keepsakes->wants_another(now))
         return;
     const mesh::Image picture = theatre.photograph(act, stage::picture_of(act, canvas, parts_.configuration), canvas);

@@ -54,7 +54,7 @@ void Delivery::bring(base::DisplayTime until, bool is_all, base::Instant now) {
                            : OnGpu::Haste{kUploadBytes, [this, until] { return parts_.display.now() < until; }});
     if (!theatre_.has(parts_.show.on_stage())) return;
     if (coming != nullptr && theatre_.has(*coming)) return show(until, now);
-    if (refined != nullptr && theatre_.has(*refined)) programme.refined();
+    if (refined != nullptr && theatre_.has(*refined)) programme.note_refined();
 }
 
 // What was waited for, once it is kept.

@@ -74,7 +74,7 @@ Coming Programme::uploaded(base::Instant arrived, const nursery::Birth& birth) {
     return done;
 }
 
-void Programme::refined() {
+void Programme::note_refined() {
     if (!refined_) return;
     if (!is_full_) {
         for (nursery::Act* act : {&offered_, &finale_}) {
@@ -137,7 +137,7 @@ void Programme::look_at_wall(base::Instant now) {
 }
 
 void Programme::regrow_gallery() {
-    if (coming_ || offered_.scenes.empty() || regrowing_ || !is_refined()) return;
+    if (coming_ || offered_.scenes.empty() || regrowing_ || !has_nothing_to_refine()) return;
     const auto recipe = gallery_.missing();
     if (!recipe) return;
     regrowing_ = nursery::landscape_of(genome::candidate_of(*recipe), recipe->flight);

@@ -23,7 +23,7 @@ struct Coming {
     bool is_finale = false;
     nursery::Landscapes landscapes = {};
     std::optional<nursery::Act> act = {};  // once it has grown
-    bool is_full = false;                  // and that in its own light
+    bool is_full = false;                  // and that in full light
 };
 
 // Which landscapes are shown, which are on their way, and which come back to the gallery when nobody waits: what the
@@ -51,12 +51,12 @@ class Programme {
     // then, and grows in from `arrived`. A finale hangs from then on, with its birth.
     const nursery::Act* waiting_for_upload() const { return coming_ && coming_->act ? &*coming_->act : nullptr; }
     Coming uploaded(base::Instant arrived, const nursery::Birth& birth);
-    // What was uploaded last in its own light instead of a first, coarse one, where it has not grown so already; or
-    // what comes back to the gallery; or null. Once it is on the GPU too, say refined().
+    // Has grown in full light and is not on the GPU: what is shown in first light, or what comes back to the gallery,
+    // or what will be asked about; or null. Once it is there, say note_refined().
     const nursery::Act* waiting_to_refine() const { return refined_ ? &*refined_ : nullptr; }
-    void refined();
-    // Nothing is shown in a first light that will become its own.
-    bool is_refined() const { return !refined_ && (coming_ || is_full_); }
+    void note_refined();
+    // Nothing is shown in first light that will be replaced by full light.
+    bool has_nothing_to_refine() const { return !refined_ && (coming_ || is_full_); }
     // What has grown of the landscapes that may come: may be brought to the GPU already.
     nursery::Prospect ahead() const { return nursery_.ahead(); }
 
@@ -106,7 +106,7 @@ class Programme {
     std::optional<Coming> coming_;
     float told_progress_ = 0;
     nursery::Landscapes newest_;  // of the act that was shown last
-    bool is_full_ = true;         // it is shown in its own light
+    bool is_full_ = true;         // it is shown in full light
     std::optional<nursery::Act> refined_;
     nursery::Act offered_;
     nursery::Act finale_;

@@ -48,7 +48,7 @@ class Loop {
             // One frame ahead of the GPU is enough: more would be late, and take memory.
             if (!passage_->waits_for_all() && theatre_.is_drawn_within(kLongestFrame) && last_.presented)
                 announcer_.drawn();
-            hear(now);
+            take_presses(now);
             const bool were_uploads_awaited = delivery_.look(now);
             const tempo::Plan& plan = plan_frame(canvas, were_uploads_awaited, now);
             how.drawing_since = parts_.display.now();
@@ -69,7 +69,7 @@ class Loop {
         return parts_.attendant->curtain() == site::Curtain::Dark && parts_.attendant->board() == nullptr;
     }
 
-    void hear(base::Instant now) {
+    void take_presses(base::Instant now) {
         for (const display::KeyMotion& key : parts_.display.take_keys()) {
             if (key.key == display::Key::Escape || key.key == display::Key::Q) wants_to_quit_ = true;
             if (key.key == display::Key::F1 && key.move == display::KeyMove::Down) parts_.attendant->step_figures();
@@ -79,7 +79,7 @@ class Loop {
         const auto edges = parts_.panel.poll(now);
         look_after(now);
         for (const firmware_io::ButtonEdge& edge : edges) {
-            if (parts_.attendant->hear(edge, now))
+            if (parts_.attendant->take_edge(edge, now))
                 let_go(now);
             else
                 pass_on(edge, now);
@@ -113,10 +113,10 @@ class Loop {
         if (passes == Passes::Nothing) return parts_.show.happen(exhibit::Stirred{}, now);
         if (passes == Passes::WholePress) {
             edge.motion = Motion::Down;
-            switchboard_.hear(edge, now);
+            switchboard_.take_edge(edge, now);
             edge.motion = Motion::Up;
         }
-        switchboard_.hear(edge, now);
+        switchboard_.take_edge(edge, now);
     }
 
     // Nobody is asked whether they are there while they are being told something.

@@ -51,7 +51,7 @@ void Switchboard::take(const switches::Step& step, base::Instant now) {
     for (const exhibit::Event& event : step.events) show_.happen(event, now);
 }
 
-void Switchboard::hear(const firmware_io::ButtonEdge& edge, base::Instant now) {
+void Switchboard::take_edge(const firmware_io::ButtonEdge& edge, base::Instant now) {
     const exhibit::Choice button = choice_of(edge.button);
     const switches::Event event = edge.motion == firmware_io::Motion::Down ? switches::Event(exhibit::Pressed{button})
                                                                            : exhibit::Released{button};

@@ -13,13 +13,15 @@ namespace quadrat::kiosk {
 
 switches::Options switch_options_of(const site::Configuration& configuration);
 
-// Between the panel and the show: for who has four buttons a plain wire, for who has one or two the room `switches`.
+// Between the panel and the show: passes each press of four buttons on unchanged, and makes of one button or two, by
+// the room `switches`, what the visit knows.
 class Switchboard {
   public:
     // Both are borrowed.
     Switchboard(const site::Configuration& configuration, Show& show) : configuration_(configuration), show_(show) {}
 
-    void hear(const firmware_io::ButtonEdge& edge, base::Instant now);
+    // A press or a release of the visit's.
+    void take_edge(const firmware_io::ButtonEdge& edge, base::Instant now);
     // An edge was meant for staff: what they hold is held no longer here.
     void let_go(base::Instant now);
     // Once a frame, after the edges.
@@ -29,7 +31,7 @@ class Switchboard {
     // What is marked waits until then.
     void wait_for_speech(base::Instant until) { speaks_until_ = until; }
     bool has_four_buttons() const { return state_.buttons == switches::Buttons::Four; }
-    // With what is marked.
+    // What the narrator tells of, with what is marked.
     hearing::Subject heard(base::Instant now) const;
     // What lights up is what can be pressed now, or is marked.
     firmware_io::Lamps lamps() const;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// The room `learning`: what a site keeps of its visits and learns from them. The archive's thread, the diary of a
+// visit, its lineage of breeders, the word map's training at night. Nothing here runs a visit (exhibit) or grows
+// anything.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -35,7 +38,7 @@ class Diary {
     // Keeps a short text for the next run, in place of the one under the same name.
     void remember(const std::string& name, std::string text);
 
-    // Within that time; or the disk has had so much that it must not end the visit.
+    // Waits at most `patience`. True: it is on disk, or the disk has had so long that the visit goes on without it.
     bool is_kept(Keeper::Ticket ticket, std::chrono::nanoseconds patience);
     std::string trouble();  // why what visitors do is not being kept, or ""
     Keeper& keeper() { return *keeper_; }

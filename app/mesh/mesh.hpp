@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The room `mesh`: geometry and pixels. Fields, images, meshes and chains of simpler ones, roofs, lots, models for
+// other tools. Nothing here knows of landscapes or of a GPU: numbers go in, numbers come out.
 #pragma once
 #include <cstdint>
 #include <glm/vec2.hpp>

@@ -46,7 +46,7 @@ class Gallery {
     std::optional<genome::Recipe> missing() const;
     // What a recipe grew to. It does not hang where it is not the one that is missing: others were chosen meanwhile.
     void bring_back(const genome::Recipe& recipe, std::shared_ptr<const scene::Scene> scene);
-    // Where it hangs: the same in its own light.
+    // Where it hangs: the same in full light.
     void replace(const std::shared_ptr<const scene::Scene>& old, const std::shared_ptr<const scene::Scene>& by);
     void open(base::Instant now);  // Attract begins
     // Somebody has come, or, as with all that hang on a wall, they are to change: each of them was shown so long. To

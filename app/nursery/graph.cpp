@@ -66,15 +66,15 @@ void carry_out(Job& job, const scene::Fineness& fineness) {
 
 void Graph::want(std::vector<Want> wants) {
     wants_ = std::move(wants);
-    const bool is_order = std::ranges::any_of(wants_, &Graph::is_awaited_want);
+    const bool is_order = std::ranges::any_of(wants_, is_most_urgent);
     for (Foreseen& one : foreseen_)
-        if (is_order) one.is_awaited = is_in(wants_, one.want.landscape->layout_key());
+        if (is_order) one.was_ordered = is_in(wants_, one.want.landscape->layout_key());
     std::erase_if(foreseen_, [&](const Foreseen& one) {
-        if (is_order) return !one.is_awaited;
-        return one.is_awaited && !is_in(wants_, one.want.landscape->layout_key());
+        if (is_order) return !one.was_ordered;
+        return one.was_ordered && !is_in(wants_, one.want.landscape->layout_key());
     });
     for (const Want& want : wants_)
-        if (const Lit lit = find(*want.landscape); lit.scene && is_awaited_want(want))
+        if (const Lit lit = find(*want.landscape); lit.scene && is_most_urgent(want))
             aspects_.keep(want.landscape->aspect_key(Aspect::Sky), aspects_.now(), lit.scene->sky);
     remember_aspects(wants_);
     forget();
@@ -96,10 +96,8 @@ void Graph::foresee(std::vector<Want> wants) {
 
 void Graph::hurry() {
     for (Want& want : wants_)
-        if (want.urgency == Urgency::Awaited) want.stage = Stage::FullLight;
+        if (is_most_urgent(want)) want.stage = Stage::FullLight;
 }
-
-bool Graph::is_awaited_want(const Want& want) { return want.urgency == Urgency::Awaited; }
 
 bool Graph::has(const Want& want) const {
     const Landscape& landscape = *want.landscape;
@@ -147,7 +145,7 @@ std::vector<Job> Graph::missing_aspects(Urgency urgency) const {
         for (const Want& want : wants_)
             if (want.urgency == urgency) add_missing_aspects(want, aspect, jobs);
         for (const Foreseen& one : foreseen_)
-            if (urgency == Urgency::Coming && !one.is_awaited) add_missing_aspects(one.want, aspect, jobs);
+            if (urgency == Urgency::Coming && !one.was_ordered) add_missing_aspects(one.want, aspect, jobs);
     }
     return jobs;
 }
@@ -169,7 +167,8 @@ std::vector<Job> Graph::missing_ahead() const {
     std::vector<Job> layouts, light;
     for (const Foreseen& one : foreseen_) {
         const Landscape& landscape = *one.want.landscape;
-        if (one.is_awaited || one.want.stage == Stage::Aspects || !stands(landscape) || find(landscape).scene) continue;
+        if (one.was_ordered || one.want.stage == Stage::Aspects || !stands(landscape) || find(landscape).scene)
+            continue;
         if (layouts_.contains(landscape.layout_key())) {
             if (one.want.stage >= Stage::FirstLight)
                 light.push_back({one.want.landscape, Stage::FirstLight, {}, plot_of(landscape)});
@@ -209,8 +208,8 @@ void Graph::take(std::vector<Job> done) {
     forget();
 }
 
-bool Graph::is_awaited() const {
-    return std::ranges::any_of(wants_, [&](const Want& w) { return is_awaited_want(w) && !has(w); });
+bool Graph::has_unfinished_awaited() const {
+    return std::ranges::any_of(wants_, [&](const Want& w) { return is_most_urgent(w) && !has(w); });
 }
 
 bool Graph::is_there() const {
@@ -221,13 +220,13 @@ float Graph::progress() const {
     constexpr float kGrown = 0.9F;  // the rest is their light
     std::size_t all = 0, there = 0;
     for (const Want& want : wants_) {
-        if (!is_awaited_want(want)) continue;
+        if (!is_most_urgent(want)) continue;
         const bool is_lit = find(*want.landscape).scene != nullptr;
         for (const Aspect aspect : genome::kAspects)
             there += is_lit || aspects_.contains(want.landscape->aspect_key(aspect)) ? 1 : 0;
         all += genome::kAspects.size();
     }
-    if (!is_awaited()) return 1;
+    if (!has_unfinished_awaited()) return 1;
     return kGrown * static_cast<float>(there) / static_cast<float>(all);
 }
 
@@ -266,11 +265,10 @@ Prospect Graph::ahead() const {
             if (std::ranges::find(prospect.grounds, ground) == prospect.grounds.end())
                 prospect.grounds.push_back(ground);
         }
-        if (const Lit lit = find(landscape); lit.scene && !one.is_awaited) prospect.lit.push_back(lit.scene);
+        if (const Lit lit = find(landscape); lit.scene && !one.was_ordered) prospect.lit.push_back(lit.scene);
     }
     for (const Want& want : wants_)
-        if (const Lit lit = find(*want.landscape); lit.scene && is_awaited_want(want))
-            prospect.lit.push_back(lit.scene);
+        if (const Lit lit = find(*want.landscape); lit.scene && is_most_urgent(want)) prospect.lit.push_back(lit.scene);
     return prospect;
 }
 
@@ -284,7 +282,7 @@ void Graph::remember_aspects(const std::vector<Want>& wants) {
 void Graph::forget() {
     const auto is_foreseen = [&](Stage stage, const auto& is_it) {
         return std::ranges::any_of(foreseen_, [&](const Foreseen& one) {
-            return !one.is_awaited && one.want.stage >= stage && is_it(*one.want.landscape);
+            return !one.was_ordered && one.want.stage >= stage && is_it(*one.want.landscape);
         });
     };
     std::erase_if(layouts_, [&](const auto& entry) {

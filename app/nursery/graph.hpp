@@ -41,6 +41,7 @@ struct Want {
     Urgency urgency = Urgency::Awaited;
     genome::PerAspect<bool> known{{true, true, true}};  // which of its aspects are certain; others are not grown
 };
+inline bool is_most_urgent(const Want& want) { return want.urgency == Urgency::Awaited; }
 std::vector<Want> wants_for(const Landscapes& landscapes, Stage stage, Urgency urgency);
 
 // A piece of work, and once it is done, what it made.
@@ -56,7 +57,7 @@ void carry_out(Job& job, const scene::Fineness& fineness);
 
 // What has grown of landscapes to come.
 struct Prospect {
-    std::vector<scene::Ground> grounds;  // that stand, until their scenes are shown in their own light
+    std::vector<scene::Ground> grounds;  // that stand, until their scenes are shown in full light
     Scenes lit;                          // whole, in first light; of some of them at most four will be taken
 };
 
@@ -82,13 +83,13 @@ class Graph {
     std::vector<Job> next(std::size_t at_once, Urgency down_to = Urgency::Spare) const;
     void take(std::vector<Job> done);
 
-    bool is_awaited() const;  // anything, and not there yet
-    bool is_there() const;    // all that is wanted, but for what is foreseen
-    float progress() const;   // of what is awaited, 0 to 1
+    bool has_unfinished_awaited() const;  // somebody waits for something that is not there yet
+    bool is_there() const;                // all that is wanted, but for what is foreseen
+    float progress() const;               // of what is awaited, 0 to 1
     std::size_t kept() const { return aspects_.size(); }
     std::size_t to_grow() const;  // aspects
 
-    // The scene in the best light that there is; null where there is none. is_full: that is its own.
+    // The scene in the best light that there is; null where there is none. is_full: that is its full light.
     struct Lit {
         std::shared_ptr<const scene::Scene> scene;
         bool is_full = false;
@@ -105,12 +106,11 @@ class Graph {
   private:
     struct Foreseen {
         Want want;
-        bool is_awaited = false;  // meanwhile: its ground is held until it is shown in its own light
+        bool was_ordered = false;  // since it was foreseen; its ground is held until it is shown in full light
     };
     struct Scene {
         std::shared_ptr<const scene::Scene> first, full;
     };
-    static bool is_awaited_want(const Want& want);
     bool stands(const Landscape& landscape) const;
     bool has(const Want& want) const;
     Plot plot_of(const Landscape& landscape) const;

@@ -67,8 +67,8 @@ struct Nursery::Parts {
 };
 
 void Nursery::Parts::set_awaited() {
-    threads.set_awaited(graph.is_awaited());
-    worker.set_awaited(graph.is_awaited());
+    threads.set_awaited(graph.has_unfinished_awaited());
+    worker.set_awaited(graph.has_unfinished_awaited());
 }
 
 // With the lock: one step after another, as long as there is work.
@@ -116,7 +116,7 @@ Nursery::Nursery(const NurseryOptions& options) : parts_(std::make_unique<Parts>
 Nursery::~Nursery() { parts_->ending.request_stop(); }
 
 void Nursery::want(std::vector<Want> wants) {
-    const bool is_order = std::ranges::any_of(wants, [](const Want& w) { return w.urgency == Urgency::Awaited; });
+    const bool is_order = std::ranges::any_of(wants, is_most_urgent);
     const std::scoped_lock lock(parts_->mutex);
     parts_->graph.want(std::move(wants));
     if (is_order) {

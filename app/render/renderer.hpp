@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The room `render`: brings scenes to the GPU and draws them; letters and signs too. Which scenes are shown, and how
+// much a frame may spend, is said by others (stage, tempo). Only this room draws by OpenGL, and nothing here grows.
 #pragma once
 #include <array>
 #include <chrono>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The room `scene`: what a landscape is once it has grown, in metres and degrees. Land, flora, sky, light, cameras, and
+// the parameters that the growers need. Nothing here grows (synthesis) or draws (render): they meet in these types.
 #pragma once
 #include <memory>
 #include <vector>

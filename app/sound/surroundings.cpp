@@ -39,13 +39,16 @@ struct Foliage {
     float leaves = 0;
 };
 
-// By the kinds that the parameter table numbers: fir, stone pine, pine, cypress, mountain pine; or by its leaves.
+// Of kinds with leaves of their own, by the numbers of tree.habit, whether these are needles; of the others as the gene
+// says. The kinds' files (app/synthesis/trees/kinds/) decide; a test compares them with these lists.
 bool has_needles(const scene::TreeParameters& trees) {
-    constexpr std::array kConifers{2L, 10L, 13L, 15L, 18L};
-    constexpr long kAfterCactus = 5, kNeedles = 5;  // palms and cacti have leaves of their own
+    constexpr std::array kNeedlesOfTheirOwn{2L, 10L, 13L, 15L, 18L};  // fir, stone pine, pine, cypress, mountain pine
+    constexpr std::array kOtherLeavesOfTheirOwn{3L, 4L, 5L};          // palm, cactus, willow
+    constexpr long kNeedles = 5;
     const long habit = std::lround(trees.tree_habit);
-    if (std::ranges::find(kConifers, habit) != kConifers.end()) return true;
-    return (habit == 0 || habit >= kAfterCactus) && std::lround(trees.tree_leaf_shape) == kNeedles;
+    if (std::ranges::find(kNeedlesOfTheirOwn, habit) != kNeedlesOfTheirOwn.end()) return true;
+    if (std::ranges::find(kOtherLeavesOfTheirOwn, habit) != kOtherLeavesOfTheirOwn.end()) return false;
+    return std::lround(trees.tree_leaf_shape) == kNeedles;
 }
 
 Foliage foliage_of(const scene::TreeParameters& trees) {

@@ -48,8 +48,9 @@ struct DrawnWith {
     std::size_t objects = 0;  // of the GPU's, that there are
 };
 
-// Whoever looks after an exhibit: opening hours, the service screen, health, requests of staff. This one is nobody, for
-// a show on a clock that nobody watches: always open, and it asks for nothing.
+// Looks after the exhibit beside the visit: opening hours, the service screen, health, requests of staff. The methods
+// of this class do nothing: the exhibit is always open, and nobody asks for anything. That suits tests and simulated
+// clocks; staff::Caretaker does the work.
 class Attendant {
   public:
     virtual ~Attendant() = default;
@@ -57,7 +58,7 @@ class Attendant {
     // Once a frame, after the panel was polled.
     [[nodiscard]] virtual Orders look(Panel&, const VisitNow&, base::Instant) { return {}; }
     // A press or a release; true: it was meant for staff, or woke the exhibit, and is no part of a visit.
-    virtual bool hear(const firmware_io::ButtonEdge&, base::Instant) { return false; }
+    virtual bool take_edge(const firmware_io::ButtonEdge&, base::Instant) { return false; }
     virtual void framed(const display::Presented&, base::Instant, const DrawnWith&) {}
     // Shows how it draws; then its triangles too; then no longer.
     virtual void step_figures() {}

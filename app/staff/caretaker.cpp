@@ -247,7 +247,7 @@ void Caretaker::raise_curtain(bool has_visitor, base::Instant now) {
     base::log::info("hours: {}", kWords[static_cast<std::size_t>(curtain_)]);
 }
 
-bool Caretaker::hear(const firmware_io::ButtonEdge& edge, base::Instant now) {
+bool Caretaker::take_edge(const firmware_io::ButtonEdge& edge, base::Instant now) {
     if (edge.motion == firmware_io::Motion::Down) doorkeeper_.pressed(now);
     if (service_.is_open(now)) {
         if (edge.motion == firmware_io::Motion::Down)

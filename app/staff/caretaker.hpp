@@ -44,7 +44,7 @@ class Caretaker : public Attendant {
     explicit Caretaker(const CaretakerParts& parts);
 
     [[nodiscard]] Orders look(Panel& panel, const VisitNow& visit, base::Instant now) override;
-    bool hear(const firmware_io::ButtonEdge& edge, base::Instant now) override;
+    bool take_edge(const firmware_io::ButtonEdge& edge, base::Instant now) override;
     void framed(const display::Presented& presented, base::Instant now, const DrawnWith& drawn) override;
     void step_figures() override { figures_ = static_cast<Figures>((static_cast<int>(figures_) + 1) % 3); }
 

@@ -13,9 +13,9 @@
 
 namespace quadrat::stage {
 
-// What of the landscapes lies on the GPU, or is on its way there, addressed by what it is: the last stage of what the
-// nursery grows. It is told what is wanted, the most urgent first; what is not wanted any more is freed. Belongs to the
-// thread of the renderer's context, and ends before it.
+// The landscapes on the GPU, and the uploads under way. Each scene is found by its address. bring() is told what is
+// wanted, the most urgent first, uploads a slice of it, and frees what is not wanted any more. Use it on the thread of
+// the renderer's context, and destroy it before that.
 class OnGpu {
   public:
     explicit OnGpu(render::Renderer& renderer) : renderer_(renderer) {}  // borrowed

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// The room `synthesis`: grows land, trees, houses and sky, and composes a scene of them. Nothing here knows of genes,
+// visits or a GPU, or depends on time and the number of threads.
 #pragma once
 #include <memory>
 

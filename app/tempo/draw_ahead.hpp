@@ -11,7 +11,7 @@ namespace quadrat::tempo {
 // time from a press to the picture, but leaves processor and GPU one frame between them, and none for a hiccup. If a
 // frame came late that would have been in time had it been begun a frame earlier, frames are drawn ahead for a while;
 // then waiting is tried again, after ever longer times as long as it fails. A frame's time is what it is meant to take:
-// two refresh periods at half rate.
+// several refresh periods where the machine is slow.
 class DrawAhead {
   public:
     bool waits(DisplayTime now) const { return now >= ahead_until_; }

@@ -43,7 +43,8 @@ nanoseconds took(const FrameRecord& record);
 nanoseconds frame_time(const FrameRecord& record);
 
 // The one definition: it came more than half a refresh period later than it was meant to. Never, where the display has
-// no period or no frame was shown before.
+// no period or no frame was shown before. The governor judges frames of a display without a period as if that were
+// 16.7 ms (Tempo::judge).
 bool is_late(const FrameRecord& record);
 bool is_late(nanoseconds took, nanoseconds period, int meant_periods);
 

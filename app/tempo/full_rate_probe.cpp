@@ -28,10 +28,10 @@ bool FullRateProbe::watch(Instant now) {
     return true;
 }
 
-void FullRateProbe::frame(Instant now, float used, bool is_growing) {
+void FullRateProbe::frame(Instant now, float share_used, bool is_growing) {
     if (!is_watching_) return;
     ++frames_;
-    without_room_ += used > kEnough;
+    without_room_ += share_used > kEnough;
     was_growing_ |= is_growing;
     if (without_room_ <= 1 + frames_ / kFewOf) return;
     is_watching_ = false;

@@ -16,8 +16,8 @@ class FullRateProbe {
 
     // Begins to watch, or goes on. False, and nothing begun: it has been seen a short while ago that one would not do.
     bool watch(Instant now);
-    // used: of one period less than it had, until it was drawn; 1 and more: all of it.
-    void frame(Instant now, float used, bool is_growing);
+    // share_used: when it was drawn, of one period less than it had; 1 and more: all of it.
+    void frame(Instant now, float share_used, bool is_growing);
     // One period less would do. Whoever takes it says so, and says when that is over.
     bool is_open(Instant now) const;
     void taken(Instant now);

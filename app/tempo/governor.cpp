@@ -106,8 +106,6 @@ void DetailGovernor::kept_waiting() {
 // What is late then is late for what comes, not for how finely it is drawn: the less is drawn of the next at first.
 bool DetailGovernor::is_unsettled(const FrameTold& told) const { return told.is_growing || first_frames_left_ > 0; }
 
-bool DetailGovernor::is_late(const FrameTold& told) const { return tempo::is_late(told.took, told.period, periods_); }
-
 // A frame of several periods among others in time: something else took the machine, or the driver its time.
 bool DetailGovernor::is_hiccup(const FrameTold& told) const {
     return frames_since_hiccup_ >= kAlone && told.took >= kHiccup * told.period * periods_ &&
@@ -115,8 +113,9 @@ bool DetailGovernor::is_hiccup(const FrameTold& told) const {
 }
 
 void DetailGovernor::note_lateness(const FrameTold& told) {
-    const bool is_counted = is_late(told) && !is_hiccup(told);
-    frames_since_hiccup_ = is_late(told) && !is_counted ? 0 : std::min(frames_since_hiccup_ + 1, kAlone);
+    const bool was_late = is_late(told.took, told.period, periods_);
+    const bool is_counted = was_late && !is_hiccup(told);
+    frames_since_hiccup_ = was_late && !is_counted ? 0 : std::min(frames_since_hiccup_ + 1, kAlone);
     late_ <<= 1U;
     late_[0] = is_counted;
     if (!is_counted) return;
@@ -135,12 +134,12 @@ void DetailGovernor::frame(const FrameTold& told) {
     if (late_[0]) {
         begin_calm(told.now);
         room_ = std::max(room_ * kLateTakes, kLeastRoom);
-        if (told.used > room_ && told.took < kHiccup * told.period * periods_) yield_a_little(told);
+        if (told.share_of_frame_time_used > room_ && told.took < kHiccup * told.period * periods_) yield_a_little(told);
     }
     ++frames_calm_;
     first_frames_left_ = std::max(first_frames_left_ - 1, 0);
     // What it would have used with all the detail that is aimed at: about half of a frame's time follows the level.
-    const float whole = told.used * std::sqrt(std::max(target_ / level(), 1.0F));
+    const float whole = told.share_of_frame_time_used * std::sqrt(std::max(target_ / level(), 1.0F));
     frames_with_room_ += whole <= room_;
     frames_with_much_room_ += whole <= kMuchRoom * room_;
     if (late_[0])
@@ -170,7 +169,8 @@ void DetailGovernor::glide(const FrameTold& told) {
     const float back = std::exp2(kRoomGrows * passed_s);
     room_ = std::min(room_ * back, kRoom);
     // Where there is much room beside what grows, it need not be less.
-    const bool has_room = is_growing_ && told.used < kMuchRoom * room_ && !is_late(told);
+    const bool has_room =
+        is_growing_ && told.share_of_frame_time_used < kMuchRoom * room_ && !is_late(told.took, told.period, periods_);
     growing_share_ = has_room ? std::min(growing_share_ * std::exp2(kGrowingRises * passed_s), 1.0F)
                               : std::max(std::min(growing_share_ * back, kGrowing), growing_share_);
     recovered_ = is_growing_ ? growing_share_ : std::min(recovered_ * std::exp2(0.4F * passed_s), 1.0F);
@@ -192,7 +192,7 @@ void DetailGovernor::yield_a_little(const FrameTold& told) {
 void DetailGovernor::give_way(const FrameTold& told) {
     if (late_.count() < kTooManyLate || told.now - changed_at_ < kSettling) return;
     has_room_for_smooth_edges_ = false;
-    if (samples_ > 1 && told.used > room_) return give_up_smooth_edges(told);
+    if (samples_ > 1 && told.share_of_frame_time_used > room_) return give_up_smooth_edges(told);
     const float before = target_;
     const bool are_first_frames = !told.is_growing && is_unsettled(told);
     if (are_first_frames && growing_share_ <= kLeastGrowing) return;
@@ -243,7 +243,8 @@ void DetailGovernor::try_more(const FrameTold& told) {
 // To a frame in one period less.
 void DetailGovernor::look_back(const FrameTold& told) {
     const float fewer = static_cast<float>(periods_ - 1);
-    full_rate_probe_.frame(told.now, told.used * static_cast<float>(periods_) / fewer, told.is_growing);
+    full_rate_probe_.frame(told.now, told.share_of_frame_time_used * static_cast<float>(periods_) / fewer,
+                           told.is_growing);
     if (!full_rate_probe_.is_open(told.now)) return;
     change_periods(periods_ - 1, told.now);
     target_ = std::max(kLessAtOnce * target_, GovernorOptions::kLeast);

@@ -34,17 +34,18 @@ class DetailGovernor {
   public:
     using Instant = std::chrono::nanoseconds;
 
-    // Of a frame's time: drawn so early, it leaves room for more detail, where frames have not been late of late.
+    // A share of the frame time. A frame that is drawn within it leaves room for more detail, unless frames have been
+    // late in the last minutes.
     static constexpr float kRoom = 0.7F;
 
     explicit DetailGovernor(const GovernorOptions& options);
 
     struct FrameTold {
         Instant now{0};
-        Instant took{0};          // since the frame before it
-        Instant period{0};        // the screen's
-        float used = 1;           // of its time until it was drawn; 1: more than kRoom of it
-        bool is_growing = false;  // landscapes grow meanwhile, on the same cores
+        Instant took{0};                     // since the frame before it
+        Instant period{0};                   // the screen's; above 0
+        float share_of_frame_time_used = 1;  // when it was drawn, 0 to 1; over kRoom counts as 1
+        bool is_growing = false;             // landscapes grow meanwhile, on the same cores
     };
     void frame(const FrameTold& told);
     void follow(float most);  // the site changed its mind
@@ -79,7 +80,6 @@ class DetailGovernor {
 
     bool is_hiccup(const FrameTold& told) const;
     void note_lateness(const FrameTold& told);
-    bool is_late(const FrameTold& told) const;
     bool is_unsettled(const FrameTold& told) const;
     bool follows_screen(const FrameTold& told);
     void glide(const FrameTold& told);
@@ -114,7 +114,7 @@ class DetailGovernor {
     std::optional<Instant> last_now_;
     Instant calm_since_{0};
     Instant changed_at_{0};
-    float room_ = kRoom;         // less where what comes between, landscapes that grow beside it, makes frames late
+    float room_ = kRoom;         // share of the frame time; a late frame lowers it, and it comes back within minutes
     float least_by_ones_ = 0;    // level: single late frames take no more
     int first_frames_left_ = 0;  // of other landscapes
     int frames_with_room_ = 0;

@@ -11,7 +11,7 @@ constexpr nanoseconds kAway = std::chrono::seconds{1};  // so long between frame
 constexpr int kFramesOfAWait = 3;                       // two frames nobody takes for a wait
 
 // The share of its frame's time that it took until it was drawn; 1: it had no room left, or was not drawn in time.
-float used(const FrameRecord& record) {
+float share_of_frame_time_used(const FrameRecord& record) {
     if (!record.drawn) return 1;
     const float share = std::chrono::duration<float>(*record.drawn - record.begun) / frame_time(record);
     return share > DetailGovernor::kRoom ? 1 : share;
@@ -50,7 +50,8 @@ void Tempo::judge(FrameRecord record, const Circumstances& now) {
     if (governing_ == Governing::Fixed || !now.is_judged || !is_comparable ||
         record.meant_periods != governor_.periods())
         return;
-    governor_.frame({record.shown.time_since_epoch(), took(record), record.period, used(record), was_slowed_});
+    governor_.frame(
+        {record.shown.time_since_epoch(), took(record), record.period, share_of_frame_time_used(record), was_slowed_});
 }
 
 // Less is drawn of the first frame of other landscapes, and of the first while some grow, not only once one was late.

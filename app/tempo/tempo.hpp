@@ -2,10 +2,10 @@
 // The room `tempo`: when frames come and how finely they are drawn. Pure: records of frames go in, a plan for the next
 // frame comes out; no clock, no display, no GPU. Other rooms use this header, calibration.hpp, memory.hpp and
 // frame_record.hpp; the rest is how it is done:
-//   governor         the level of detail that holds the frame, and whether a frame takes one refresh period or two
-//   full_rate_probe  when two periods may become one again
+//   governor         the level of detail that holds the frame, and how many refresh periods a frame takes, 1 to 4
+//   full_rate_probe  when a frame may take one period less again
 //   draw_ahead       whether the display is waited for, or a frame is drawn ahead
-//   cadence          when a frame of two periods is handed over
+//   cadence          when a frame of several periods is handed over
 //   upload_slice     how much of a frame goes to uploads
 //   budget           a fixed budget instead of the governor
 #pragma once

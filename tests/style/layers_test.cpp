@@ -57,6 +57,20 @@ std::vector<SourceFile> our_sources() {
     return quadrat::tests::source_files({"app", "firmware-io"}, {".hpp", ".cpp", ".inc", ".h"});
 }
 
+// A reader begins there. Rooms in rooms are told of with the room that they lie in.
+TEST(Layers, EveryRoomSaysInOneHeaderWhatLivesThere) {
+    const Layers layers = read_layers();
+    const auto headers = quadrat::tests::source_files({"app", "firmware-io"}, {".hpp"});
+    for (const auto& [room, allowed] : layers.rooms) {
+        const std::string name = room.starts_with("app/") ? room.substr(4) : room;
+        if (name == "shaders" || name == "main.cpp" || name.find('/') != std::string::npos) continue;
+        const auto tells = [&](const SourceFile& header) {
+            return room_of(layers, header.path) == room && header.text.find("\n// The room `" + name + "`: ") < 100;
+        };
+        EXPECT_EQ(std::ranges::count_if(headers, tells), 1) << room;
+    }
+}
+
 TEST(Layers, EveryFileLiesInARoomOfTheTable) {
     const Layers layers = read_layers();
     ASSERT_GT(layers.rooms.size(), 10U);

@@ -157,7 +157,7 @@ class Visits : public testing::Test {
         if (show_->programme().waiting_for_upload() != nullptr)
             show_->uploaded(now_);
         else if (show_->programme().waiting_to_refine() != nullptr)
-            show_->programme().refined();
+            show_->programme().note_refined();
     }
     void settle() {
         for (int i = 0; i < 40; ++i) frame();

@@ -103,7 +103,7 @@ TEST_F(ShowAtNight, AsksAboutOtherLandscapesWhereTheSiteHasItSo) {
         ASSERT_EQ(show->state().screen, exhibit::Screen::Finale);
         bred.push_back(show->recipes_on_stage().front());
         while (show->programme().is_growing() || show->programme().waiting_to_refine() != nullptr) {
-            show->programme().refined();
+            show->programme().note_refined();
             settle(*show);
         }
         press(*show, Choice::D);
@@ -137,7 +137,7 @@ TEST_F(ShowAtNight, AsksAboutWhatWasBredWhereTheOtherHasNotGrownYet) {
     ASSERT_EQ(show->state().screen, exhibit::Screen::Describe);
     for (int frame = 0; frame < 3; ++frame) {  // nor does it come in the midst of a question
         settle(*show);
-        show->programme().refined();
+        show->programme().note_refined();
         EXPECT_EQ(show->recipes_on_stage().front(), bred);
     }
 }

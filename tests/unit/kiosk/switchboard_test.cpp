@@ -49,7 +49,7 @@ class ASwitchboard : public testing::Test {
             board_->look(now_);
         }
     }
-    void edge(Button button, Motion motion) { board_->hear({button, motion, now_}, now_); }
+    void edge(Button button, Motion motion) { board_->take_edge({button, motion, now_}, now_); }
     void press(Button button) {
         edge(button, Motion::Down);
         wait(100ms);

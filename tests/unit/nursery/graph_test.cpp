@@ -41,14 +41,14 @@ TEST(Graph, GrowsAspectsBeforeLightAndNothingTwice) {
     Graph graph(kFine);
     const Landscapes landscapes = four(1);
     graph.want(wants_for(landscapes, Stage::FirstLight, Urgency::Awaited));
-    EXPECT_TRUE(graph.is_awaited());
+    EXPECT_TRUE(graph.has_unfinished_awaited());
     EXPECT_EQ(graph.progress(), 0);
     const std::vector<Stage> stages = work_through(graph);
     EXPECT_EQ(count(stages, Stage::Aspects), 12);
     EXPECT_EQ(count(stages, Stage::FirstLight), 4);
     EXPECT_EQ(stages.size(), 16U);
     EXPECT_TRUE(std::ranges::is_sorted(stages));
-    EXPECT_FALSE(graph.is_awaited());
+    EXPECT_FALSE(graph.has_unfinished_awaited());
     EXPECT_EQ(graph.progress(), 1);
     graph.want(wants_for(landscapes, Stage::FullLight, Urgency::Shown));
     EXPECT_EQ(work_through(graph), std::vector<Stage>(4, Stage::FullLight));
@@ -61,7 +61,7 @@ TEST(Graph, DoesWhatIsMoreUrgentFirst) {
     auto wants = wants_for(spare, Stage::FullLight, Urgency::Spare);
     std::ranges::copy(wants_for(awaited, Stage::FirstLight, Urgency::Awaited), std::back_inserter(wants));
     graph.want(wants);
-    while (graph.is_awaited()) {
+    while (graph.has_unfinished_awaited()) {
         auto jobs = graph.next(100);
         for (const Job& job : jobs) ASSERT_TRUE(std::ranges::find(awaited, job.landscape) != awaited.end());
         do_all(graph, std::move(jobs));

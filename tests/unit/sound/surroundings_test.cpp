@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sound/surroundings.hpp"
 #include "scene/parameters.hpp"
+#include "synthesis/trees/form.hpp"
 
 #include <gtest/gtest.h>
 
@@ -66,6 +67,19 @@ TEST(Surroundings, FollowWhatGrows) {
     EXPECT_GT(of(Voice::Needles, firs), of(Voice::Needles, plain()));
     EXPECT_EQ(of(Voice::Leaves, bare), 0);
     EXPECT_LT(of(Voice::Leaves, alone), 0.5F * of(Voice::Leaves, plain()));
+}
+
+// The room may not ask which kinds bear needles: its lists have to say what the kinds' files say.
+TEST(Surroundings, HearNeedlesOfTheKindsThatBearThem) {
+    using synthesis::trees::LeafKind;
+    for (int habit = 0; habit < synthesis::trees::kind_count(); ++habit)
+        for (const LeafKind gene : {LeafKind::Ovate, LeafKind::Needles}) {
+            const synthesis::trees::Kind& kind = synthesis::trees::kind(habit);
+            scene::SceneParameters p = plain();
+            p.trees.tree_habit = static_cast<float>(habit);
+            p.trees.tree_leaf_shape = static_cast<float>(gene);
+            EXPECT_EQ(of(Voice::Leaves, p) == 0, kind.own_leaf.value_or(gene) == LeafKind::Needles) << kind.name;
+        }
 }
 
 TEST(Surroundings, FollowHowNearWaterIsAndWhetherPeopleLiveThere) {
