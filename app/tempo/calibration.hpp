@@ -43,8 +43,8 @@ GpuProfile profile_of(const FrameCosts& costs, double pixels);
 // For people, and for the state: its rates in one line.
 std::string to_text(const GpuProfile& profile);
 
-// Where to start: the most detail, up to `most`, that leaves three tenths of the screen's period, or of two periods
-// where one cannot be held at all; and smooth edges where they leave as much beside all that is asked for.
+// Where to start: the most detail, up to `most`, that leaves three tenths of the screen's period, or of two to four
+// where fewer cannot be held at all; and smooth edges where they leave as much beside all that is asked for.
 GovernorOptions start_for(const GpuProfile& profile, float most, double period_ms);
 
 }  // namespace quadrat::tempo

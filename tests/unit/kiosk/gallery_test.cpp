@@ -213,7 +213,7 @@ TEST_F(Visits, MakeRoomAndWhatTheyBredGrowsAgainAfterThem) {
         for (std::size_t i = 0; i < due.size(); ++i) {
             ASSERT_EQ(genome::code_of(show_->recipes_on_stage()[i]), due[i]) << "the newest, then the worthiest";
             const scene::Scene& shown = *show_->on_stage().scenes[i];
-            EXPECT_EQ(shown.light.ground, bred[due[i]]->light.ground) << "the same, in its own light: " << i;
+            EXPECT_EQ(shown.light.ground, bred[due[i]]->light.ground) << "the same, in full light: " << i;
             EXPECT_EQ(shown.plants.size(), bred[due[i]]->plants.size());
             EXPECT_EQ(shown.exposure, bred[due[i]]->exposure);
         }
