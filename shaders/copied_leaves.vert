@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Near leaves once more: each blade stands for some that are smaller.
 #include "common/view.glsl"
+#include "common/night_eye.glsl"
 #include "common/encode.glsl"
 #include "common/ambient.glsl"
 #include "common/instance.glsl"

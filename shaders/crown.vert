@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A crown as one mass, behind what is left of its leaves.
 #include "common/view.glsl"
+#include "common/night_eye.glsl"
 #include "common/encode.glsl"
 #include "common/ambient.glsl"
 #include "common/instance.glsl"

@@ -9,7 +9,5 @@ vec3 leaf_shown(vec3 normal, vec4 root_colour_shade) {
     // Some of what falls on its back comes through it as well: one that looks down is not black.
     vec3 light = sun * shade + ambient_on(normal) * (0.24 + 2.2 * shade);
     vec3 colour = root_colour_shade.rgb * root_colour_shade.rgb * half_tint_enlarged.rgb + 0.5 * snow_on(normal);
-    // seen_by_night(), but that a leaf's green alone tells how light it is.
-    colour = colour * view.eye_snow.x + 0.85 * view.eye_snow.y * colour.g;
-    return mix(encode_root(sqrt(colour * light)), air.rgb, air.a);
+    return mix(encode_root(sqrt(leaf_seen_by_night(colour) * light)), air.rgb, air.a);
 }

@@ -6,9 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
-#include <optional>
 
-#include "mesh/nearness.hpp"
 #include "scene/colour.hpp"
 #include "synthesis/trees/foliage.hpp"
 
@@ -99,8 +97,6 @@ void add_boughs(scene::Leaves& leaves, const TreeSkeleton& skeleton, const glm::
 
 void add_twigs(scene::Leaves& leaves, const TreeSkeleton& skeleton, const std::vector<const Site*>& bare,
                const BareCrown& crown, float per_crown, const LeafShape& shape, std::size_t most, base::Seed seed) {
-    const bool has_wood = crown.wood != nullptr && !crown.wood->indices.empty();
-    const std::optional<mesh::Nearness> wood = has_wood ? std::optional<mesh::Nearness>{*crown.wood} : std::nullopt;
     const float share = static_cast<float>(bare.size()) / static_cast<float>(skeleton.sites.size());
     const float wanted = per_crown * share * std::max(crown.radius_m, 0.4F);
     const std::size_t count = std::min(static_cast<std::size_t>(wanted), most);
@@ -114,7 +110,7 @@ void add_twigs(scene::Leaves& leaves, const TreeSkeleton& skeleton, const std::v
         const glm::vec3 out = outward / std::max(glm::length(outward), 0.1F);
         const float usual_m = std::max(kLengths * crown.radius_m, kShortest_m);
         BladeShape twig;
-        twig.site_m = wood ? wood->nearest(site.at_m, 0, kSlack).at_m : site.at_m;
+        twig.site_m = crown.wood != nullptr ? crown.wood->nearest(site.at_m, 0, kSlack).at_m : site.at_m;
         // Along the limb that is not drawn, if there is one.
         const glm::vec3 undrawn = kFollows * (site.at_m - twig.site_m) / usual_m;
         twig.along = glm::normalize(undrawn + site.along + 0.5F * site.out + 0.35F * out + 0.45F * direction(random) +

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/seed.hpp"
-#include "mesh/mesh.hpp"
+#include "mesh/nearness.hpp"
 #include "scene/flora.hpp"
 #include "synthesis/trees/leaf_shape.hpp"
 #include "synthesis/trees/skeleton.hpp"
@@ -14,7 +14,7 @@ namespace quadrat::synthesis::trees {
 struct BareCrown {
     float radius_m = 1;
     glm::vec3 bark{0.1F};
-    const mesh::Mesh* wood = nullptr;  // what is drawn of its limbs, on which twigs begin; none: where leaves would
+    const mesh::Nearness* wood = nullptr;  // what is drawn of its limbs, on which twigs begin; none: where leaves would
 };
 
 // The finest twigs of a crown, where its leaves have fallen (Organ::None): as wood they would be too many triangles,

@@ -12,7 +12,6 @@
 #include <optional>
 #include <span>
 
-#include "mesh/nearness.hpp"
 #include "scene/colour.hpp"
 #include "synthesis/trees/phyllotaxis.hpp"
 
@@ -177,15 +176,13 @@ std::vector<Place> shuffled_places(const TreeSkeleton& skeleton, const FoliageOp
 }
 
 // Blades of limbs too thin to be drawn would float: they draw in to those that are.
-void bear(std::vector<Place>& places, const mesh::Mesh& wood, float reach_m) {
-    if (wood.indices.empty()) return;
+void bear(std::vector<Place>& places, const mesh::Nearness& wood, float reach_m) {
     constexpr float kSlack = 0.2F;
     constexpr float kDrawn_m = 0.08F;  // from its surface
-    const mesh::Nearness nearness(wood);
     std::uint32_t last = 0;
     for (Place& place : places) {
-        const mesh::Nearness::Nearest of_site = nearness.nearest(place.site->at_m, last, kSlack);
-        const mesh::Nearness::Nearest on = nearness.nearest(place.at_m, of_site.triangle, kSlack);
+        const mesh::Nearness::Nearest of_site = wood.nearest(place.site->at_m, last, kSlack);
+        const mesh::Nearness::Nearest on = wood.nearest(place.at_m, of_site.triangle, kSlack);
         last = on.triangle;
         if (of_site.distance_m > kDrawn_m) place.wood_m = on.at_m;
         if (on.distance_m > reach_m) place.at_m = glm::mix(on.at_m, place.at_m, reach_m / on.distance_m);

@@ -3,7 +3,7 @@
 #include <glm/vec3.hpp>
 
 #include "base/seed.hpp"
-#include "mesh/mesh.hpp"
+#include "mesh/nearness.hpp"
 #include "scene/flora.hpp"
 #include "synthesis/trees/leaf_shape.hpp"
 #include "synthesis/trees/skeleton.hpp"
@@ -37,9 +37,9 @@ struct FoliageOptions {
     float flower_m = 0.2F;    // across a blossom, a fruit
     float fruit_m = 0.14F;
     LeafColours colours;
-    // What is drawn of the limbs, if that is not all of them; borrowed for the call. No blade stands farther from it
-    // than reach_m, and a spray's twig begins on it.
-    const mesh::Mesh* wood = nullptr;
+    // What is drawn of the limbs, if that is not all of them: it has triangles; borrowed for the call. No blade stands
+    // farther from it than reach_m, and a spray's twig begins on it.
+    const mesh::Nearness* wood = nullptr;
     float reach_m = 1;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "synthesis/trees/bare_twigs.hpp"
 #include "synthesis/trees/bark.hpp"
@@ -101,28 +102,29 @@ scene::Leaves climber_on(const Form& f, const scene::Species& species, const Fol
     return climber_leaves(species.wood.front(), species.trunk_radius_m, high_m, shape_of(foliage), most, seed);
 }
 
-const mesh::Mesh* wood_of(const scene::Species& species) {
-    return species.wood.empty() ? nullptr : &species.wood.front().mesh;
-}
-
-BareCrown bare_crown(const Form& f, const scene::Species& species) {
-    return {species.crown_radius_m, f.bark, wood_of(species)};
+// Of a crown on limbs, what is drawn of those; it borrows that, until the species has more levels.
+std::optional<mesh::Nearness> wood_of(const Form& f, const scene::Species& species) {
+    const mesh::Mesh& finest = species.wood.front().mesh;
+    if (kind(f.habit).is_rosette || finest.indices.empty()) return std::nullopt;
+    return std::make_optional<mesh::Nearness>(finest);
 }
 
 // Where leaves have fallen, but for what has needles, whose twigs are never bare.
-scene::Leaves twigs_on(const TreeSkeleton& skeleton, const Form& f, const scene::Species& species, std::size_t most,
+scene::Leaves twigs_on(const TreeSkeleton& skeleton, const Form& f, const BareCrown& crown, std::size_t most,
                        base::Seed seed) {
     if (f.leaf == LeafKind::Needles || f.leaf == LeafKind::Spines || kind(f.habit).is_rosette) return {};
-    return bare_twigs(skeleton, bare_crown(f, species), spray_shape(f.leaf), most, seed);
+    return bare_twigs(skeleton, crown, spray_shape(f.leaf), most, seed);
 }
 
 void give_crown(const TreeSkeleton& skeleton, const Form& f, FoliageOptions& foliage, scene::Species& species,
                 base::Seed seed) {
     const Kind& k = kind(f.habit);
     const scene::Leaves climber = climber_on(f, species, foliage, seed.child("climber"));
-    const scene::Leaves twigs = twigs_on(skeleton, f, species, most_blades(f) - climber.blades, seed.child("twigs"));
+    const std::optional<mesh::Nearness> wood = wood_of(f, species);
+    foliage.wood = wood ? &*wood : nullptr;
+    const BareCrown bare{species.crown_radius_m, f.bark, foliage.wood};
+    const scene::Leaves twigs = twigs_on(skeleton, f, bare, most_blades(f) - climber.blades, seed.child("twigs"));
     foliage.blades = std::min(foliage.blades, most_blades(f) - climber.blades - twigs.blades);
-    foliage.wood = k.is_rosette ? nullptr : wood_of(species);
     foliage.reach_m = farthest_leaf_m(species.height_m);
     species.leaves = make_foliage(skeleton, foliage, seed.child("leaves"));
     const bool has_spines = k.own_leaf == LeafKind::Spines;  // its limbs are what is seen of it
@@ -143,8 +145,10 @@ constexpr float kDead = 0.5F;  // and not because of the season
 
 void stand_leafless(const TreeSkeleton& skeleton, const Form& f, scene::Species& species, base::Seed seed) {
     constexpr std::size_t kMost = 1600;
-    species.leaves = leafless_crown(skeleton, bare_crown(f, species), kMost, seed.child("twigs"));
-    species.masses = leafless_masses(skeleton, bare_crown(f, species), seed.child("strokes"));
+    const std::optional<mesh::Nearness> wood = wood_of(f, species);
+    const BareCrown bare{species.crown_radius_m, f.bark, wood ? &*wood : nullptr};
+    species.leaves = leafless_crown(skeleton, bare, kMost, seed.child("twigs"));
+    species.masses = leafless_masses(skeleton, bare, seed.child("strokes"));
     add_spindle(species.wood, species.height_m, species.trunk_radius_m);
     set_coarser(species.wood, species.trunk_radius_m);
 }
